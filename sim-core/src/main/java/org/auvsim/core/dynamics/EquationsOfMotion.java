@@ -1,0 +1,222 @@
+package org.auvsim.core.dynamics;
+
+import static org.auvsim.core.entity.BodyState.IXX;
+import static org.auvsim.core.entity.BodyState.IXY;
+import static org.auvsim.core.entity.BodyState.IXZ;
+import static org.auvsim.core.entity.BodyState.IYY;
+import static org.auvsim.core.entity.BodyState.IYZ;
+import static org.auvsim.core.entity.BodyState.IZZ;
+import static org.auvsim.core.entity.BodyState.LX;
+import static org.auvsim.core.entity.BodyState.LY;
+import static org.auvsim.core.entity.BodyState.LZ;
+import static org.auvsim.core.entity.BodyState.PX;
+import static org.auvsim.core.entity.BodyState.PY;
+import static org.auvsim.core.entity.BodyState.PZ;
+import static org.auvsim.core.entity.BodyState.QW;
+import static org.auvsim.core.entity.BodyState.QX;
+import static org.auvsim.core.entity.BodyState.QY;
+import static org.auvsim.core.entity.BodyState.QZ;
+import static org.auvsim.core.entity.BodyState.X;
+import static org.auvsim.core.entity.BodyState.Y;
+import static org.auvsim.core.entity.BodyState.Z;
+
+import java.util.Arrays;
+import java.util.List;
+import org.auvsim.core.entity.Block;
+import org.auvsim.core.entity.BlockEffect;
+import org.auvsim.core.entity.BodyState;
+import org.auvsim.core.entity.Current;
+import org.auvsim.core.math.Vec3;
+
+/**
+ * The rigid-body equations in momenta (thesis, Table 5.1; Witkin &amp; Baraff 1997):
+ *
+ * <pre>dS/dt = P/m    dq/dt = 1/2 [0, w] q    dP/dt = F    dL/dt = tau    w = R I^-1 R^T L</pre>
+ *
+ * <p>One call evaluates a block of bodies. The loops are short on purpose: each touches few enough
+ * arrays for the compiler to vectorise it.
+ */
+public final class EquationsOfMotion {
+    private final BodyState bodies;
+    private final List<BlockEffect> effects;
+    private final List<Current> currents;
+
+    /**
+     * The equations for the bodies of a world.
+     *
+     * @param effects what acts on them beside named forces and propulsors, in this order
+     * @param currents the water's velocity is their sum
+     */
+    public EquationsOfMotion(
+            BodyState bodies, List<BlockEffect> effects, List<Current> currents) {
+        this.bodies = bodies;
+        this.effects = List.copyOf(effects);
+        this.currents = List.copyOf(currents);
+    }
+
+    /** Copies the state and mass of {@code count} bodies from slot {@code first} on. */
+    public void load(Block block, int first, int count, double time) {
+        block.first = first;
+        block.count = count;
+        block.time = time;
+        for (int c = 0; c < BodyState.COLUMNS; c++) {
+            System.arraycopy(bodies.column(c), first, block.state[c], 0, count);
+        }
+        System.arraycopy(bodies.mass(), first, block.mass, 0, count);
+    }
+
+    /** Fills rotations, velocities, forces, torques and rates of the block from its state. */
+    public void evaluate(Block b) {
+        rotations(b);
+        velocities(b);
+        angularVelocities(b);
+        waterVelocities(b);
+        bodies.applied().write(b);
+        for (BlockEffect effect : effects) {
+            effect.add(b);
+        }
+        rates(b);
+    }
+
+    /** Scales the quaternions of the block back to length 1. */
+    public void normalizeOrientations(Block b) {
+        double[] qw = b.state[QW];
+        double[] qx = b.state[QX];
+        double[] qy = b.state[QY];
+        double[] qz = b.state[QZ];
+        for (int i = 0; i < b.count; i++) {
+            double norm = Math.sqrt(qw[i] * qw[i] + qx[i] * qx[i] + qy[i] * qy[i] + qz[i] * qz[i]);
+            double k = 1 / norm;
+            qw[i] *= k;
+            qx[i] *= k;
+            qy[i] *= k;
+            qz[i] *= k;
+        }
+    }
+
+    private static void rotations(Block b) {
+        double[] w = b.state[QW];
+        double[] x = b.state[QX];
+        double[] y = b.state[QY];
+        double[] z = b.state[QZ];
+        for (int i = 0; i < b.count; i++) {
+            b.rxx[i] = 1 - 2 * (y[i] * y[i] + z[i] * z[i]);
+            b.rxy[i] = 2 * (x[i] * y[i] - w[i] * z[i]);
+            b.rxz[i] = 2 * (x[i] * z[i] + w[i] * y[i]);
+        }
+        for (int i = 0; i < b.count; i++) {
+            b.ryx[i] = 2 * (x[i] * y[i] + w[i] * z[i]);
+            b.ryy[i] = 1 - 2 * (x[i] * x[i] + z[i] * z[i]);
+            b.ryz[i] = 2 * (y[i] * z[i] - w[i] * x[i]);
+        }
+        for (int i = 0; i < b.count; i++) {
+            b.rzx[i] = 2 * (x[i] * z[i] - w[i] * y[i]);
+            b.rzy[i] = 2 * (y[i] * z[i] + w[i] * x[i]);
+            b.rzz[i] = 1 - 2 * (x[i] * x[i] + y[i] * y[i]);
+        }
+    }
+
+    private void velocities(Block b) {
+        scale(b, b.vx, b.state[PX], bodies.inverseMass());
+        scale(b, b.vy, b.state[PY], bodies.inverseMass());
+        scale(b, b.vz, b.state[PZ], bodies.inverseMass());
+    }
+
+    private static void scale(Block b, double[] to, double[] from, double[] bySlot) {
+        int first = b.first;
+        for (int i = 0; i < b.count; i++) {
+            to[i] = from[i] * bySlot[first + i];
+        }
+    }
+
+    /** w = R I^-1 R^T L, through the body's axes. */
+    private void angularVelocities(Block b) {
+        double[] lx = b.state[LX];
+        double[] ly = b.state[LY];
+        double[] lz = b.state[LZ];
+        rotate(b, b.wx, b.rxx, lx, b.ryx, ly, b.rzx, lz);
+        rotate(b, b.wy, b.rxy, lx, b.ryy, ly, b.rzy, lz);
+        rotate(b, b.wz, b.rxz, lx, b.ryz, ly, b.rzz, lz);
+        weigh(b, b.scratchX, IXX, b.wx, IXY, b.wy, IXZ, b.wz);
+        weigh(b, b.scratchY, IXY, b.wx, IYY, b.wy, IYZ, b.wz);
+        weigh(b, b.scratchZ, IXZ, b.wx, IYZ, b.wy, IZZ, b.wz);
+        rotate(b, b.wx, b.rxx, b.scratchX, b.rxy, b.scratchY, b.rxz, b.scratchZ);
+        rotate(b, b.wy, b.ryx, b.scratchX, b.ryy, b.scratchY, b.ryz, b.scratchZ);
+        rotate(b, b.wz, b.rzx, b.scratchX, b.rzy, b.scratchY, b.rzz, b.scratchZ);
+    }
+
+    private static void rotate(
+            Block b,
+            double[] to,
+            double[] rx,
+            double[] x,
+            double[] ry,
+            double[] y,
+            double[] rz,
+            double[] z) {
+        for (int i = 0; i < b.count; i++) {
+            to[i] = rx[i] * x[i] + ry[i] * y[i] + rz[i] * z[i];
+        }
+    }
+
+    private void weigh(
+            Block b, double[] to, int kx, double[] x, int ky, double[] y, int kz, double[] z) {
+        double[] ix = bodies.inverseInertia(kx);
+        double[] iy = bodies.inverseInertia(ky);
+        double[] iz = bodies.inverseInertia(kz);
+        int first = b.first;
+        for (int i = 0; i < b.count; i++) {
+            to[i] = ix[first + i] * x[i] + iy[first + i] * y[i] + iz[first + i] * z[i];
+        }
+    }
+
+    private void waterVelocities(Block b) {
+        if (currents.isEmpty()) {
+            return;
+        }
+        Arrays.fill(b.ux, 0, b.count, 0);
+        Arrays.fill(b.uy, 0, b.count, 0);
+        Arrays.fill(b.uz, 0, b.count, 0);
+        for (Current current : currents) {
+            for (int i = 0; i < b.count; i++) {
+                Vec3 u = current.valueAt(b.position(i), b.time);
+                b.ux[i] += u.x();
+                b.uy[i] += u.y();
+                b.uz[i] += u.z();
+            }
+        }
+    }
+
+    private void rates(Block b) {
+        System.arraycopy(b.vx, 0, b.rate[X], 0, b.count);
+        System.arraycopy(b.vy, 0, b.rate[Y], 0, b.count);
+        System.arraycopy(b.vz, 0, b.rate[Z], 0, b.count);
+        quaternionRates(b);
+        double[] mobility = bodies.mobility();
+        scale(b, b.rate[PX], b.fx, mobility);
+        scale(b, b.rate[PY], b.fy, mobility);
+        scale(b, b.rate[PZ], b.fz, mobility);
+        scale(b, b.rate[LX], b.tx, mobility);
+        scale(b, b.rate[LY], b.ty, mobility);
+        scale(b, b.rate[LZ], b.tz, mobility);
+    }
+
+    private static void quaternionRates(Block b) {
+        double[] qw = b.state[QW];
+        double[] qx = b.state[QX];
+        double[] qy = b.state[QY];
+        double[] qz = b.state[QZ];
+        double[] dw = b.rate[QW];
+        double[] dx = b.rate[QX];
+        double[] dy = b.rate[QY];
+        double[] dz = b.rate[QZ];
+        for (int i = 0; i < b.count; i++) {
+            dw[i] = -0.5 * (b.wx[i] * qx[i] + b.wy[i] * qy[i] + b.wz[i] * qz[i]);
+            dx[i] = 0.5 * (b.wx[i] * qw[i] + b.wy[i] * qz[i] - b.wz[i] * qy[i]);
+        }
+        for (int i = 0; i < b.count; i++) {
+            dy[i] = 0.5 * (b.wy[i] * qw[i] + b.wz[i] * qx[i] - b.wx[i] * qz[i]);
+            dz[i] = 0.5 * (b.wz[i] * qw[i] + b.wx[i] * qy[i] - b.wy[i] * qx[i]);
+        }
+    }
+}

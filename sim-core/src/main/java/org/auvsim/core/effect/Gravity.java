@@ -1,0 +1,32 @@
+package org.auvsim.core.effect;
+
+import java.util.List;
+import org.auvsim.core.description.Default;
+import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.BlockEffect;
+import org.auvsim.core.entity.Effect;
+
+/**
+ * Weight: the force mass times {@code acceleration} straight down, at the centre of mass.
+ *
+ * @param acceleration (m/s^2); standard gravity is 9.80665 (CGPM 1901)
+ */
+public record Gravity(@Unit("m/s^2") @Default("9.80665") double acceleration) implements Effect {
+    @Override
+    public BlockEffect layOut(List<List<Effect>> bySlot) {
+        double[] downward = new double[bySlot.size()];
+        for (int slot = 0; slot < downward.length; slot++) {
+            for (Effect effect : bySlot.get(slot)) {
+                downward[slot] += ((Gravity) effect).acceleration();
+            }
+        }
+        return block -> {
+            double[] mass = block.mass;
+            double[] fz = block.fz;
+            int first = block.first;
+            for (int i = 0; i < block.count; i++) {
+                fz[i] -= mass[i] * downward[first + i];
+            }
+        };
+    }
+}

@@ -1,0 +1,10 @@
+package org.auvsim.core.entity;
+
+/** Effects of one class, laid out over all bodies of a world. */
+public interface BlockEffect {
+    /**
+     * Adds to the force and torque of each body of the block; reads anything else of it, changes
+     * nothing else, and allocates nothing.
+     */
+    void add(Block block);
+}

@@ -1,0 +1,62 @@
+package org.auvsim.core.entity;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+
+/** The world objects of a world and the arrays that hold their numbers; object i has slot i. */
+public final class Bodies {
+    private final BodyState state;
+    private final List<WorldObject> objects;
+
+    /** No bodies. */
+    public Bodies() {
+        state = new BodyState();
+        objects = new ArrayList<>();
+    }
+
+    private Bodies(Bodies original) {
+        state = original.state.copy();
+        objects = new ArrayList<>(original.objects.size());
+        for (WorldObject object : original.objects) {
+            objects.add(new WorldObject(object, state));
+        }
+    }
+
+    /** An independent copy, equal bit for bit. */
+    public Bodies copy() {
+        return new Bodies(this);
+    }
+
+    /** The arrays. */
+    public BodyState state() {
+        return state;
+    }
+
+    /** The objects, by slot; a view. */
+    public List<WorldObject> objects() {
+        return Collections.unmodifiableList(objects);
+    }
+
+    /** Number of objects. */
+    public int count() {
+        return objects.size();
+    }
+
+    /** Makes a live object of a definition. */
+    public WorldObject add(long id, WorldObjectDefinition definition) {
+        WorldObject object = new WorldObject(id, definition, state);
+        objects.add(object);
+        return object;
+    }
+
+    /** Removes an object; those behind it move down by one slot. */
+    public void remove(WorldObject object) {
+        int slot = object.slot();
+        objects.remove(slot);
+        state.remove(slot);
+        for (int i = slot; i < objects.size(); i++) {
+            objects.get(i).moveToSlot(i);
+        }
+    }
+}

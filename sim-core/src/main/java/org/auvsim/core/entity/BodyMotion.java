@@ -1,0 +1,27 @@
+package org.auvsim.core.entity;
+
+import org.auvsim.core.math.Mat3;
+import org.auvsim.core.math.Vec3;
+
+/**
+ * What a collision response may know of a rigid body, at the instant of contact.
+ *
+ * @param state position, orientation and momenta
+ * @param velocity of the origin (m/s, world)
+ * @param angularVelocity (rad/s, world)
+ * @param inverseMass (1/kg); 0 for a fixed body
+ * @param inverseInertia (1/(kg m^2), world axes); zeros for a fixed body
+ * @param restitution share of the approach speed that is left after a bounce, 0 to 1
+ */
+public record BodyMotion(
+        MovementState state,
+        Vec3 velocity,
+        Vec3 angularVelocity,
+        double inverseMass,
+        Mat3 inverseInertia,
+        double restitution) {
+    /** Velocity (m/s, world) of the body's material at a point (m, world). */
+    public Vec3 velocityAt(Vec3 point) {
+        return velocity.plus(angularVelocity.cross(point.minus(state.position())));
+    }
+}

@@ -1,0 +1,203 @@
+package org.auvsim.core.entity;
+
+import java.util.Arrays;
+import org.auvsim.core.math.Mat3;
+
+/**
+ * The numbers of all rigid bodies of a world: one array a quantity, one slot a body.
+ *
+ * <p>The thirteen columns of the state are position (m), orientation (unit quaternion, body to
+ * world), linear and angular momentum (world; about the origin). Beside them stand the constants
+ * that the equations of motion need. To copy a world is to copy these arrays.
+ */
+public final class BodyState {
+    public static final int X = 0;
+    public static final int Y = 1;
+    public static final int Z = 2;
+    public static final int QW = 3;
+    public static final int QX = 4;
+    public static final int QY = 5;
+    public static final int QZ = 6;
+    public static final int PX = 7;
+    public static final int PY = 8;
+    public static final int PZ = 9;
+    public static final int LX = 10;
+    public static final int LY = 11;
+    public static final int LZ = 12;
+
+    /** Number of columns of the state. */
+    public static final int COLUMNS = 13;
+
+    /** Inverse inertia (1/(kg m^2), body axes): positions in {@link #inverseInertia}. */
+    public static final int IXX = 0;
+
+    public static final int IYY = 1;
+    public static final int IZZ = 2;
+    public static final int IXY = 3;
+    public static final int IXZ = 4;
+    public static final int IYZ = 5;
+
+    private int count;
+    private final double[][] columns;
+    private final double[][] inverseInertia;
+    private double[] mass;
+    private double[] inverseMass;
+    private double[] mobility;
+    private double[] radius;
+    private final AppliedForces applied;
+
+    /** A state without bodies. */
+    public BodyState() {
+        this(0, new double[COLUMNS][16], new double[6][16], new double[16], new AppliedForces(16));
+    }
+
+    private BodyState(
+            int count,
+            double[][] columns,
+            double[][] inverseInertia,
+            double[] mass,
+            AppliedForces applied) {
+        this.count = count;
+        this.columns = columns;
+        this.inverseInertia = inverseInertia;
+        this.mass = mass;
+        this.inverseMass = new double[mass.length];
+        this.mobility = new double[mass.length];
+        this.radius = new double[mass.length];
+        this.applied = applied;
+    }
+
+    /** An independent copy, equal bit for bit. */
+    public BodyState copy() {
+        BodyState copy =
+                new BodyState(
+                        count, clones(columns), clones(inverseInertia), mass.clone(), applied.copy());
+        copy.inverseMass = inverseMass.clone();
+        copy.mobility = mobility.clone();
+        copy.radius = radius.clone();
+        return copy;
+    }
+
+    static double[][] clones(double[][] arrays) {
+        double[][] copies = new double[arrays.length][];
+        for (int i = 0; i < arrays.length; i++) {
+            copies[i] = arrays[i].clone();
+        }
+        return copies;
+    }
+
+    /** Number of bodies; slots 0 to {@code count() - 1} are in use. */
+    public int count() {
+        return count;
+    }
+
+    /** One column of the state, {@link #X} to {@link #LZ}; index is the slot. */
+    public double[] column(int column) {
+        return columns[column];
+    }
+
+    /** One element of the inverse inertia tensors, {@link #IXX} to {@link #IYZ}; by slot. */
+    public double[] inverseInertia(int element) {
+        return inverseInertia[element];
+    }
+
+    /** Masses (kg) by slot; 0 for a fixed body. */
+    public double[] mass() {
+        return mass;
+    }
+
+    /** Inverse masses (1/kg) by slot; 0 for a fixed body. */
+    public double[] inverseMass() {
+        return inverseMass;
+    }
+
+    /** 1 for a body that moves, 0 for a fixed one; by slot. */
+    public double[] mobility() {
+        return mobility;
+    }
+
+    /** Radii (m) of the bounding spheres, by slot. */
+    public double[] radius() {
+        return radius;
+    }
+
+    /** The resultants of named forces and propulsors. */
+    public AppliedForces applied() {
+        return applied;
+    }
+
+    /** Appends a body at rest at the origin and returns its slot. */
+    int add(WorldObjectDefinition definition) {
+        if (count == mass.length) {
+            grow(2 * count);
+        }
+        int slot = count++;
+        for (double[] column : columns) {
+            column[slot] = 0;
+        }
+        columns[QW][slot] = 1;
+        radius[slot] = definition.volume().boundingRadius();
+        setConstants(slot, definition);
+        applied.clear(slot);
+        return slot;
+    }
+
+    private void setConstants(int slot, WorldObjectDefinition definition) {
+        if (definition.fixed()) {
+            mass[slot] = 0;
+            inverseMass[slot] = 0;
+            mobility[slot] = 0;
+            for (double[] element : inverseInertia) {
+                element[slot] = 0;
+            }
+            return;
+        }
+        MassProperties properties = definition.massProperties().orElseThrow();
+        Mat3 inverse = properties.inverseInertia();
+        mass[slot] = properties.mass();
+        inverseMass[slot] = 1 / properties.mass();
+        mobility[slot] = 1;
+        inverseInertia[IXX][slot] = inverse.xx();
+        inverseInertia[IYY][slot] = inverse.yy();
+        inverseInertia[IZZ][slot] = inverse.zz();
+        inverseInertia[IXY][slot] = inverse.xy();
+        inverseInertia[IXZ][slot] = inverse.xz();
+        inverseInertia[IYZ][slot] = inverse.yz();
+    }
+
+    /** Removes the body in {@code slot}; those behind it move down by one. */
+    void remove(int slot) {
+        for (double[] column : columns) {
+            closeGap(column, slot);
+        }
+        for (double[] element : inverseInertia) {
+            closeGap(element, slot);
+        }
+        closeGap(mass, slot);
+        closeGap(inverseMass, slot);
+        closeGap(mobility, slot);
+        closeGap(radius, slot);
+        applied.remove(slot, count);
+        count--;
+    }
+
+    private void closeGap(double[] array, int slot) {
+        System.arraycopy(array, slot + 1, array, slot, count - slot - 1);
+    }
+
+    private void grow(int capacity) {
+        growAll(columns, capacity);
+        growAll(inverseInertia, capacity);
+        mass = Arrays.copyOf(mass, capacity);
+        inverseMass = Arrays.copyOf(inverseMass, capacity);
+        mobility = Arrays.copyOf(mobility, capacity);
+        radius = Arrays.copyOf(radius, capacity);
+        applied.grow(capacity);
+    }
+
+    static void growAll(double[][] arrays, int capacity) {
+        for (int i = 0; i < arrays.length; i++) {
+            arrays[i] = Arrays.copyOf(arrays[i], capacity);
+        }
+    }
+}

@@ -1,0 +1,170 @@
+package org.auvsim.core.entity;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A rigid body with components (thesis, section 6.3): from a pebble, which has none, to a vehicle
+ * with propulsors, behaviors and sensors.
+ */
+public final class WorldObject extends RigidBody {
+    private final List<Component> components;
+
+    WorldObject(long id, WorldObjectDefinition definition, BodyState state) {
+        super(id, definition, state);
+        components = new ArrayList<>(definition.component());
+        components.forEach(this::requireNeeds);
+        propulsorsChanged();
+    }
+
+    WorldObject(WorldObject original, BodyState copiedState) {
+        super(original, copiedState);
+        components = new ArrayList<>(original.components);
+    }
+
+    /** All components, in the order in which they were added. */
+    public List<Component> components() {
+        return List.copyOf(components);
+    }
+
+    /** The components of a type. */
+    public <C extends Component> List<C> components(Class<C> type) {
+        List<C> found = new ArrayList<>();
+        for (Component component : components) {
+            if (type.isInstance(component)) {
+                found.add(type.cast(component));
+            }
+        }
+        return found;
+    }
+
+    /** The first component of a type. */
+    public <C extends Component> Optional<C> component(Class<C> type) {
+        return components(type).stream().findFirst();
+    }
+
+    /** The component of a type and name. */
+    public <C extends Component> Optional<C> component(Class<C> type, String name) {
+        return components(type).stream().filter(c -> c.name().equals(name)).findFirst();
+    }
+
+    /**
+     * Adds a component.
+     *
+     * @throws IllegalArgumentException if the object has one of that name, or lacks what the
+     *     component needs
+     */
+    public void add(Component component) {
+        if (indexOf(component.name()) >= 0) {
+            throw new IllegalArgumentException(
+                    "'%s' already has a component '%s'; remove it or choose another name"
+                            .formatted(name(), component.name()));
+        }
+        requireNeeds(component);
+        components.add(component);
+        changed(component);
+    }
+
+    /**
+     * Puts a component in the place of the one with the same name.
+     *
+     * @throws IllegalArgumentException if there is none
+     */
+    public void replace(Component component) {
+        components.set(existing(component.name()), component);
+        changed(component);
+    }
+
+    /**
+     * Removes a component.
+     *
+     * @throws IllegalArgumentException if there is none of that name, or another one needs it
+     */
+    public void remove(String componentName) {
+        int index = existing(componentName);
+        List<Component> left = new ArrayList<>(components);
+        Component removed = left.remove(index);
+        for (Component other : left) {
+            if (!hasNeeds(other, left)) {
+                throw new IllegalArgumentException(
+                        "component '%s' of '%s' cannot be removed: '%s' needs it"
+                                .formatted(componentName, name(), other.name()));
+            }
+        }
+        components.remove(index);
+        changed(removed);
+    }
+
+    /**
+     * Sets the level of a propulsor, -1 to 1.
+     *
+     * @throws IllegalArgumentException if the object has no such propulsor, or the level is outside
+     */
+    public void setPropulsorLevel(String propulsorName, double level) {
+        Propulsor propulsor =
+                component(Propulsor.class, propulsorName)
+                        .orElseThrow(() -> noPropulsor(propulsorName));
+        if (propulsor.level() != level) {
+            replace(propulsor.withLevel(level));
+        }
+    }
+
+    private IllegalArgumentException noPropulsor(String propulsorName) {
+        return new IllegalArgumentException(
+                "'%s' has no propulsor '%s'; it has %s"
+                        .formatted(
+                                name(),
+                                propulsorName,
+                                propulsors().stream().map(Propulsor::name).toList()));
+    }
+
+    @Override
+    public List<Propulsor> propulsors() {
+        return components(Propulsor.class);
+    }
+
+    private void changed(Component component) {
+        if (component instanceof Propulsor) {
+            propulsorsChanged();
+        }
+    }
+
+    private int indexOf(String componentName) {
+        for (int i = 0; i < components.size(); i++) {
+            if (components.get(i).name().equals(componentName)) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    private int existing(String componentName) {
+        int index = indexOf(componentName);
+        if (index < 0) {
+            throw new IllegalArgumentException(
+                    "'%s' has no component '%s'; it has %s"
+                            .formatted(
+                                    name(),
+                                    componentName,
+                                    components.stream().map(Component::name).toList()));
+        }
+        return index;
+    }
+
+    private static boolean hasNeeds(Component component, List<Component> among) {
+        return component.needs().stream()
+                .allMatch(type -> among.stream().anyMatch(type::isInstance));
+    }
+
+    private void requireNeeds(Component component) {
+        if (!hasNeeds(component, components)) {
+            throw new IllegalArgumentException(
+                    "component '%s' of '%s' needs a %s; add one first"
+                            .formatted(
+                                    component.name(),
+                                    name(),
+                                    component.needs().orElseThrow().getSimpleName()));
+        }
+    }
+}

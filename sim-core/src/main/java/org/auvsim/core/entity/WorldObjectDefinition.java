@@ -1,0 +1,251 @@
+package org.auvsim.core.entity;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import org.auvsim.core.description.Default;
+import org.auvsim.core.description.Unit;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.Volume;
+
+/**
+ * Everything that makes a world object, as an immutable value: what a scenario states, and what a
+ * world turns into a live {@link WorldObject}.
+ *
+ * @param id a positive number; empty: the world gives the next free one
+ * @param fixed whether it never moves, whatever hits it
+ * @param mass (kg); needed unless fixed
+ * @param restitution share of the approach speed that is left after a bounce, 0 to 1
+ * @param inertia moments and products of inertia; empty: those of the volume with its mass
+ * @param position of the origin, which is the centre of mass (m, world)
+ * @param orientation body to world; normalised here
+ * @param velocity of the origin (m/s, world)
+ * @param angularVelocity (rad/s, world)
+ * @param response what it does in a collision; empty: what the world does by default
+ */
+public record WorldObjectDefinition(
+        OptionalLong id,
+        String name,
+        @Default("0") boolean fixed,
+        @Unit("kg") OptionalDouble mass,
+        @Default("1.0") double restitution,
+        Volume volume,
+        Optional<Inertia> inertia,
+        @Unit("m") @Default("0 0 0") Vec3 position,
+        @Default("1 0 0 0") Quat orientation,
+        @Unit("m/s") @Default("0 0 0") Vec3 velocity,
+        @Unit("rad/s") @Default("0 0 0") Vec3 angularVelocity,
+        Optional<CollisionResponse> response,
+        List<NamedForce> force,
+        List<Effect> effect,
+        List<Component> component) {
+    /**
+     * A checked definition.
+     *
+     * @throws IllegalArgumentException naming what is wrong: an id below 1, a blank name, a mass
+     *     that is missing or not positive, a number that is not finite, a name used twice
+     */
+    public WorldObjectDefinition {
+        if (id.isPresent() && id.getAsLong() < 1) {
+            throw new IllegalArgumentException(
+                    "an id must be 1 or more, but is " + id.getAsLong());
+        }
+        if (name.isBlank()) {
+            throw new IllegalArgumentException("a world object needs a name that is not blank");
+        }
+        if (mass.isEmpty() && !fixed) {
+            throw new IllegalArgumentException(
+                    "world object '" + name + "' needs a mass, unless it is fixed");
+        }
+        if (!(restitution >= 0 && restitution <= 1)) {
+            throw new IllegalArgumentException(
+                    "restitution must be 0 to 1, but is " + restitution);
+        }
+        if (!(position.isFinite() && velocity.isFinite() && angularVelocity.isFinite())) {
+            throw new IllegalArgumentException(
+                    "position and velocities of '" + name + "' must be finite numbers");
+        }
+        if (Math.abs(orientation.norm() - 1) > 1e-15) {
+            orientation = orientation.normalized();
+        }
+        force = List.copyOf(force);
+        effect = List.copyOf(effect);
+        component = List.copyOf(component);
+        refuseTwins(name, "force", force.stream().map(NamedForce::name).toList());
+        refuseTwins(name, "component", component.stream().map(Component::name).toList());
+        massProperties(mass, volume, inertia);
+    }
+
+    private static void refuseTwins(String object, String kind, List<String> names) {
+        for (int i = 0; i < names.size(); i++) {
+            if (names.subList(0, i).contains(names.get(i))) {
+                throw new IllegalArgumentException(
+                        "world object '%s' has two of the %s name '%s'; each needs its own"
+                                .formatted(object, kind, names.get(i)));
+            }
+        }
+    }
+
+    private static Optional<MassProperties> massProperties(
+            OptionalDouble mass, Volume volume, Optional<Inertia> inertia) {
+        if (mass.isEmpty()) {
+            return Optional.empty();
+        }
+        double m = mass.getAsDouble();
+        return Optional.of(
+                new MassProperties(
+                        m, inertia.map(Inertia::toMatrix).orElseGet(() -> volume.inertia(m))));
+    }
+
+    /** Mass and inertia; empty for a fixed object without a mass. */
+    public Optional<MassProperties> massProperties() {
+        return massProperties(mass, volume, inertia);
+    }
+
+    /** Starts a definition of an object that moves freely. */
+    public static Builder named(String name) {
+        return new Builder(name);
+    }
+
+    /** Collects what a definition needs; everything but volume and mass has a default. */
+    public static final class Builder {
+        private final String name;
+        private OptionalLong id = OptionalLong.empty();
+        private boolean fixed;
+        private OptionalDouble mass = OptionalDouble.empty();
+        private double restitution = 1;
+        private Optional<Volume> volume = Optional.empty();
+        private Optional<Inertia> inertia = Optional.empty();
+        private Vec3 position = Vec3.ZERO;
+        private Quat orientation = Quat.IDENTITY;
+        private Vec3 velocity = Vec3.ZERO;
+        private Vec3 angularVelocity = Vec3.ZERO;
+        private Optional<CollisionResponse> response = Optional.empty();
+        private final List<NamedForce> forces = new ArrayList<>();
+        private final List<Effect> effects = new ArrayList<>();
+        private final List<Component> components = new ArrayList<>();
+
+        private Builder(String name) {
+            this.name = name;
+        }
+
+        /** Its id, 1 or more; else the world gives the next free one. */
+        public Builder id(long id) {
+            this.id = OptionalLong.of(id);
+            return this;
+        }
+
+        /** Makes it immovable. */
+        public Builder fixed() {
+            fixed = true;
+            return this;
+        }
+
+        /** Mass (kg). */
+        public Builder mass(double mass) {
+            this.mass = OptionalDouble.of(mass);
+            return this;
+        }
+
+        /** Share of the approach speed that is left after a bounce, 0 to 1. */
+        public Builder restitution(double restitution) {
+            this.restitution = restitution;
+            return this;
+        }
+
+        /** Its shape. */
+        public Builder volume(Volume volume) {
+            this.volume = Optional.of(volume);
+            return this;
+        }
+
+        /** Inertia that differs from that of its volume with constant density. */
+        public Builder inertia(Inertia inertia) {
+            this.inertia = Optional.of(inertia);
+            return this;
+        }
+
+        /** Position (m, world). */
+        public Builder position(double x, double y, double z) {
+            return position(new Vec3(x, y, z));
+        }
+
+        /** Position (m, world). */
+        public Builder position(Vec3 position) {
+            this.position = position;
+            return this;
+        }
+
+        /** Orientation, body to world. */
+        public Builder orientation(Quat orientation) {
+            this.orientation = orientation;
+            return this;
+        }
+
+        /** Velocity (m/s, world). */
+        public Builder velocity(double x, double y, double z) {
+            velocity = new Vec3(x, y, z);
+            return this;
+        }
+
+        /** Angular velocity (rad/s, world). */
+        public Builder angularVelocity(double x, double y, double z) {
+            angularVelocity = new Vec3(x, y, z);
+            return this;
+        }
+
+        /** What it does in a collision. */
+        public Builder response(CollisionResponse response) {
+            this.response = Optional.of(response);
+            return this;
+        }
+
+        /** Adds a named force. */
+        public Builder force(NamedForce force) {
+            forces.add(force);
+            return this;
+        }
+
+        /** Adds an effect. */
+        public Builder effect(Effect effect) {
+            effects.add(effect);
+            return this;
+        }
+
+        /** Adds a propulsor, behavior or other component. */
+        public Builder component(Component component) {
+            components.add(component);
+            return this;
+        }
+
+        /**
+         * The definition.
+         *
+         * @throws IllegalArgumentException naming what is missing or wrong
+         */
+        public WorldObjectDefinition build() {
+            return new WorldObjectDefinition(
+                    id,
+                    name,
+                    fixed,
+                    mass,
+                    restitution,
+                    volume.orElseThrow(
+                            () ->
+                                    new IllegalArgumentException(
+                                            "world object '" + name + "' needs a volume")),
+                    inertia,
+                    position,
+                    orientation,
+                    velocity,
+                    angularVelocity,
+                    response,
+                    forces,
+                    effects,
+                    components);
+        }
+    }
+}

@@ -1,0 +1,25 @@
+package org.auvsim.core.field;
+
+import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Current;
+import org.auvsim.core.math.Vec3;
+
+/** Water that moves everywhere and always with the same velocity (m/s, world frame). */
+public record UniformCurrent(long id, String name, @Unit("m/s") Vec3 velocity) implements Current {
+    /**
+     * A uniform current.
+     *
+     * @throws IllegalArgumentException if a component of the velocity is not finite
+     */
+    public UniformCurrent {
+        if (!velocity.isFinite()) {
+            throw new IllegalArgumentException(
+                    "the velocity of current '" + name + "' must be finite, but is " + velocity);
+        }
+    }
+
+    @Override
+    public Vec3 valueAt(Vec3 position, double time) {
+        return velocity;
+    }
+}

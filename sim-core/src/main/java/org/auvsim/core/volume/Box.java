@@ -1,0 +1,46 @@
+package org.auvsim.core.volume;
+
+import org.auvsim.core.description.Unit;
+import org.auvsim.core.math.Mat3;
+import org.auvsim.core.math.Vec3;
+
+/** A cuboid about the origin with edges along the body's axes. */
+public record Box(@Unit("m") Vec3 size) implements Volume {
+    /**
+     * A cuboid with edges of these lengths (m) along x, y and z.
+     *
+     * @throws IllegalArgumentException if an edge is not positive and finite
+     */
+    public Box {
+        if (!size.isFinite() || !(size.x() > 0 && size.y() > 0 && size.z() > 0)) {
+            throw new IllegalArgumentException(
+                    "a box's edges must be above 0 m and finite, but are " + size + " m");
+        }
+    }
+
+    /** Half of each edge (m): the corner in the positive octant. */
+    public Vec3 halfSize() {
+        return size.times(0.5);
+    }
+
+    @Override
+    public double boundingRadius() {
+        return size.norm() / 2;
+    }
+
+    @Override
+    public Mat3 inertia(double mass) {
+        double xx = size.x() * size.x();
+        double yy = size.y() * size.y();
+        double zz = size.z() * size.z();
+        double k = mass / 12;
+        return Mat3.diagonal(k * (yy + zz), k * (xx + zz), k * (xx + yy));
+    }
+
+    @Override
+    public boolean contains(Vec3 point) {
+        return Math.abs(point.x()) <= size.x() / 2
+                && Math.abs(point.y()) <= size.y() / 2
+                && Math.abs(point.z()) <= size.z() / 2;
+    }
+}

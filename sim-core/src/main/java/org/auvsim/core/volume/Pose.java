@@ -1,0 +1,46 @@
+package org.auvsim.core.volume;
+
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+
+/**
+ * Where a volume is: position of its origin (m, world) and orientation (unit quaternion, body to
+ * world). Mutable on purpose: the search for collisions fills two of them millions of times.
+ */
+public final class Pose {
+    public double x;
+    public double y;
+    public double z;
+    public double qw = 1;
+    public double qx;
+    public double qy;
+    public double qz;
+
+    /** A pose at {@code position}, turned by {@code orientation}. */
+    public static Pose of(Vec3 position, Quat orientation) {
+        Pose pose = new Pose();
+        pose.set(position, orientation);
+        return pose;
+    }
+
+    /** Moves this pose. */
+    public void set(Vec3 position, Quat orientation) {
+        x = position.x();
+        y = position.y();
+        z = position.z();
+        qw = orientation.w();
+        qx = orientation.x();
+        qy = orientation.y();
+        qz = orientation.z();
+    }
+
+    /** The origin (m, world). */
+    public Vec3 position() {
+        return new Vec3(x, y, z);
+    }
+
+    /** The orientation, body to world. */
+    public Quat orientation() {
+        return new Quat(qw, qx, qy, qz);
+    }
+}

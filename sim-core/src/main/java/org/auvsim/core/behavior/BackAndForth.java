@@ -9,19 +9,16 @@ import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.math.Vec3;
 
 /**
- * Drives its object to and fro along a line through the world's origin (thesis, section 8.1): beyond
- * the limit on either side a constant force pushes it back, between the limits none does. The force
- * bears the behavior's name.
+ * Drives its object to and fro along a line through the world's origin (thesis, section 8.1):
+ * beyond the limit on either side a constant force pushes it back, between the limits none does.
+ * The force bears the behavior's name.
  *
  * @param force size of the push (N)
  * @param limit distance from the origin at which the push begins (m)
  * @param axis direction of the line (world; any length above 0)
  */
 public record BackAndForth(
-        String name,
-        @Unit("N") double force,
-        @Unit("m") double limit,
-        @Default("0 1 0") Vec3 axis)
+        String name, @Unit("N") double force, @Unit("m") double limit, @Default("0 1 0") Vec3 axis)
         implements Behavior {
     /**
      * A checked behavior, its axis normalised.

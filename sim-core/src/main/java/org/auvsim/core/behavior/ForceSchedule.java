@@ -1,6 +1,5 @@
 package org.auvsim.core.behavior;
 
-import java.util.List;
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.Behavior;
@@ -9,6 +8,8 @@ import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.math.Vec3;
 
+import java.util.List;
+
 /**
  * Applies a force that changes at given times; it bears the behavior's name. What a row sets holds
  * until the next row; before the first row there is no force.
@@ -16,8 +17,7 @@ import org.auvsim.core.math.Vec3;
  * @param frame the axes of the rows' vectors
  * @param timedForce the rows, in order of time
  */
-public record ForceSchedule(
-        String name, @Default("BODY") Frame frame, List<TimedForce> timedForce)
+public record ForceSchedule(String name, @Default("BODY") Frame frame, List<TimedForce> timedForce)
         implements Behavior {
     /** From {@code at} (s) on, {@code vector} (N) acts at {@code point} (m, body coordinates). */
     public record TimedForce(

@@ -1,10 +1,11 @@
 package org.auvsim.core.behavior;
 
-import java.util.List;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.WorldObject;
+
+import java.util.List;
 
 /**
  * Sets the level of one propulsor at given times; what a row sets holds until the next row.

@@ -1,4 +1,7 @@
-/** What a document may leave out and what its numbers are measured in: annotations on record components. */
+/**
+ * What a document may leave out and what its numbers are measured in: annotations on record
+ * components.
+ */
 @NullMarked
 package org.auvsim.core.description;
 

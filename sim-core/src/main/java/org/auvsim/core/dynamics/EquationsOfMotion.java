@@ -20,13 +20,14 @@ import static org.auvsim.core.entity.BodyState.X;
 import static org.auvsim.core.entity.BodyState.Y;
 import static org.auvsim.core.entity.BodyState.Z;
 
-import java.util.Arrays;
-import java.util.List;
 import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.BlockEffect;
 import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.entity.Current;
 import org.auvsim.core.math.Vec3;
+
+import java.util.Arrays;
+import java.util.List;
 
 /**
  * The rigid-body equations in momenta (thesis, Table 5.1; Witkin &amp; Baraff 1997):
@@ -47,8 +48,7 @@ public final class EquationsOfMotion {
      * @param effects what acts on them beside named forces and propulsors, in this order
      * @param currents the water's velocity is their sum
      */
-    public EquationsOfMotion(
-            BodyState bodies, List<BlockEffect> effects, List<Current> currents) {
+    public EquationsOfMotion(BodyState bodies, List<BlockEffect> effects, List<Current> currents) {
         this.bodies = bodies;
         this.effects = List.copyOf(effects);
         this.currents = List.copyOf(currents);

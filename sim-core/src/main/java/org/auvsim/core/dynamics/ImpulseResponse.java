@@ -1,20 +1,22 @@
 package org.auvsim.core.dynamics;
 
-import java.util.List;
 import org.auvsim.core.entity.BodyMotion;
 import org.auvsim.core.entity.Change;
 import org.auvsim.core.entity.CollisionResponse;
 import org.auvsim.core.entity.Contact;
 import org.auvsim.core.math.Vec3;
 
+import java.util.List;
+
 /**
  * The default response: a bounce by an impulse along the normal, without friction (Witkin &amp;
  * Baraff 1997, part II, section 8):
  *
- * <pre>j = -(1 + e) v_n / (1/mA + 1/mB + n . (IA^-1 (rA x n)) x rA + n . (IB^-1 (rB x n)) x rB)</pre>
+ * <pre>j = -(1 + e) v_n / (1/mA + 1/mB + n . (IA^-1 (rA x n)) x rA + n . (IB^-1 (rB x n)) x rB)
+ * </pre>
  *
- * <p>The restitution e is the smaller one of the two bodies. What is no body, such as a wave, is not
- * answered. Each side computes its own half; the halves are opposite to the bit.
+ * <p>The restitution e is the smaller one of the two bodies. What is no body, such as a wave, is
+ * not answered. Each side computes its own half; the halves are opposite to the bit.
  */
 public record ImpulseResponse() implements CollisionResponse {
     @Override

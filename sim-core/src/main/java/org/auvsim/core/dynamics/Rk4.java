@@ -8,7 +8,9 @@ import org.auvsim.core.entity.BodyState;
  * Solving Ordinary Differential Equations I, 1993, II.1).
  */
 public record Rk4() implements Integrator {
-    /** Each stage starts from the step's beginning and goes this share of the step along the last. */
+    /**
+     * Each stage starts from the step's beginning and goes this share of the step along the last.
+     */
     private static final double[] NODE = {0, 0.5, 0.5, 1};
 
     private static final double[] WEIGHT = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};

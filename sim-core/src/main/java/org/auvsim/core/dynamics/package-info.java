@@ -1,4 +1,6 @@
-/** How bodies move and bounce: equations of motion, their integration, the impulse of a collision. */
+/**
+ * How bodies move and bounce: equations of motion, their integration, the impulse of a collision.
+ */
 @NullMarked
 package org.auvsim.core.dynamics;
 

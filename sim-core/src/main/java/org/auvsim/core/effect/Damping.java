@@ -1,11 +1,12 @@
 package org.auvsim.core.effect;
 
-import java.util.List;
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.BlockEffect;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.math.Vec3;
+
+import java.util.List;
 
 /**
  * Linear and quadratic damping by the water, each body axis for itself (Fossen 2021, section 6.4):

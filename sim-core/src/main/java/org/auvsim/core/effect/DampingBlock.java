@@ -1,12 +1,15 @@
 package org.auvsim.core.effect;
 
-import java.util.List;
 import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.BlockEffect;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.math.Vec3;
 
-/** The damping of all bodies of a world; a body without has zeros, a block without is passed over. */
+import java.util.List;
+
+/**
+ * The damping of all bodies of a world; a body without has zeros, a block without is passed over.
+ */
 final class DampingBlock implements BlockEffect {
     private final double[][] linear;
     private final double[][] quadratic;

@@ -1,10 +1,11 @@
 package org.auvsim.core.effect;
 
-import java.util.List;
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.BlockEffect;
 import org.auvsim.core.entity.Effect;
+
+import java.util.List;
 
 /**
  * Weight: the force mass times {@code acceleration} straight down, at the centre of mass.

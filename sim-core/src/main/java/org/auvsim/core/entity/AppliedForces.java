@@ -1,16 +1,17 @@
 package org.auvsim.core.entity;
 
-import java.util.List;
 import org.auvsim.core.math.Vec3;
+
+import java.util.List;
 
 /**
  * The resultants of the constant forces on each body, so that a step costs the same for one named
  * force as for fifty.
  *
  * <p>A force fixed in the body's axes gives a constant force and torque in those axes. A force F
- * fixed in the world's axes that acts at body point r gives the torque (R r) x F, which is linear in
- * the rotation matrix R: the sum over all such forces needs only the matrix A = sum of r F^T, since
- * the torque's components are the antisymmetric part of R A.
+ * fixed in the world's axes that acts at body point r gives the torque (R r) x F, which is linear
+ * in the rotation matrix R: the sum over all such forces needs only the matrix A = sum of r F^T,
+ * since the torque's components are the antisymmetric part of R A.
  */
 public final class AppliedForces {
     private static final int WORLD_FORCE = 0;

@@ -6,8 +6,8 @@ package org.auvsim.core.entity;
  */
 public interface Behavior extends Component {
     /**
-     * Sets named forces and propulsor levels of {@code self}, and no more, from the world's time (s)
-     * and the object's state.
+     * Sets named forces and propulsor levels of {@code self}, and no more, from the world's time
+     * (s) and the object's state.
      */
     void act(double time, WorldObject self);
 }

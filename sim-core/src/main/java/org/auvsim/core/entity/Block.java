@@ -91,8 +91,7 @@ public final class Block {
 
     /** Position (m, world) of body {@code i}. */
     public Vec3 position(int i) {
-        return new Vec3(
-                state[BodyState.X][i], state[BodyState.Y][i], state[BodyState.Z][i]);
+        return new Vec3(state[BodyState.X][i], state[BodyState.Y][i], state[BodyState.Z][i]);
     }
 
     /** Velocity (m/s, world) of the origin of body {@code i}. */

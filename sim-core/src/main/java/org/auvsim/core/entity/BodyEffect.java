@@ -8,8 +8,8 @@ import java.util.List;
  */
 public interface BodyEffect extends Effect {
     /**
-     * Adds this effect's force and torque on body {@code i} of the block with {@link Block#addForce}
-     * and {@link Block#addTorque}.
+     * Adds this effect's force and torque on body {@code i} of the block with {@link
+     * Block#addForce} and {@link Block#addTorque}.
      */
     void add(Block block, int i);
 

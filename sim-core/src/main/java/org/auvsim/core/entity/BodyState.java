@@ -1,7 +1,8 @@
 package org.auvsim.core.entity;
 
-import java.util.Arrays;
 import org.auvsim.core.math.Mat3;
+
+import java.util.Arrays;
 
 /**
  * The numbers of all rigid bodies of a world: one array a quantity, one slot a body.
@@ -71,7 +72,11 @@ public final class BodyState {
     public BodyState copy() {
         BodyState copy =
                 new BodyState(
-                        count, clones(columns), clones(inverseInertia), mass.clone(), applied.copy());
+                        count,
+                        clones(columns),
+                        clones(inverseInertia),
+                        mass.clone(),
+                        applied.copy());
         copy.inverseMass = inverseMass.clone();
         copy.mobility = mobility.clone();
         copy.radius = radius.clone();

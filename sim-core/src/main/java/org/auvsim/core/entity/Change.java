@@ -1,8 +1,9 @@
 package org.auvsim.core.entity;
 
+import org.auvsim.core.math.Vec3;
+
 import java.util.function.LongFunction;
 import java.util.function.UnaryOperator;
-import org.auvsim.core.math.Vec3;
 
 /** One thing that a collision response wants changed in the world. */
 public sealed interface Change {

@@ -1,13 +1,14 @@
 package org.auvsim.core.entity;
 
-import java.util.Optional;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Volume;
 
+import java.util.Optional;
+
 /**
- * An entity that others can run into (thesis, section 6.3): a rigid body, or something that moves by
- * a rule of its own, such as the front of a wave.
+ * An entity that others can run into (thesis, section 6.3): a rigid body, or something that moves
+ * by a rule of its own, such as the front of a wave.
  *
  * <p>For a rigid body place and volume are those of its world's present time.
  */

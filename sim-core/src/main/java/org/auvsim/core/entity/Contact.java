@@ -11,11 +11,10 @@ import org.auvsim.core.math.Vec3;
  * @param self the one whose response is asked
  * @param other the one that it met
  */
-public record Contact(
-        double time, Vec3 point, Vec3 normal, Participant self, Participant other) {
+public record Contact(double time, Vec3 point, Vec3 normal, Participant self, Participant other) {
     /** The same contact as the other one sees it. */
     public Contact flipped() {
-        return new Contact(time, point, normal.negated(), other, self);
+        return new Contact(time, point, normal.negated(), /* self= */ other, /* other= */ self);
     }
 
     /**

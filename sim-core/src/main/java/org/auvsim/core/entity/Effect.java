@@ -6,8 +6,8 @@ import java.util.List;
  * Something that exerts force and torque on a rigid body while it moves: gravity, drag, lift.
  *
  * <p>An effect is an immutable value with its parameters. The world lays out all effects of one
- * class over its bodies once, when bodies or effects change, and then calls the layout for blocks of
- * bodies. {@link BodyEffect} is the easy form for one body at a time.
+ * class over its bodies once, when bodies or effects change, and then calls the layout for blocks
+ * of bodies. {@link BodyEffect} is the easy form for one body at a time.
  */
 public interface Effect {
     /**

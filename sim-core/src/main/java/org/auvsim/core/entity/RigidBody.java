@@ -1,14 +1,15 @@
 package org.auvsim.core.entity;
 
+import org.auvsim.core.math.Mat3;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.Volume;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.auvsim.core.math.Mat3;
-import org.auvsim.core.math.Quat;
-import org.auvsim.core.math.Vec3;
-import org.auvsim.core.volume.Volume;
 
 /**
  * A rigid body (thesis, section 5.2): a live view on one slot of its world's {@link BodyState}.

@@ -1,15 +1,16 @@
 package org.auvsim.core.entity;
 
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalLong;
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Volume;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
 
 /**
  * Everything that makes a world object, as an immutable value: what a scenario states, and what a
@@ -50,8 +51,7 @@ public record WorldObjectDefinition(
      */
     public WorldObjectDefinition {
         if (id.isPresent() && id.getAsLong() < 1) {
-            throw new IllegalArgumentException(
-                    "an id must be 1 or more, but is " + id.getAsLong());
+            throw new IllegalArgumentException("an id must be 1 or more, but is " + id.getAsLong());
         }
         if (name.isBlank()) {
             throw new IllegalArgumentException("a world object needs a name that is not blank");
@@ -61,8 +61,7 @@ public record WorldObjectDefinition(
                     "world object '" + name + "' needs a mass, unless it is fixed");
         }
         if (!(restitution >= 0 && restitution <= 1)) {
-            throw new IllegalArgumentException(
-                    "restitution must be 0 to 1, but is " + restitution);
+            throw new IllegalArgumentException("restitution must be 0 to 1, but is " + restitution);
         }
         if (!(position.isFinite() && velocity.isFinite() && angularVelocity.isFinite())) {
             throw new IllegalArgumentException(

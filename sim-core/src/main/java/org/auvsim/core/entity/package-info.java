@@ -1,4 +1,7 @@
-/** What a world is made of: entities, fields, collidables, rigid bodies, and the components of world objects. */
+/**
+ * What a world is made of: entities, fields, collidables, rigid bodies, and the components of world
+ * objects.
+ */
 @NullMarked
 package org.auvsim.core.entity;
 

@@ -1,8 +1,8 @@
 package org.auvsim.core.math;
 
 /**
- * A quaternion w + xi + yj + zk. As an orientation it has length 1 and turns body vectors into world
- * vectors (Witkin &amp; Baraff 1997, section 4.2).
+ * A quaternion w + xi + yj + zk. As an orientation it has length 1 and turns body vectors into
+ * world vectors (Witkin &amp; Baraff 1997, section 4.2).
  */
 public record Quat(double w, double x, double y, double z) {
     /** No turn: the body's axes are the world's. */
@@ -78,9 +78,6 @@ public record Quat(double w, double x, double y, double z) {
 
     /** Whether no component is infinite or NaN. */
     public boolean isFinite() {
-        return Double.isFinite(w)
-                && Double.isFinite(x)
-                && Double.isFinite(y)
-                && Double.isFinite(z);
+        return Double.isFinite(w) && Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(z);
     }
 }

@@ -1,4 +1,7 @@
-/** One time step: stages that shorten it, partition the world, find the earliest collision and respond. */
+/**
+ * One time step: stages that shorten it, partition the world, find the earliest collision and
+ * respond.
+ */
 @NullMarked
 package org.auvsim.core.step;
 

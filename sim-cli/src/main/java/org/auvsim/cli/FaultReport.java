@@ -1,0 +1,39 @@
+package org.auvsim.cli;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import picocli.CommandLine;
+import picocli.CommandLine.IExecutionExceptionHandler;
+import picocli.CommandLine.ParseResult;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** Says in one sentence why a command failed; the trace of a fault of our own goes to a file. */
+final class FaultReport implements IExecutionExceptionHandler {
+    private final Path folder;
+
+    FaultReport(Path folder) {
+        this.folder = folder;
+    }
+
+    @Override
+    public int handleExecutionException(Exception e, CommandLine command, ParseResult parsed)
+            throws IOException {
+        PrintWriter err = command.getErr();
+        if (e instanceof UserError) {
+            err.println(e.getMessage());
+            err.flush();
+            return CommandLine.ExitCode.USAGE;
+        }
+        Path report = Files.createTempFile(folder, "auvsim-fault-", ".txt");
+        try (var out = new PrintWriter(Files.newBufferedWriter(report, UTF_8))) {
+            e.printStackTrace(out);
+        }
+        err.printf("auvsim failed by a fault of its own; please report %s%n", report);
+        err.flush();
+        return CommandLine.ExitCode.SOFTWARE;
+    }
+}

@@ -1,4 +1,4 @@
-/** The language that robots, scenarios and recordings are written in. */
+/** The language that robots, scenarios and recordings are written in; here: what can be wrong with a text. */
 @NullMarked
 package org.auvsim.auvsml;
 

@@ -1,0 +1,68 @@
+package org.auvsim.auvsml.mapping;
+
+import java.util.Comparator;
+import java.util.Collection;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+
+/** How Java's names look in XML, and which known name an unknown one comes near. */
+final class Names {
+    private static final int LONGEST_COMPARED = 64;
+    private static final int LONGEST_SHOWN = 80;
+
+    private Names() {}
+
+    /** {@code isProjectedState} to {@code is-projected-state}; {@code GPSFix} to {@code gps-fix}. */
+    static String kebab(String camel) {
+        return camel.replaceAll("(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "-")
+                .toLowerCase(Locale.ROOT);
+    }
+
+    /** What somebody wrote, in quotes and not longer than a line. */
+    static String quoted(String found) {
+        return found.length() <= LONGEST_SHOWN
+                ? "'" + found + "'"
+                : "'" + found.substring(0, LONGEST_SHOWN) + "...'";
+    }
+
+    /** "the nearest known names are 'a', 'b'", at most three. */
+    static String nearest(String unknown, Collection<String> known) {
+        if (known.isEmpty()) {
+            return "none is known here";
+        }
+        List<String> best =
+                known.stream()
+                        .sorted(
+                                Comparator.<String>comparingInt(name -> distance(unknown, name))
+                                        .thenComparing(Comparator.naturalOrder()))
+                        .limit(3)
+                        .toList();
+        String names = best.stream().map(Names::quoted).collect(Collectors.joining(", "));
+        return best.size() == 1
+                ? "the only known name is " + names
+                : "the nearest known names are " + names;
+    }
+
+    /** 0 if one holds the other, else Levenshtein's edit distance. */
+    private static int distance(String unknown, String name) {
+        String a = unknown.substring(0, Math.min(unknown.length(), LONGEST_COMPARED));
+        if (a.length() > 2 && name.contains(a)) {
+            return 0;
+        }
+        int[] row = new int[name.length() + 1];
+        for (int j = 0; j < row.length; j++) {
+            row[j] = j;
+        }
+        for (int i = 1; i <= a.length(); i++) {
+            int diagonal = row[0];
+            row[0] = i;
+            for (int j = 1; j < row.length; j++) {
+                int replaced = diagonal + (a.charAt(i - 1) == name.charAt(j - 1) ? 0 : 1);
+                diagonal = row[j];
+                row[j] = Math.min(replaced, 1 + Math.min(row[j], row[j - 1]));
+            }
+        }
+        return row[name.length()];
+    }
+}

@@ -1,0 +1,4 @@
+package org.auvsim.auvsml.message.command;
+
+/** A command about the session of the client that sent it. */
+public non-sealed interface ClientCommand extends Command<SessionControl> {}

@@ -1,0 +1,49 @@
+package org.auvsim.auvsml.message.command;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/** The events that a client can register for, and their names in AUVSML. */
+public enum EventType {
+    /** An object's state after a step. */
+    MOVEMENT_STATE_CHANGE("MovementStateChange"),
+    /** An object's state as the step will end without feedback. */
+    PROJECTED_MOVEMENT("ProjectedMovement"),
+    /** An object's velocities after a step. */
+    KINEMATIC_STATE("KinematicState"),
+    /** A step is done; belongs to no object. */
+    TIMESTEP_ADVANCED("TimestepAdvanced"),
+    /** Two entities met. */
+    COLLISION("Collision"),
+    /** An entity came into the world. */
+    ENTITY_ADDED("EntityAdded"),
+    /** An entity left the world. */
+    ENTITY_REMOVED("EntityRemoved"),
+    /** A feedback processor used a client's feedback. */
+    FEEDBACK_APPLIED("FeedbackApplied");
+
+    private final String eventName;
+
+    EventType(String eventName) {
+        this.eventName = eventName;
+    }
+
+    /** Its name in AUVSML, as {@code MovementStateChange}. */
+    public String eventName() {
+        return eventName;
+    }
+
+    /** The type of this name. */
+    public static Optional<EventType> named(String eventName) {
+        return Arrays.stream(values()).filter(t -> t.eventName.equals(eventName)).findFirst();
+    }
+
+    /** All names, {@link Listener#ALL} first. */
+    public static List<String> names() {
+        return java.util.stream.Stream.concat(
+                        java.util.stream.Stream.of(Listener.ALL),
+                        Arrays.stream(values()).map(EventType::eventName))
+                .toList();
+    }
+}

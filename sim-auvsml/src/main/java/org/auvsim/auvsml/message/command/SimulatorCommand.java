@@ -1,0 +1,4 @@
+package org.auvsim.auvsml.message.command;
+
+/** A command to the simulator: how time goes on. */
+public non-sealed interface SimulatorCommand extends Command<SimulatorControl> {}

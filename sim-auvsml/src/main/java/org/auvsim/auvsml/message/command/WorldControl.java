@@ -1,0 +1,32 @@
+package org.auvsim.auvsml.message.command;
+
+import java.util.List;
+import org.auvsim.core.entity.WorldObjectDefinition;
+
+/** What a {@link WorldCommand} can do: ask the world, add to it, take from it. */
+public interface WorldControl {
+    /** All world objects, in order of id. */
+    List<ListedWorldObject> worldObjects();
+
+    /**
+     * The names of an object's propulsors, in the order in which they were added.
+     *
+     * @throws RefusedException if there is no such world object
+     */
+    List<String> propulsorNames(long worldObjectId);
+
+    /**
+     * Adds a world object, between two steps.
+     *
+     * @return its id
+     * @throws RefusedException if its id is taken
+     */
+    long add(WorldObjectDefinition definition);
+
+    /**
+     * Takes an entity out of the world, between two steps.
+     *
+     * @throws RefusedException if there is no such entity
+     */
+    void remove(long entityId);
+}

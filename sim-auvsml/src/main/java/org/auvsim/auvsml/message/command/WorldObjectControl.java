@@ -1,0 +1,28 @@
+package org.auvsim.auvsml.message.command;
+
+import org.auvsim.core.entity.NamedForce;
+
+/** What a {@link WorldObjectCommand} can do: one world object, between two steps. */
+public interface WorldObjectControl {
+    /**
+     * Sets a named force, which acts until it is removed; one of the same name is replaced.
+     *
+     * @throws RefusedException if its point lies outside the object's volume
+     */
+    void apply(NamedForce force);
+
+    /**
+     * Removes a named force.
+     *
+     * @throws RefusedException if the object has none of this name
+     */
+    void removeForce(String name);
+
+    /**
+     * Sets how hard a propulsor pushes.
+     *
+     * @param level -1 (full astern) to 1 (full ahead)
+     * @throws RefusedException if the object has no propulsor of this name
+     */
+    void setPropulsorLevel(String name, double level);
+}

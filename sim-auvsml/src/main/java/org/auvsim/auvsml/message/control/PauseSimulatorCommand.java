@@ -1,0 +1,15 @@
+package org.auvsim.auvsml.message.control;
+
+import java.util.Optional;
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.command.SimulatorCommand;
+import org.auvsim.auvsml.message.command.SimulatorControl;
+
+/** Lets the simulation stand still after the step that is under way (thesis, appendix A.1). */
+public record PauseSimulatorCommand() implements SimulatorCommand {
+    @Override
+    public Optional<Message> execute(SimulatorControl simulator) {
+        simulator.pause();
+        return Optional.empty();
+    }
+}

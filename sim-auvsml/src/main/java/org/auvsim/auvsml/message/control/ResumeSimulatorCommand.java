@@ -1,0 +1,15 @@
+package org.auvsim.auvsml.message.control;
+
+import java.util.Optional;
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.command.SimulatorCommand;
+import org.auvsim.auvsml.message.command.SimulatorControl;
+
+/** Lets a paused simulation go on (thesis, appendix A.1). */
+public record ResumeSimulatorCommand() implements SimulatorCommand {
+    @Override
+    public Optional<Message> execute(SimulatorControl simulator) {
+        simulator.resume();
+        return Optional.empty();
+    }
+}

@@ -1,0 +1,15 @@
+package org.auvsim.auvsml.message.control;
+
+import java.util.Optional;
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.command.SimulatorCommand;
+import org.auvsim.auvsml.message.command.SimulatorControl;
+
+/** Ends the simulation and all sessions (thesis, appendix A.1). */
+public record ShutdownSimulatorCommand() implements SimulatorCommand {
+    @Override
+    public Optional<Message> execute(SimulatorControl simulator) {
+        simulator.shutdown();
+        return Optional.empty();
+    }
+}

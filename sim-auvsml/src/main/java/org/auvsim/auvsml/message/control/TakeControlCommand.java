@@ -1,0 +1,15 @@
+package org.auvsim.auvsml.message.control;
+
+import java.util.Optional;
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.command.ClientCommand;
+import org.auvsim.auvsml.message.command.SessionControl;
+
+/** Makes the sender the one client that may move a world object. */
+public record TakeControlCommand(long worldObjectId) implements ClientCommand {
+    @Override
+    public Optional<Message> execute(SessionControl session) {
+        session.takeControl(worldObjectId);
+        return Optional.empty();
+    }
+}

@@ -1,0 +1,14 @@
+package org.auvsim.auvsml.message.entity;
+
+import java.util.Optional;
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.command.WorldCommand;
+import org.auvsim.auvsml.message.command.WorldControl;
+
+/** Asks for all world objects (thesis, section 7.1). */
+public record GetWorldObjectListCommand() implements WorldCommand {
+    @Override
+    public Optional<Message> execute(WorldControl world) {
+        return Optional.of(new WorldObjectListResponse(world.worldObjects()));
+    }
+}

@@ -1,0 +1,15 @@
+package org.auvsim.auvsml.message.feedback;
+
+import org.auvsim.core.description.Unit;
+import org.auvsim.core.math.Vec3;
+
+/**
+ * A robot's position differs from that of its world object (thesis, appendix A.3).
+ *
+ * @param timestamp the world's time at which the actual position was true
+ * @param handlerName the feedback processor to use; the server may choose another
+ * @param virtualPosition where the simulator had the object
+ * @param actualPosition where the robot is
+ * @param oldPosition where the robot was at the snapshot before
+ */
+public record DifferentPositionFeedbackMessage(long worldObjectId, @Unit("s") double timestamp, String handlerName, @Unit("m") Vec3 virtualPosition, @Unit("m") Vec3 actualPosition, @Unit("m") Vec3 oldPosition) implements FeedbackMessage {}

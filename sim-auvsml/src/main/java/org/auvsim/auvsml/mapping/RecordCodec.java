@@ -17,7 +17,9 @@ import org.jspecify.annotations.Nullable;
 /** Reads and writes one record type; built once a type, then two short loops a record. */
 final class RecordCodec {
     /** Stands where a value was given that could not be read, so that it is not missing too. */
-    private static final Object FAILED = new Object();
+    private enum Unreadable {
+        VALUE
+    }
 
     private final AuvsmlMapper mapper;
     private final Class<?> type;
@@ -129,7 +131,7 @@ final class RecordCodec {
                     codec.refusal(attribute.getValue()),
                     element,
                     attribute.getName());
-            return FAILED;
+            return Unreadable.VALUE;
         }
     }
 
@@ -167,7 +169,7 @@ final class RecordCodec {
         if (child.slot.isMany()) {
             append(values, index, value);
         } else {
-            values[index] = value == null ? FAILED : value;
+            values[index] = value == null ? Unreadable.VALUE : value;
         }
     }
 
@@ -199,7 +201,7 @@ final class RecordCodec {
     private void complete(PlacedElement element, @Nullable Object[] values, Decoding decoding) {
         for (Slot slot : slots) {
             Object value = values[slot.index()];
-            if (value == FAILED) {
+            if (value instanceof Unreadable) {
                 continue;
             }
             values[slot.index()] = slot.presence().complete(value);

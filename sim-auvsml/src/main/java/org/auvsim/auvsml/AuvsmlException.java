@@ -2,7 +2,9 @@ package org.auvsim.auvsml;
 
 import java.util.List;
 
-/** A text that cannot be turned into a record; it has one fault or more, in order of their places. */
+/**
+ * A text that cannot be turned into a record; it has one fault or more, in order of their places.
+ */
 public final class AuvsmlException extends Exception {
     private final transient List<Fault> faults;
 

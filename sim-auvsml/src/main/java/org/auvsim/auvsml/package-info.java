@@ -1,4 +1,7 @@
-/** The language that robots, scenarios and recordings are written in; here: what can be wrong with a text. */
+/**
+ * The language that robots, scenarios and recordings are written in; here: what can be wrong with a
+ * text.
+ */
 @NullMarked
 package org.auvsim.auvsml;
 

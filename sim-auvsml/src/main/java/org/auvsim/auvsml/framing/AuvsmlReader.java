@@ -1,9 +1,10 @@
 package org.auvsim.auvsml.framing;
 
+import org.auvsim.auvsml.xml.Limits;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.Optional;
-import org.auvsim.auvsml.xml.Limits;
 
 /**
  * Reads messages from a stream, blocking until the next one is there: made for one virtual thread a

@@ -1,14 +1,15 @@
 package org.auvsim.auvsml.framing;
 
-import java.util.List;
-import java.util.Optional;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.xml.XmlText;
 
+import java.util.List;
+import java.util.Optional;
+
 /**
- * Writes messages as bytes, straight from their records: once, however many listeners the bytes then
- * go to. May be used by many threads.
+ * Writes messages as bytes, straight from their records: once, however many listeners the bytes
+ * then go to. May be used by many threads.
  */
 public final class AuvsmlWriter {
     private final MessageCatalogue catalogue;

@@ -1,20 +1,21 @@
 package org.auvsim.auvsml.framing;
 
+import org.auvsim.auvsml.ErrorCode;
+import org.auvsim.auvsml.Fault;
+import org.auvsim.auvsml.xml.Limits;
+
 import java.util.ArrayDeque;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Queue;
-import org.auvsim.auvsml.ErrorCode;
-import org.auvsim.auvsml.Fault;
-import org.auvsim.auvsml.xml.Limits;
 
 /**
  * Cuts a stream of bytes into root elements, however the bytes are split into packets.
  *
  * <p>It knows just enough of XML to see where a root ends. What breaks that, or the limits, is
  * reported once and skipped up to the next {@code <auvsml} or {@code <auvxml}; so is what stands
- * between roots and is neither white space, comment nor declaration. It keeps at most one message of
- * the largest size. Not for several threads at once.
+ * between roots and is neither white space, comment nor declaration. It keeps at most one message
+ * of the largest size. Not for several threads at once.
  */
 public final class FrameReader {
     private enum Mode {

@@ -1,9 +1,10 @@
 package org.auvsim.auvsml.framing;
 
-import java.util.List;
-import java.util.Optional;
 import org.auvsim.auvsml.Fault;
 import org.auvsim.auvsml.message.Message;
+
+import java.util.List;
+import java.util.Optional;
 
 /** What came in next. */
 public sealed interface Incoming {

@@ -92,8 +92,7 @@ final class Markup {
 
     /** The name, or the instruction's text, read last; cut off where it is long. */
     String name() {
-        return new String(
-                name, 0, Math.min(nameLength, name.length), StandardCharsets.UTF_8);
+        return new String(name, 0, Math.min(nameLength, name.length), StandardCharsets.UTF_8);
     }
 
     /** How many attributes the tag has so far. */

@@ -1,7 +1,5 @@
 package org.auvsim.auvsml.framing;
 
-import java.util.List;
-import java.util.Optional;
 import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.Fault;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
@@ -9,6 +7,9 @@ import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.xml.Limits;
 import org.auvsim.auvsml.xml.XmlTree;
 import org.auvsim.auvsml.xml.XmlTreeReader;
+
+import java.util.List;
+import java.util.Optional;
 
 /** Turns what a {@link FrameReader} found into messages. May be used by many threads. */
 public final class RootDecoder {
@@ -27,7 +28,9 @@ public final class RootDecoder {
         return new RootDecoder(catalogue, limits, false);
     }
 
-    /** For what a server sends, which may be newer than this side: what is not known is left out. */
+    /**
+     * For what a server sends, which may be newer than this side: what is not known is left out.
+     */
     public static RootDecoder lenient(MessageCatalogue catalogue, Limits limits) {
         return new RootDecoder(catalogue, limits, true);
     }

@@ -1,9 +1,5 @@
 package org.auvsim.auvsml.mapping;
 
-import java.util.HashMap;
-import java.util.Map;
-import java.util.TreeMap;
-import java.util.concurrent.ConcurrentHashMap;
 import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.Fault;
@@ -11,6 +7,11 @@ import org.auvsim.auvsml.xml.PlacedElement;
 import org.auvsim.auvsml.xml.XmlText;
 import org.auvsim.auvsml.xml.XmlTree;
 import org.jspecify.annotations.Nullable;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * Maps records to XML and back; see the package for the rules. Plans are compiled once a type. One
@@ -99,8 +100,7 @@ public final class AuvsmlMapper {
         if (other != null && other != record) {
             throw new IllegalArgumentException(
                     "%s and %s are both registered as %s <%s>; rename one of the records"
-                            .formatted(
-                                    other.getName(), record.getName(), type.getName(), name));
+                            .formatted(other.getName(), record.getName(), type.getName(), name));
         }
     }
 

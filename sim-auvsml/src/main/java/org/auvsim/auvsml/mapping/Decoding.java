@@ -1,13 +1,14 @@
 package org.auvsim.auvsml.mapping;
 
-import java.util.ArrayList;
-import java.util.List;
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.Fault;
 import org.auvsim.auvsml.xml.Place;
 import org.auvsim.auvsml.xml.PlacedElement;
 import org.auvsim.auvsml.xml.XmlTree;
 import org.jdom2.Element;
+
+import java.util.ArrayList;
+import java.util.List;
 
 /** What goes with one text while it is decoded: its places, and the faults found so far. */
 final class Decoding {

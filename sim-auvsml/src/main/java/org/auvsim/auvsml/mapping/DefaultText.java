@@ -1,12 +1,13 @@
 package org.auvsim.auvsml.mapping;
 
-import java.util.Iterator;
-import java.util.List;
 import org.jspecify.annotations.Nullable;
 
+import java.util.Iterator;
+import java.util.List;
+
 /**
- * The text of a {@link org.auvsim.core.description.Default}: one scalar, or those of a nested record
- * in order; for an interface, the element's name comes before them.
+ * The text of a {@link org.auvsim.core.description.Default}: one scalar, or those of a nested
+ * record in order; for an interface, the element's name comes before them.
  */
 final class DefaultText {
     private final AuvsmlMapper mapper;

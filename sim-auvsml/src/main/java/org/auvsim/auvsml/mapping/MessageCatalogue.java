@@ -1,10 +1,5 @@
 package org.auvsim.auvsml.mapping;
 
-import java.util.ArrayList;
-import java.util.Collection;
-import java.util.List;
-import java.util.Optional;
-import java.util.Map;
 import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.message.Message;
@@ -13,9 +8,15 @@ import org.auvsim.auvsml.xml.XmlText;
 import org.auvsim.auvsml.xml.XmlTree;
 import org.jdom2.Attribute;
 
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
 /**
- * All messages that this side knows, and the root elements that they travel in. One catalogue may be
- * used by many threads.
+ * All messages that this side knows, and the root elements that they travel in. One catalogue may
+ * be used by many threads.
  */
 public final class MessageCatalogue {
     private static final String ROOT = "auvsml";
@@ -85,8 +86,7 @@ public final class MessageCatalogue {
             if (root.getContent(i) instanceof PlacedElement element) {
                 decodeMessage(element, decoding, messages);
             } else if (!decoding.isLenient()) {
-                decoding.fault(
-                        ErrorCode.INVALID_VALUE, "expected messages, but found text", root);
+                decoding.fault(ErrorCode.INVALID_VALUE, "expected messages, but found text", root);
             }
         }
         if (decoding.faultCount() > 0) {
@@ -122,8 +122,7 @@ public final class MessageCatalogue {
         }
     }
 
-    private void decodeMessage(
-            PlacedElement element, Decoding decoding, List<Message> messages) {
+    private void decodeMessage(PlacedElement element, Decoding decoding, List<Message> messages) {
         Class<?> type = types.get(element.getName());
         if (type != null) {
             Object message = mapper.codec(type).decode(element, decoding);

@@ -1,7 +1,7 @@
 package org.auvsim.auvsml.mapping;
 
-import java.util.Comparator;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
@@ -13,7 +13,9 @@ final class Names {
 
     private Names() {}
 
-    /** {@code isProjectedState} to {@code is-projected-state}; {@code GPSFix} to {@code gps-fix}. */
+    /**
+     * {@code isProjectedState} to {@code is-projected-state}; {@code GPSFix} to {@code gps-fix}.
+     */
     static String kebab(String camel) {
         return camel.replaceAll("(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "-")
                 .toLowerCase(Locale.ROOT);

@@ -1,15 +1,18 @@
 package org.auvsim.auvsml.mapping;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
-import org.jspecify.annotations.Nullable;
 
 /** How many values a record component takes, and what it is without any. */
 sealed interface Presence {
-    /** The component's value from what was read, where null means nothing; null if it is missing. */
+    /**
+     * The component's value from what was read, where null means nothing; null if it is missing.
+     */
     @Nullable Object complete(@Nullable Object read);
 
     /** What to write of a component's value; null for nothing. */

@@ -57,8 +57,7 @@ final class ProviderFile {
         }
     }
 
-    private static Class<?> recordClass(
-            String name, Class<?> type, ClassLoader loader, URL file) {
+    private static Class<?> recordClass(String name, Class<?> type, ClassLoader loader, URL file) {
         try {
             Class<?> found = Class.forName(name, false, loader);
             if (!found.isRecord() || !type.isAssignableFrom(found)) {

@@ -1,11 +1,5 @@
 package org.auvsim.auvsml.mapping;
 
-import java.lang.invoke.MethodHandle;
-import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
-import java.util.Set;
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.xml.PlacedElement;
 import org.auvsim.auvsml.xml.XmlText;
@@ -13,6 +7,13 @@ import org.jdom2.Attribute;
 import org.jdom2.Content;
 import org.jdom2.Text;
 import org.jspecify.annotations.Nullable;
+
+import java.lang.invoke.MethodHandle;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
 
 /** Reads and writes one record type; built once a type, then two short loops a record. */
 final class RecordCodec {
@@ -38,8 +39,7 @@ final class RecordCodec {
      * @param constructor from an array of the components' values, as (Object[])Object
      * @throws IllegalArgumentException if two slots claim one name
      */
-    RecordCodec(
-            AuvsmlMapper mapper, Class<?> type, List<Slot> slots, MethodHandle constructor) {
+    RecordCodec(AuvsmlMapper mapper, Class<?> type, List<Slot> slots, MethodHandle constructor) {
         this.mapper = mapper;
         this.type = type;
         this.elementName = Names.kebab(type.getSimpleName());
@@ -60,8 +60,7 @@ final class RecordCodec {
         if (other != null) {
             throw new IllegalArgumentException(
                     "in record %s, components '%s' and '%s' would both be elements <%s>"
-                            .formatted(
-                                    type.getName(), other.slot.name(), child.slot.name(), name));
+                            .formatted(type.getName(), other.slot.name(), child.slot.name(), name));
         }
     }
 
@@ -173,8 +172,7 @@ final class RecordCodec {
         }
     }
 
-    private static void append(
-            @Nullable Object[] values, int index, @Nullable Object value) {
+    private static void append(@Nullable Object[] values, int index, @Nullable Object value) {
         @SuppressWarnings("unchecked") // only this method fills slots that take many
         List<Object> list = (List<Object>) values[index];
         if (list == null) {

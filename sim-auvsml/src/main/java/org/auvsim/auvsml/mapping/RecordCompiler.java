@@ -1,5 +1,8 @@
 package org.auvsim.auvsml.mapping;
 
+import org.auvsim.core.description.Default;
+import org.auvsim.core.description.Unit;
+
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
@@ -13,8 +16,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
-import org.auvsim.core.description.Default;
-import org.auvsim.core.description.Unit;
 
 /** Turns a record type into its codec: the one place that reflects. */
 final class RecordCompiler {
@@ -27,8 +28,8 @@ final class RecordCompiler {
     /**
      * The codec of a record type.
      *
-     * @throws IllegalArgumentException if it is no record or has a component that AUVSML has no form
-     *     for
+     * @throws IllegalArgumentException if it is no record or has a component that AUVSML has no
+     *     form for
      */
     RecordCodec compile(Class<?> type) {
         RecordComponent[] components = type.getRecordComponents();
@@ -95,9 +96,7 @@ final class RecordCompiler {
         if (type == OptionalLong.class) {
             return new Presence.InOptionalLong();
         }
-        return type == OptionalInt.class
-                ? new Presence.InOptionalInt()
-                : new Presence.Required();
+        return type == OptionalInt.class ? new Presence.InOptionalInt() : new Presence.Required();
     }
 
     private Object defaultValue(RecordComponent component, String text, Slot.Content content) {
@@ -138,7 +137,8 @@ final class RecordCompiler {
         if (type != List.class && type != Optional.class) {
             return type;
         }
-        Type argument = ((ParameterizedType) component.getGenericType()).getActualTypeArguments()[0];
+        Type argument =
+                ((ParameterizedType) component.getGenericType()).getActualTypeArguments()[0];
         return argument instanceof Class<?> inner ? primitive(inner) : rawType(component, argument);
     }
 

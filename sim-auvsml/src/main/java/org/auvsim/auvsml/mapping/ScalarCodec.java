@@ -1,10 +1,11 @@
 package org.auvsim.auvsml.mapping;
 
+import org.auvsim.auvsml.xml.XmlText;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.auvsim.auvsml.xml.XmlText;
 
 /**
  * A kind of value that stands in an attribute.
@@ -27,15 +28,35 @@ record ScalarCodec(Class<?> type, String expected, Reader reader, Writer writer)
 
     private static final Map<Class<?>, ScalarCodec> BY_TYPE =
             Map.ofEntries(
-                    entry(boolean.class, Boolean.class, "1 or 0", ScalarCodec::readBoolean,
+                    entry(
+                            boolean.class,
+                            Boolean.class,
+                            "1 or 0",
+                            ScalarCodec::readBoolean,
                             (value, out) -> out.append((boolean) value ? '1' : '0')),
-                    entry(int.class, Integer.class, "a whole number", Integer::valueOf,
+                    entry(
+                            int.class,
+                            Integer.class,
+                            "a whole number",
+                            Integer::valueOf,
                             (value, out) -> out.append((int) value)),
-                    entry(long.class, Long.class, "a whole number", Long::valueOf,
+                    entry(
+                            long.class,
+                            Long.class,
+                            "a whole number",
+                            Long::valueOf,
                             (value, out) -> out.append((long) value)),
-                    entry(double.class, Double.class, "a finite number", ScalarCodec::readDouble,
+                    entry(
+                            double.class,
+                            Double.class,
+                            "a finite number",
+                            ScalarCodec::readDouble,
                             ScalarCodec::writeDouble),
-                    entry(String.class, String.class, "a text", text -> text,
+                    entry(
+                            String.class,
+                            String.class,
+                            "a text",
+                            text -> text,
                             ScalarCodec::writeText));
 
     private static Map.Entry<Class<?>, ScalarCodec> entry(

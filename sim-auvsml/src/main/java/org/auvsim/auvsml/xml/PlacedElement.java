@@ -1,8 +1,9 @@
 package org.auvsim.auvsml.xml;
 
-import javax.xml.stream.Location;
 import org.jdom2.Element;
 import org.jdom2.Namespace;
+
+import javax.xml.stream.Location;
 
 /** An element that knows where its start tag begins in the text that it was read from. */
 public final class PlacedElement extends Element {

@@ -1,13 +1,15 @@
 package org.auvsim.auvsml.xml;
 
-import java.util.Locale;
-import javax.xml.stream.Location;
-import javax.xml.stream.XMLStreamException;
-import javax.xml.stream.XMLStreamReader;
 import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.Fault;
 import org.jspecify.annotations.Nullable;
+
+import java.util.Locale;
+
+import javax.xml.stream.Location;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamReader;
 
 /** The sentences about texts that are not the XML that is wanted. */
 final class XmlFaults {

@@ -1,10 +1,7 @@
 package org.auvsim.auvsml.xml;
 
 import com.ctc.wstx.exc.WstxLazyException;
-import javax.xml.XMLConstants;
-import javax.xml.stream.Location;
-import javax.xml.stream.XMLStreamException;
-import javax.xml.stream.XMLStreamReader;
+
 import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.Fault;
@@ -13,6 +10,11 @@ import org.jdom2.AttributeType;
 import org.jdom2.IllegalDataException;
 import org.jdom2.Namespace;
 import org.jdom2.UncheckedJDOMFactory;
+
+import javax.xml.XMLConstants;
+import javax.xml.stream.Location;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamReader;
 
 /**
  * Reads a text into a JDOM tree of {@link PlacedElement}s; safe with any bytes (see {@link

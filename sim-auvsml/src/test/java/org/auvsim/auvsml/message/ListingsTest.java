@@ -2,14 +2,6 @@ package org.auvsim.auvsml.message;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.ByteArrayInputStream;
-import java.io.InputStream;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Optional;
-import java.util.stream.Stream;
-import javax.xml.stream.XMLInputFactory;
-import javax.xml.stream.XMLStreamReader;
 import org.auvsim.auvsml.framing.AuvsmlReader;
 import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.framing.Incoming;
@@ -42,6 +34,16 @@ import org.auvsim.core.math.Vec3;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+
+import java.io.ByteArrayInputStream;
+import java.io.InputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+import javax.xml.stream.XMLInputFactory;
+import javax.xml.stream.XMLStreamReader;
 
 /** The listings of the thesis, chapter 7.1 and appendix, as they are printed. */
 class ListingsTest {
@@ -115,11 +117,7 @@ class ListingsTest {
                 listing(
                         "propulsor-list-response",
                         propulsors(
-                                47,
-                                "Rudder",
-                                "Aft Thruster",
-                                "Port Engine",
-                                "Starboard Engine")));
+                                47, "Rudder", "Aft Thruster", "Port Engine", "Starboard Engine")));
     }
 
     private static Arguments listing(String name, Message message) {

@@ -1,7 +1,8 @@
 package org.auvsim.auvsml.message.command;
 
-import java.util.Optional;
 import org.auvsim.auvsml.message.Message;
+
+import java.util.Optional;
 
 /**
  * A message with code (thesis, section 7.1.1): it is carried to the part of the system that it is

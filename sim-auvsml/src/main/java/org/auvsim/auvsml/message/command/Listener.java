@@ -1,7 +1,8 @@
 package org.auvsim.auvsml.message.command;
 
-import java.util.OptionalDouble;
 import org.auvsim.core.description.Unit;
+
+import java.util.OptionalDouble;
 
 /**
  * One kind of event that a client wants to hear.

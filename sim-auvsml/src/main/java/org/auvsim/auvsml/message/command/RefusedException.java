@@ -2,7 +2,9 @@ package org.auvsim.auvsml.message.command;
 
 import org.auvsim.auvsml.ErrorCode;
 
-/** A command that was understood but is not carried out; its sender gets an {@code error-response}. */
+/**
+ * A command that was understood but is not carried out; its sender gets an {@code error-response}.
+ */
 public final class RefusedException extends RuntimeException {
     private final ErrorCode code;
 

@@ -5,7 +5,8 @@ import java.util.List;
 /** What a {@link ClientCommand} can do: one client's session. */
 public interface SessionControl {
     /**
-     * Sends this client the named events of the named objects from now on; all registrations or none.
+     * Sends this client the named events of the named objects from now on; all registrations or
+     * none.
      *
      * @throws RefusedException if an id or an event type is unknown
      */

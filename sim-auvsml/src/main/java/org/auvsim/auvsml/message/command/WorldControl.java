@@ -1,7 +1,8 @@
 package org.auvsim.auvsml.message.command;
 
-import java.util.List;
 import org.auvsim.core.entity.WorldObjectDefinition;
+
+import java.util.List;
 
 /** What a {@link WorldCommand} can do: ask the world, add to it, take from it. */
 public interface WorldControl {

@@ -1,9 +1,10 @@
 package org.auvsim.auvsml.message.control;
 
-import java.util.Optional;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.SimulatorCommand;
 import org.auvsim.auvsml.message.command.SimulatorControl;
+
+import java.util.Optional;
 
 /** Asks how the simulator stands. */
 public record GetSimulatorStateRequest() implements SimulatorCommand {

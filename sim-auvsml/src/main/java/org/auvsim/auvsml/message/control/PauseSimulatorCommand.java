@@ -1,9 +1,10 @@
 package org.auvsim.auvsml.message.control;
 
-import java.util.Optional;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.SimulatorCommand;
 import org.auvsim.auvsml.message.command.SimulatorControl;
+
+import java.util.Optional;
 
 /** Lets the simulation stand still after the step that is under way (thesis, appendix A.1). */
 public record PauseSimulatorCommand() implements SimulatorCommand {

@@ -1,9 +1,10 @@
 package org.auvsim.auvsml.message.control;
 
-import java.util.Optional;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.ClientCommand;
 import org.auvsim.auvsml.message.command.SessionControl;
+
+import java.util.Optional;
 
 /** Lets go of a world object, so that another client may control it. */
 public record ReleaseControlCommand(long worldObjectId) implements ClientCommand {

@@ -1,12 +1,14 @@
 package org.auvsim.auvsml.message.control;
 
-import java.util.Optional;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.WorldObjectCommand;
 import org.auvsim.auvsml.message.command.WorldObjectControl;
 
+import java.util.Optional;
+
 /** Removes a force by its name (thesis, appendix A.2). */
-public record RemoveForceCommand(long worldObjectId, String forceName) implements WorldObjectCommand {
+public record RemoveForceCommand(long worldObjectId, String forceName)
+        implements WorldObjectCommand {
     @Override
     public Optional<Message> execute(WorldObjectControl object) {
         object.removeForce(forceName);

@@ -1,16 +1,18 @@
 package org.auvsim.auvsml.message.control;
 
-import java.util.Optional;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.WorldObjectCommand;
 import org.auvsim.auvsml.message.command.WorldObjectControl;
+
+import java.util.Optional;
 
 /**
  * Sets how hard a propulsor of a world object pushes.
  *
  * @param level -1 (full astern) to 1 (full ahead)
  */
-public record SetPropulsorCommand(long worldObjectId, String name, double level) implements WorldObjectCommand {
+public record SetPropulsorCommand(long worldObjectId, String name, double level)
+        implements WorldObjectCommand {
     /**
      * A checked command.
      *

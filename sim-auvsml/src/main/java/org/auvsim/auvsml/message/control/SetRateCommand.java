@@ -1,10 +1,11 @@
 package org.auvsim.auvsml.message.control;
 
-import java.util.Optional;
-import java.util.OptionalDouble;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.SimulatorCommand;
 import org.auvsim.auvsml.message.command.SimulatorControl;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * Sets how fast the world's time goes.

@@ -12,7 +12,9 @@ import org.auvsim.core.description.Unit;
  * @param step steps made
  * @param clients sessions that are open
  */
-public record SimulatorStateResponse(@Unit("s") double time, boolean running, String rate, long step, int clients) implements Message {
+public record SimulatorStateResponse(
+        @Unit("s") double time, boolean running, String rate, long step, int clients)
+        implements Message {
     /** The response that states this. */
     public static SimulatorStateResponse of(SimulatorState state) {
         return new SimulatorStateResponse(

@@ -1,10 +1,11 @@
 package org.auvsim.auvsml.message.control;
 
-import java.util.Optional;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.SimulatorCommand;
 import org.auvsim.auvsml.message.command.SimulatorControl;
 import org.auvsim.core.description.Default;
+
+import java.util.Optional;
 
 /**
  * Makes steps while the simulation is paused.

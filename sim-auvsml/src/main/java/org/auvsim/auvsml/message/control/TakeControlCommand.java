@@ -1,9 +1,10 @@
 package org.auvsim.auvsml.message.control;
 
-import java.util.Optional;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.ClientCommand;
 import org.auvsim.auvsml.message.command.SessionControl;
+
+import java.util.Optional;
 
 /** Makes the sender the one client that may move a world object. */
 public record TakeControlCommand(long worldObjectId) implements ClientCommand {

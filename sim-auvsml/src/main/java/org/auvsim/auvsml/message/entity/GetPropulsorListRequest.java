@@ -1,9 +1,10 @@
 package org.auvsim.auvsml.message.entity;
 
-import java.util.Optional;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.WorldCommand;
 import org.auvsim.auvsml.message.command.WorldControl;
+
+import java.util.Optional;
 
 /**
  * Asks for the propulsors of a world object (thesis, section 7.1).

@@ -1,7 +1,9 @@
 package org.auvsim.auvsml.message.entity;
 
-import java.util.List;
 import org.auvsim.auvsml.message.Message;
 
+import java.util.List;
+
 /** The propulsors of a world object (thesis, appendix A.4). */
-public record PropulsorListResponse(long agentId, List<ListedPropulsor> propulsor) implements Message {}
+public record PropulsorListResponse(long agentId, List<ListedPropulsor> propulsor)
+        implements Message {}

@@ -1,9 +1,10 @@
 package org.auvsim.auvsml.message.entity;
 
-import java.util.Optional;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.WorldCommand;
 import org.auvsim.auvsml.message.command.WorldControl;
+
+import java.util.Optional;
 
 /** Takes an entity out of the world. */
 public record RemoveEntityCommand(long entityId) implements WorldCommand {

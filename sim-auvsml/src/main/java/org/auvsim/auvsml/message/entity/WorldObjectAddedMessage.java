@@ -8,4 +8,5 @@ import org.auvsim.core.math.Vec3;
  * A world object came into the world; follows its {@code entity-added-message} (thesis, appendix
  * A.2).
  */
-public record WorldObjectAddedMessage(@Unit("s") double timestamp, long entityId, @Unit("m") Vec3 position) implements Message {}
+public record WorldObjectAddedMessage(
+        @Unit("s") double timestamp, long entityId, @Unit("m") Vec3 position) implements Message {}

@@ -12,4 +12,11 @@ import org.auvsim.core.math.Vec3;
  * @param actualPosition where the robot is
  * @param oldPosition where the robot was at the snapshot before
  */
-public record DifferentPositionFeedbackMessage(long worldObjectId, @Unit("s") double timestamp, String handlerName, @Unit("m") Vec3 virtualPosition, @Unit("m") Vec3 actualPosition, @Unit("m") Vec3 oldPosition) implements FeedbackMessage {}
+public record DifferentPositionFeedbackMessage(
+        long worldObjectId,
+        @Unit("s") double timestamp,
+        String handlerName,
+        @Unit("m") Vec3 virtualPosition,
+        @Unit("m") Vec3 actualPosition,
+        @Unit("m") Vec3 oldPosition)
+        implements FeedbackMessage {}

@@ -10,4 +10,10 @@ import org.auvsim.core.description.Unit;
  * @param errorBefore distance of the object from the measured position before
  * @param errorAfter the same distance after
  */
-public record FeedbackAppliedNotification(long worldObjectId, @Unit("s") double timestamp, String handlerName, @Unit("m") double errorBefore, @Unit("m") double errorAfter) implements Message {}
+public record FeedbackAppliedNotification(
+        long worldObjectId,
+        @Unit("s") double timestamp,
+        String handlerName,
+        @Unit("m") double errorBefore,
+        @Unit("m") double errorAfter)
+        implements Message {}

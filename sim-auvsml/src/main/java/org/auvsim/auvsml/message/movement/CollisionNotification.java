@@ -11,4 +11,11 @@ import org.auvsim.core.math.Vec3;
  * @param normal of length 1, out of the other one's surface
  * @param impulse that the entity received; the other one received its opposite
  */
-public record CollisionNotification(@Unit("s") double timestamp, long entityId, long otherId, @Unit("m") Vec3 point, Vec3 normal, @Unit("N s") Vec3 impulse) implements Message {}
+public record CollisionNotification(
+        @Unit("s") double timestamp,
+        long entityId,
+        long otherId,
+        @Unit("m") Vec3 point,
+        Vec3 normal,
+        @Unit("N s") Vec3 impulse)
+        implements Message {}

@@ -13,4 +13,12 @@ import org.auvsim.core.math.Vec3;
  * @param orientation turns body into world vectors; {@code xy} is row x, column y
  * @param angularMomentum about the object's origin, world axes
  */
-public record MovementStateChangeMessage(@Unit("s") double timestamp, long worldObjectId, boolean isProjectedState, @Unit("m") Vec3 position, Mat3 orientation, @Unit("kg m/s") Vec3 linearMomentum, @Unit("kg m^2/s") Vec3 angularMomentum) implements Message {}
+public record MovementStateChangeMessage(
+        @Unit("s") double timestamp,
+        long worldObjectId,
+        boolean isProjectedState,
+        @Unit("m") Vec3 position,
+        Mat3 orientation,
+        @Unit("kg m/s") Vec3 linearMomentum,
+        @Unit("kg m^2/s") Vec3 angularMomentum)
+        implements Message {}

@@ -8,4 +8,5 @@ import org.auvsim.core.description.Unit;
  *
  * @param stateType whether the world made the step or its projected copy
  */
-public record TimestepAdvancedNotification(@Unit("s") double timestamp, StateType stateType) implements Message {}
+public record TimestepAdvancedNotification(@Unit("s") double timestamp, StateType stateType)
+        implements Message {}

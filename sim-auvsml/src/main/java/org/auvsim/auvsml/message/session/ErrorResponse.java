@@ -1,10 +1,11 @@
 package org.auvsim.auvsml.message.session;
 
-import java.util.OptionalInt;
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.Fault;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.RefusedException;
+
+import java.util.OptionalInt;
 
 /**
  * Something that the client sent cannot be read or done; nothing of it was applied.
@@ -13,7 +14,8 @@ import org.auvsim.auvsml.message.command.RefusedException;
  * @param line of the place in all that the client sent, from 1, if there is one
  * @param column of that place, from 1
  */
-public record ErrorResponse(ErrorCode code, String text, OptionalInt line, OptionalInt column) implements Message {
+public record ErrorResponse(ErrorCode code, String text, OptionalInt line, OptionalInt column)
+        implements Message {
     /** The response to a text that cannot be read. */
     public static ErrorResponse of(Fault fault) {
         return new ErrorResponse(

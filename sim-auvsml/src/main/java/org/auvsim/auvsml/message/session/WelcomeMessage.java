@@ -9,4 +9,5 @@ import org.auvsim.auvsml.message.Message;
  * @param server the server's name and version
  * @param role what the client may do
  */
-public record WelcomeMessage(String protocolVersion, String server, long sessionId, String role) implements Message {}
+public record WelcomeMessage(String protocolVersion, String server, long sessionId, String role)
+        implements Message {}

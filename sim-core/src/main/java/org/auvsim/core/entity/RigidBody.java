@@ -175,7 +175,12 @@ public class RigidBody implements Collidable {
 
     /** Velocity of the origin (m/s, world). */
     public final Vec3 velocity() {
-        return linearMomentum().times(state.inverseMass()[slot]);
+        return velocityOf(linearMomentum());
+    }
+
+    /** The velocity (m/s, world) that a linear momentum (kg m/s, world) would give it. */
+    public final Vec3 velocityOf(Vec3 momentum) {
+        return momentum.times(state.inverseMass()[slot]);
     }
 
     /** Sets the linear momentum to that of this velocity (m/s, world). */
@@ -185,7 +190,15 @@ public class RigidBody implements Collidable {
 
     /** Angular velocity (rad/s, world). */
     public final Vec3 angularVelocity() {
-        return inverseInertia().times(angularMomentum());
+        return angularVelocityOf(angularMomentum(), orientation());
+    }
+
+    /**
+     * The angular velocity (rad/s, world) that an angular momentum (kg m^2/s, world) would give it
+     * in an orientation.
+     */
+    public final Vec3 angularVelocityOf(Vec3 momentum, Quat orientation) {
+        return inverseInertia(orientation).times(momentum);
     }
 
     /** Sets the angular momentum to that of this angular velocity (rad/s, world). */
@@ -201,6 +214,10 @@ public class RigidBody implements Collidable {
 
     /** Inverse inertia tensor in the world's axes (1/(kg m^2)); zeros for a fixed body. */
     public final Mat3 inverseInertia() {
+        return inverseInertia(orientation());
+    }
+
+    private Mat3 inverseInertia(Quat orientation) {
         double xy = state.inverseInertia(BodyState.IXY)[slot];
         double xz = state.inverseInertia(BodyState.IXZ)[slot];
         double yz = state.inverseInertia(BodyState.IYZ)[slot];
@@ -215,7 +232,7 @@ public class RigidBody implements Collidable {
                         xz,
                         yz,
                         state.inverseInertia(BodyState.IZZ)[slot]);
-        Mat3 turn = orientation().toMatrix();
+        Mat3 turn = orientation.toMatrix();
         return turn.times(body).times(turn.transposed());
     }
 
@@ -271,13 +288,9 @@ public class RigidBody implements Collidable {
         resultantChanged();
     }
 
-    private void resultantChanged() {
+    /** Sums up again what acts constantly, after a force or a propulsor has changed. */
+    final void resultantChanged() {
         state.applied().set(slot, forces.values(), propulsors());
-    }
-
-    /** Called by a subclass when a propulsor has changed. */
-    final void propulsorsChanged() {
-        resultantChanged();
     }
 
     /** The propulsors that push it. */

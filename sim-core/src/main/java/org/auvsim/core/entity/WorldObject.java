@@ -10,17 +10,26 @@ import java.util.Optional;
  */
 public final class WorldObject extends RigidBody {
     private final List<Component> components;
+    private List<Propulsor> propulsors = List.of();
+    private List<Behavior> behaviors = List.of();
 
     WorldObject(long id, WorldObjectDefinition definition, BodyState state) {
         super(id, definition, state);
         components = new ArrayList<>(definition.component());
         components.forEach(this::requireNeeds);
-        propulsorsChanged();
+        sort();
+        resultantChanged();
     }
 
     WorldObject(WorldObject original, BodyState copiedState) {
         super(original, copiedState);
         components = new ArrayList<>(original.components);
+        sort();
+    }
+
+    private void sort() {
+        propulsors = List.copyOf(components(Propulsor.class));
+        behaviors = List.copyOf(components(Behavior.class));
     }
 
     /** All components, in the order in which they were added. */
@@ -121,12 +130,18 @@ public final class WorldObject extends RigidBody {
 
     @Override
     public List<Propulsor> propulsors() {
-        return components(Propulsor.class);
+        return propulsors;
+    }
+
+    /** The behaviors, in the order in which they act. */
+    public List<Behavior> behaviors() {
+        return behaviors;
     }
 
     private void changed(Component component) {
+        sort();
         if (component instanceof Propulsor) {
-            propulsorsChanged();
+            resultantChanged();
         }
     }
 

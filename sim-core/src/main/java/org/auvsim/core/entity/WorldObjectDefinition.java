@@ -104,6 +104,26 @@ public record WorldObjectDefinition(
         return massProperties(mass, volume, inertia);
     }
 
+    /** The same with another id, or without one. */
+    public WorldObjectDefinition withId(OptionalLong otherId) {
+        return new WorldObjectDefinition(
+                otherId,
+                name,
+                fixed,
+                mass,
+                restitution,
+                volume,
+                inertia,
+                position,
+                orientation,
+                velocity,
+                angularVelocity,
+                response,
+                force,
+                effect,
+                component);
+    }
+
     /** Starts a definition of an object that moves freely. */
     public static Builder named(String name) {
         return new Builder(name);

@@ -1,0 +1,316 @@
+package org.auvsim.core.step;
+
+import org.auvsim.core.dynamics.EquationsOfMotion;
+import org.auvsim.core.dynamics.Integrator;
+import org.auvsim.core.entity.Block;
+import org.auvsim.core.entity.Bodies;
+import org.auvsim.core.entity.BodyState;
+import org.auvsim.core.entity.Collidable;
+import org.auvsim.core.entity.CollisionResponse;
+import org.auvsim.core.entity.Contact;
+import org.auvsim.core.entity.Participant;
+import org.auvsim.core.entity.RigidBody;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.ContactPoint;
+import org.auvsim.core.volume.PairQueries;
+import org.auvsim.core.volume.Pose;
+import org.auvsim.core.volume.Volume;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * How all collidables of a world would move on from the present snapshot: what the stages of a step
+ * ask.
+ *
+ * <p>Collidables are numbered 0 to {@code size() - 1} in order of id. Instants are given as an
+ * offset (s, 0 or more) from the snapshot. A body's future comes from the real integration of its
+ * equations of motion (thesis, section 5.1.1: projectNewPosition); other collidables tell it
+ * themselves. Nothing changes before {@link #commit}.
+ */
+public final class Motion {
+    /** Bodies that approach slower than this (m/s) do so by rounding only. */
+    private static final double APPROACH_TOLERANCE = 1e-10;
+
+    private final List<Collidable> collidables;
+    private final int[] slots;
+    private final boolean[] fixed;
+    private final BodyState bodies;
+    private final PairQueries queries;
+    private final CollisionResponse fallback;
+    private final CollisionSets sets;
+    private final Projection end;
+    private final Projection probe;
+    private final Pose poseA = new Pose();
+    private final Pose poseB = new Pose();
+    private double time;
+
+    /**
+     * The motion of these collidables, in order of id; all bodies among them are in {@code bodies}.
+     *
+     * @param fallback the response of what has none of its own
+     */
+    public Motion(
+            Bodies bodies,
+            List<Collidable> collidables,
+            EquationsOfMotion equations,
+            Integrator integrator,
+            PairQueries queries,
+            CollisionResponse fallback,
+            double time) {
+        this.bodies = bodies.state();
+        this.collidables = List.copyOf(collidables);
+        this.queries = queries;
+        this.fallback = fallback;
+        this.time = time;
+        slots = new int[collidables.size()];
+        fixed = new boolean[collidables.size()];
+        for (int i = 0; i < slots.length; i++) {
+            slots[i] = collidables.get(i) instanceof RigidBody body ? body.slot() : -1;
+            fixed[i] = collidables.get(i) instanceof RigidBody body && body.isFixed();
+        }
+        sets = new CollisionSets(this);
+        Block block = new Block();
+        end = new Projection(this.bodies, equations, integrator, block);
+        probe = new Projection(this.bodies, equations, integrator, block);
+    }
+
+    /** Begins a step from the bodies' present state, at the world's {@code time} (s). */
+    public void begin(double time) {
+        this.time = time;
+        end.forget();
+        probe.forget();
+    }
+
+    /** Number of collidables. */
+    public int size() {
+        return slots.length;
+    }
+
+    /** Collidable {@code i}; a body tells its present state, not the one at an offset. */
+    public Collidable collidable(int i) {
+        return collidables.get(i);
+    }
+
+    /** The collision sets of the step. */
+    CollisionSets sets() {
+        return sets;
+    }
+
+    /** What collidable {@code i} does in a collision. */
+    CollisionResponse response(int i) {
+        return collidables.get(i).response().orElse(fallback);
+    }
+
+    /** The world's time (s) of the snapshot. */
+    public double time() {
+        return time;
+    }
+
+    /** Radius (m) of the bounding sphere at an offset. */
+    public double radius(int i, double offset) {
+        return slots[i] >= 0
+                ? bodies.radius()[slots[i]]
+                : collidables.get(i).volumeAt(time + offset).boundingRadius();
+    }
+
+    /** Position (m, world) at an offset. */
+    public Vec3 position(int i, double offset) {
+        pose(i, projection(offset), offset, poseA);
+        return poseA.position();
+    }
+
+    /** How far (m) it is from where it is now, at an offset. */
+    public double displacement(int i, double offset) {
+        allAt(offset);
+        return displacement(i, offset, poseA, poseB);
+    }
+
+    private double displacement(int i, double offset, Pose from, Pose to) {
+        present(i, from);
+        pose(i, projection(offset), offset, to);
+        double dx = to.x - from.x;
+        double dy = to.y - from.y;
+        double dz = to.z - from.z;
+        return Math.sqrt(dx * dx + dy * dy + dz * dz);
+    }
+
+    /**
+     * Writes the smallest sphere that holds the bounding spheres now and at {@code offset} (thesis,
+     * section 5.1.2): x, y, z, radius at {@code to[4 * i]} and behind.
+     */
+    public void sweptSphere(int i, double offset, double[] to) {
+        allAt(offset);
+        double distance = displacement(i, offset, poseA, poseB);
+        double r0 = radius(i, 0);
+        double r1 = radius(i, offset);
+        int at = 4 * i;
+        if (distance + Math.min(r0, r1) <= Math.max(r0, r1)) {
+            writeSphere(to, at, r0 >= r1 ? poseA : poseB, Math.max(r0, r1));
+            return;
+        }
+        double radius = (distance + r0 + r1) / 2;
+        double share = (radius - r0) / distance;
+        to[at] = poseA.x + share * (poseB.x - poseA.x);
+        to[at + 1] = poseA.y + share * (poseB.y - poseA.y);
+        to[at + 2] = poseA.z + share * (poseB.z - poseA.z);
+        to[at + 3] = radius;
+    }
+
+    private static void writeSphere(double[] to, int at, Pose centre, double radius) {
+        to[at] = centre.x;
+        to[at + 1] = centre.y;
+        to[at + 2] = centre.z;
+        to[at + 3] = radius;
+    }
+
+    /** Whether a meeting of the two would be a collision at all. */
+    public boolean mayCollide(int i, int j) {
+        boolean twoBodies = slots[i] >= 0 && slots[j] >= 0;
+        if (twoBodies) {
+            return !(fixed[i] && fixed[j]);
+        }
+        boolean oneBody = slots[i] >= 0 || slots[j] >= 0;
+        return oneBody
+                && collidables.get(i).meets(collidables.get(j))
+                && collidables.get(j).meets(collidables.get(i));
+    }
+
+    /** Whether the two volumes share a point at an offset. */
+    public boolean overlap(int i, int j, double offset) {
+        Projection at = projection(offset);
+        pose(i, at, offset, poseA);
+        pose(j, at, offset, poseB);
+        return queries.overlap(volume(i, offset), poseA, volume(j, offset), poseB);
+    }
+
+    /**
+     * Whether two that touch at an offset move toward each other there; what is no body, such as a
+     * wave, approaches everything.
+     */
+    public boolean approaching(int i, int j, double offset) {
+        if (slots[i] < 0 || slots[j] < 0) {
+            return true;
+        }
+        Projection at = projection(offset);
+        pose(i, at, offset, poseA);
+        pose(j, at, offset, poseB);
+        ContactPoint contact = queries.contact(volume(i, offset), poseA, volume(j, offset), poseB);
+        Vec3 relative =
+                velocityAt(i, at, contact.point()).minus(velocityAt(j, at, contact.point()));
+        return contact.normal().dot(relative) < -APPROACH_TOLERANCE;
+    }
+
+    private Vec3 velocityAt(int i, Projection at, Vec3 point) {
+        int slot = slots[i];
+        Vec3 p = vector(at, BodyState.PX, slot);
+        Vec3 l = vector(at, BodyState.LX, slot);
+        Vec3 r = point.minus(vector(at, BodyState.X, slot));
+        RigidBody body = (RigidBody) collidables.get(i);
+        return body.velocityOf(p).plus(body.angularVelocityOf(l, orientation(at, slot)).cross(r));
+    }
+
+    private static Vec3 vector(Projection at, int column, int slot) {
+        return new Vec3(
+                at.column(column)[slot], at.column(column + 1)[slot], at.column(column + 2)[slot]);
+    }
+
+    private static Quat orientation(Projection at, int slot) {
+        return new Quat(
+                at.column(BodyState.QW)[slot],
+                at.column(BodyState.QX)[slot],
+                at.column(BodyState.QY)[slot],
+                at.column(BodyState.QZ)[slot]);
+    }
+
+    /** Moves the world to an offset: the snapshot is now there. */
+    public void commit(double offset) {
+        if (offset > 0) {
+            allAt(offset).commit();
+            begin(time + offset);
+        }
+    }
+
+    /** The contact of two that touch now, as {@code i} sees it. */
+    public Contact contact(int i, int j) {
+        present(i, poseA);
+        present(j, poseB);
+        ContactPoint point = queries.contact(volume(i, 0), poseA, volume(j, 0), poseB);
+        return new Contact(time, point.point(), point.normal(), participant(i), participant(j));
+    }
+
+    /** The ids of what shares space now with the collidable of an id, in order. */
+    public List<Long> overlaps(long id) {
+        List<Long> found = new ArrayList<>();
+        int self = 0;
+        while (collidables.get(self).id() != id) {
+            self++;
+        }
+        for (int i = 0; i < size(); i++) {
+            if (i != self && mayCollide(self, i) && overlap(self, i, 0)) {
+                found.add(collidables.get(i).id());
+            }
+        }
+        return found;
+    }
+
+    private Participant participant(int i) {
+        Collidable c = collidables.get(i);
+        return new Participant(
+                c.id(),
+                c.name(),
+                c.getClass(),
+                c instanceof RigidBody body ? Optional.of(body.motion()) : Optional.empty());
+    }
+
+    private Volume volume(int i, double offset) {
+        return collidables.get(i).volumeAt(time + offset);
+    }
+
+    private void present(int i, Pose to) {
+        int slot = slots[i];
+        if (slot < 0) {
+            to.set(collidables.get(i).positionAt(time), collidables.get(i).orientationAt(time));
+            return;
+        }
+        to.x = bodies.column(BodyState.X)[slot];
+        to.y = bodies.column(BodyState.Y)[slot];
+        to.z = bodies.column(BodyState.Z)[slot];
+        to.qw = bodies.column(BodyState.QW)[slot];
+        to.qx = bodies.column(BodyState.QX)[slot];
+        to.qy = bodies.column(BodyState.QY)[slot];
+        to.qz = bodies.column(BodyState.QZ)[slot];
+    }
+
+    private void pose(int i, Projection at, double offset, Pose to) {
+        if (slots[i] >= 0) {
+            at.pose(slots[i], to);
+        } else {
+            Collidable c = collidables.get(i);
+            to.set(c.positionAt(time + offset), c.orientationAt(time + offset));
+        }
+    }
+
+    /**
+     * The projection of an instant: the one where the step would end is kept, others come and go.
+     */
+    private Projection projection(double offset) {
+        if (offset == end.offset()) {
+            return end;
+        }
+        if (offset != probe.offset()) {
+            probe.turnTo(time, offset);
+        }
+        return probe;
+    }
+
+    private Projection allAt(double offset) {
+        if (offset != end.offset()) {
+            end.turnTo(time, offset);
+        }
+        end.integrateAll();
+        return end;
+    }
+}

@@ -1,0 +1,105 @@
+package org.auvsim.core.step;
+
+import org.auvsim.core.dynamics.EquationsOfMotion;
+import org.auvsim.core.dynamics.Integrator;
+import org.auvsim.core.entity.Block;
+import org.auvsim.core.entity.BodyState;
+import org.auvsim.core.volume.Pose;
+
+/**
+ * The bodies as they will be at one instant, if nothing collides before: integrated from the
+ * present snapshot, body by body on demand or all at once in blocks.
+ */
+final class Projection {
+    private final BodyState bodies;
+    private final EquationsOfMotion equations;
+    private final Integrator integrator;
+    private final Block block;
+    private final double[][] columns;
+    private final int[] known;
+    private int round;
+    private boolean complete;
+    private double now;
+    private double offset = Double.NaN;
+
+    Projection(BodyState bodies, EquationsOfMotion equations, Integrator integrator, Block block) {
+        this.bodies = bodies;
+        this.equations = equations;
+        this.integrator = integrator;
+        this.block = block;
+        this.columns = new double[BodyState.COLUMNS][bodies.count()];
+        this.known = new int[bodies.count()];
+    }
+
+    /** The instant (s from the snapshot) that it shows; NaN if none. */
+    double offset() {
+        return offset;
+    }
+
+    /** Turns to another instant; what was known is forgotten. */
+    void turnTo(double time, double offset) {
+        this.now = time;
+        this.offset = offset;
+        round++;
+        complete = false;
+    }
+
+    /** Forgets everything, as the snapshot has changed. */
+    void forget() {
+        turnTo(now, Double.NaN);
+    }
+
+    /** Integrates every body, blockwise. */
+    void integrateAll() {
+        if (!complete) {
+            for (int first = 0; first < known.length; first += Block.SIZE) {
+                integrate(first, Math.min(Block.SIZE, known.length - first));
+            }
+            complete = true;
+        }
+    }
+
+    /** One column of the state; valid for bodies that have been integrated. */
+    double[] column(int column) {
+        return columns[column];
+    }
+
+    /** Integrates the body in a slot, unless it is known. */
+    void integrate(int slot) {
+        if (known[slot] != round) {
+            integrate(slot, 1);
+        }
+    }
+
+    void pose(int slot, Pose to) {
+        integrate(slot);
+        to.x = columns[BodyState.X][slot];
+        to.y = columns[BodyState.Y][slot];
+        to.z = columns[BodyState.Z][slot];
+        to.qw = columns[BodyState.QW][slot];
+        to.qx = columns[BodyState.QX][slot];
+        to.qy = columns[BodyState.QY][slot];
+        to.qz = columns[BodyState.QZ][slot];
+    }
+
+    private void integrate(int first, int count) {
+        equations.load(block, first, count, now);
+        if (offset != 0) {
+            integrator.advance(equations, block, offset);
+        }
+        for (int c = 0; c < BodyState.COLUMNS; c++) {
+            System.arraycopy(block.state[c], 0, columns[c], first, count);
+        }
+        for (int slot = first; slot < first + count; slot++) {
+            known[slot] = round;
+        }
+    }
+
+    /** Makes this the present state of all bodies. */
+    void commit() {
+        integrateAll();
+        for (int c = 0; c < BodyState.COLUMNS; c++) {
+            System.arraycopy(columns[c], 0, bodies.column(c), 0, known.length);
+        }
+    }
+}

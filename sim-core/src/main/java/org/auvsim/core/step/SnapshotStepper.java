@@ -1,0 +1,36 @@
+package org.auvsim.core.step;
+
+import org.auvsim.core.description.Default;
+
+/**
+ * The thesis' step (section 5.1): one snapshot a step, which ends at the earliest collision or
+ * after the restricted time step.
+ */
+public record SnapshotStepper(
+        @Default("radius-distance-restricter") TimeStepRestricter restricter,
+        @Default("octree-partitioner") CollisionPartitioner partitioner,
+        @Default("bisection-finder") CollisionFinder finder)
+        implements Stepper {
+    /** With the thesis' stages: radius-distance restricter, octree, bisection. */
+    public static SnapshotStepper standard() {
+        return new SnapshotStepper(
+                new RadiusDistanceRestricter(),
+                OctreePartitioner.standard(),
+                BisectionFinder.standard());
+    }
+
+    @Override
+    public StepResult advance(Motion motion, double wanted) {
+        double dt = restricter.restrict(motion, wanted);
+        CollisionSets sets = motion.sets();
+        sets.begin(dt);
+        partitioner.partition(motion, dt, sets);
+        sets.close();
+        double collision = finder.earliest(motion, sets, dt);
+        double elapsed = Math.min(collision, dt);
+        motion.commit(elapsed);
+        return collision <= dt
+                ? Responses.to(motion, sets, elapsed)
+                : StepResult.withoutCollision(elapsed);
+    }
+}

@@ -1,0 +1,174 @@
+package org.auvsim.core.world;
+
+import org.auvsim.core.entity.Bodies;
+import org.auvsim.core.entity.Entity;
+import org.auvsim.core.entity.RigidBody;
+import org.auvsim.core.entity.WorldObject;
+import org.auvsim.core.entity.WorldObjectDefinition;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/** Who is in a world: entities by id and by name, both unique, ids never used again. */
+final class Population {
+    private final Bodies bodies;
+    private final TreeMap<Long, Entity> byId;
+    private final Map<String, Long> idsByName;
+    private Optional<List<WorldObject>> objects = Optional.empty();
+    private long nextId;
+
+    Population() {
+        bodies = new Bodies();
+        byId = new TreeMap<>();
+        idsByName = new HashMap<>();
+        nextId = 1;
+    }
+
+    /** An independent copy; entities that are no bodies are immutable and shared. */
+    Population(Population original) {
+        bodies = original.bodies.copy();
+        byId = new TreeMap<>(original.byId);
+        bodies.objects().forEach(object -> byId.put(object.id(), object));
+        idsByName = new HashMap<>(original.idsByName);
+        nextId = original.nextId;
+    }
+
+    Bodies bodies() {
+        return bodies;
+    }
+
+    /** All entities in order of id; a view. */
+    Collection<Entity> entities() {
+        return Collections.unmodifiableCollection(byId.values());
+    }
+
+    /** All world objects in order of id. */
+    List<WorldObject> objects() {
+        if (objects.isEmpty()) {
+            List<WorldObject> list = new ArrayList<>(bodies.objects());
+            list.sort(Comparator.comparingLong(WorldObject::id));
+            objects = Optional.of(List.copyOf(list));
+        }
+        return objects.get();
+    }
+
+    long nextId() {
+        return nextId;
+    }
+
+    Optional<Entity> find(long id) {
+        return Optional.ofNullable(byId.get(id));
+    }
+
+    Optional<WorldObject> findObject(long id) {
+        return byId.get(id) instanceof WorldObject object ? Optional.of(object) : Optional.empty();
+    }
+
+    WorldObject object(long id) {
+        return findObject(id).orElseThrow(() -> unknown("the id " + id));
+    }
+
+    WorldObject object(String name) {
+        Long id = idsByName.get(name);
+        return Optional.ofNullable(id)
+                .flatMap(this::findObject)
+                .orElseThrow(() -> unknown("the name '" + name + "'"));
+    }
+
+    WorldObject add(WorldObjectDefinition definition) {
+        long id = definition.id().orElse(nextId);
+        requireFree(id, definition.name());
+        WorldObject object = bodies.add(id, definition);
+        enter(object);
+        return object;
+    }
+
+    void add(Entity entity) {
+        if (entity instanceof RigidBody) {
+            throw new WorldException(
+                    "'%s' is a body of a world already; add its definition instead"
+                            .formatted(entity.name()));
+        }
+        requireFree(entity.id(), entity.name());
+        enter(entity);
+    }
+
+    private void enter(Entity entity) {
+        byId.put(entity.id(), entity);
+        idsByName.put(entity.name(), entity.id());
+        nextId = Math.max(nextId, entity.id() + 1);
+        objects = Optional.empty();
+    }
+
+    private void requireFree(long id, String name) {
+        if (id < 1) {
+            throw new WorldException(
+                    "the id of '%s' must be 1 or more, but is %d".formatted(name, id));
+        }
+        Entity holder = byId.get(id);
+        if (holder != null) {
+            throw new WorldException(
+                    "the id %d of '%s' is taken by '%s'; ids are unique in a world"
+                            .formatted(id, name, holder.name()));
+        }
+        Long namesake = idsByName.get(name);
+        if (namesake != null) {
+            throw new WorldException(
+                    "the name '%s' is taken by entity %d; names are unique in a world"
+                            .formatted(name, namesake));
+        }
+    }
+
+    void remove(long id) {
+        Entity entity = byId.remove(id);
+        if (entity == null) {
+            throw new WorldException("no entity has the id %d".formatted(id));
+        }
+        idsByName.remove(entity.name());
+        if (entity instanceof WorldObject object) {
+            bodies.remove(object);
+        }
+        objects = Optional.empty();
+    }
+
+    /** Puts an entity in the place of its former self; false if that has left or is a body. */
+    boolean replace(Entity changed) {
+        Entity before = byId.get(changed.id());
+        if (before == null || before instanceof RigidBody) {
+            return false;
+        }
+        if (!before.name().equals(changed.name())) {
+            throw new WorldException(
+                    "entity %d cannot change its name from '%s' to '%s'"
+                            .formatted(changed.id(), before.name(), changed.name()));
+        }
+        byId.put(changed.id(), changed);
+        return true;
+    }
+
+    private WorldException unknown(String what) {
+        return new WorldException("no world object has %s; there are %s".formatted(what, names()));
+    }
+
+    private String names() {
+        List<WorldObject> all = objects();
+        if (all.isEmpty()) {
+            return "none";
+        }
+        StringBuilder text = new StringBuilder();
+        for (WorldObject object : all.subList(0, Math.min(8, all.size()))) {
+            text.append(text.isEmpty() ? "" : ", ");
+            text.append("%d '%s'".formatted(object.id(), object.name()));
+        }
+        return all.size() > 8
+                ? text.append(" and %d more".formatted(all.size() - 8)).toString()
+                : text.toString();
+    }
+}

@@ -1,0 +1,352 @@
+package org.auvsim.core.world;
+
+import org.auvsim.core.dynamics.EquationsOfMotion;
+import org.auvsim.core.dynamics.Integrator;
+import org.auvsim.core.entity.Behavior;
+import org.auvsim.core.entity.BlockEffect;
+import org.auvsim.core.entity.Change;
+import org.auvsim.core.entity.Collidable;
+import org.auvsim.core.entity.CollisionResponse;
+import org.auvsim.core.entity.Component;
+import org.auvsim.core.entity.Current;
+import org.auvsim.core.entity.Entity;
+import org.auvsim.core.entity.WorldObject;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.step.Motion;
+import org.auvsim.core.step.StepException;
+import org.auvsim.core.step.StepResult;
+import org.auvsim.core.step.Stepper;
+import org.auvsim.core.volume.PairQueries;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A simulated world: its entities, its time, and the one way in which time moves on.
+ *
+ * <p>A world belongs to one thread. It is deterministic: equal worlds that are treated equally stay
+ * equal, bit for bit.
+ */
+public final class World {
+    /** So many steps in a row that do not move time mean that a collision never ends. */
+    private static final int MOST_STEPS_AT_ONE_INSTANT = 10_000;
+
+    private final Stepper stepper;
+    private final Integrator integrator;
+    private final CollisionResponse response;
+    private final PairQueries queries;
+    private final Population population;
+    private final List<WorldListener> listeners = new ArrayList<>();
+    private final Clock clock;
+    private final double timeStep;
+    private int stepsAtOneInstant;
+    private Optional<List<BlockEffect>> effects = Optional.empty();
+    private Optional<Motion> motion = Optional.empty();
+
+    World(WorldBuilder builder) {
+        stepper = builder.stepper;
+        integrator = builder.integrator;
+        response = builder.response;
+        queries = builder.queries;
+        timeStep = builder.timeStep;
+        clock = new Clock(builder.startTime);
+        population = new Population();
+    }
+
+    private World(World original) {
+        stepper = original.stepper;
+        integrator = original.integrator;
+        response = original.response;
+        queries = original.queries;
+        timeStep = original.timeStep;
+        clock = new Clock(original.clock);
+        population = new Population(original.population);
+        stepsAtOneInstant = original.stepsAtOneInstant;
+        effects = original.effects;
+    }
+
+    /** Starts to build a world. */
+    public static WorldBuilder builder() {
+        return new WorldBuilder();
+    }
+
+    /**
+     * An independent copy, equal bit for bit, without listeners: a projected state, for example.
+     */
+    public World copy() {
+        return new World(this);
+    }
+
+    /** World time (s). */
+    public double time() {
+        return clock.time();
+    }
+
+    /** The time (s) by which a step moves on if nothing shortens it. */
+    public double timeStep() {
+        return timeStep;
+    }
+
+    static void requireTimeStep(double timeStep) {
+        if (!(timeStep > 0) || Double.isInfinite(timeStep)) {
+            throw new IllegalArgumentException(
+                    "the time step must be above 0 s and finite, but is " + timeStep + " s");
+        }
+    }
+
+    /** A digest of time and state: worlds of equal bits have equal hashes. */
+    public long stateHash() {
+        return StateHash.of(time(), objects(), population.bodies().state());
+    }
+
+    /** All entities, in order of id; a view. */
+    public Collection<Entity> entities() {
+        return population.entities();
+    }
+
+    /** All world objects, in order of id. */
+    public List<WorldObject> objects() {
+        return population.objects();
+    }
+
+    /** The entity with an id. */
+    public Optional<Entity> find(long id) {
+        return population.find(id);
+    }
+
+    /**
+     * The world object with an id.
+     *
+     * @throws WorldException if there is none
+     */
+    public WorldObject object(long id) {
+        return population.object(id);
+    }
+
+    /**
+     * The world object with a name.
+     *
+     * @throws WorldException if there is none
+     */
+    public WorldObject object(String name) {
+        return population.object(name);
+    }
+
+    /**
+     * Adds a world object, with the id that it states or the next free one.
+     *
+     * @throws WorldException if its id or name is taken
+     */
+    public WorldObject add(WorldObjectDefinition definition) {
+        WorldObject object = population.add(definition);
+        entered(object.id());
+        publish(new WorldEvent.ObjectAdded(time(), object.id(), object.position()));
+        return object;
+    }
+
+    /**
+     * Adds an entity that is no rigid body.
+     *
+     * @throws WorldException if its id or name is taken
+     */
+    public void add(Entity entity) {
+        population.add(entity);
+        entered(entity.id());
+    }
+
+    private void entered(long id) {
+        structureChanged();
+        publish(new WorldEvent.EntityAdded(time(), id));
+    }
+
+    /**
+     * Removes an entity; its id is not used again.
+     *
+     * @throws WorldException if there is none with this id
+     */
+    public void remove(long id) {
+        population.remove(id);
+        structureChanged();
+        publish(new WorldEvent.EntityRemoved(time(), id));
+    }
+
+    private void structureChanged() {
+        effects = Optional.empty();
+        motion = Optional.empty();
+    }
+
+    /** Adds a listener, which hears of everything from now on. */
+    public void addListener(WorldListener listener) {
+        listeners.add(listener);
+    }
+
+    /** Removes a listener. */
+    public void removeListener(WorldListener listener) {
+        listeners.remove(listener);
+    }
+
+    private void publish(WorldEvent event) {
+        for (WorldListener listener : List.copyOf(listeners)) {
+            listener.happened(event);
+        }
+    }
+
+    /**
+     * Moves time on by one step: behaviors act, bodies move to the end of the step or to the
+     * earliest collision, what collides responds, listeners hear of it.
+     *
+     * @return by how much time has moved (s); 0 if bodies that touched already have responded
+     * @throws StepException if the step cannot be made; the world is then as it was, but for what
+     *     behaviors have set
+     * @throws WorldException if collisions at one instant never end
+     */
+    public double advanceTimestep() {
+        letBehaviorsAct();
+        Motion path = motion();
+        path.begin(time());
+        StepResult result = stepper.advance(path, timeStep);
+        clock.advance(result.elapsed());
+        guardAgainstStandstill(result);
+        publishCollisions(result);
+        result.changes().forEach(this::apply);
+        removeWhatIsOver();
+        publishMovements();
+        publish(new WorldEvent.StepAdvanced(time(), result.elapsed()));
+        return result.elapsed();
+    }
+
+    private void letBehaviorsAct() {
+        for (WorldObject object : objects()) {
+            for (Behavior behavior : object.behaviors()) {
+                behavior.act(time(), object);
+            }
+        }
+    }
+
+    private Motion motion() {
+        if (motion.isEmpty()) {
+            motion = Optional.of(layOutMotion());
+        }
+        return motion.get();
+    }
+
+    private Motion layOutMotion() {
+        if (effects.isEmpty()) {
+            effects = Optional.of(EffectLayout.of(population.bodies().objects()));
+        }
+        List<Collidable> collidables = new ArrayList<>();
+        List<Current> currents = new ArrayList<>();
+        for (Entity entity : population.entities()) {
+            if (entity instanceof Collidable collidable) {
+                collidables.add(collidable);
+            }
+            if (entity instanceof Current current) {
+                currents.add(current);
+            }
+        }
+        EquationsOfMotion equations =
+                new EquationsOfMotion(population.bodies().state(), effects.get(), currents);
+        return new Motion(
+                population.bodies(), collidables, equations, integrator, queries, response, time());
+    }
+
+    private void guardAgainstStandstill(StepResult result) {
+        stepsAtOneInstant = result.elapsed() > 0 ? 0 : stepsAtOneInstant + 1;
+        if (stepsAtOneInstant > MOST_STEPS_AT_ONE_INSTANT) {
+            String who =
+                    result.collisions().stream()
+                            .findFirst()
+                            .map(
+                                    c ->
+                                            c.contact().self().name()
+                                                    + " and "
+                                                    + c.contact().other().name())
+                            .orElse("bodies");
+            throw new WorldException(
+                    "the world stands still at %s s: %s collide again and again; check their"
+                                    .formatted(time(), who)
+                            + " collision responses");
+        }
+    }
+
+    private void apply(Change change) {
+        switch (change) {
+            case Change.Momentum m -> addMomentum(m);
+            case Change.AddEntity added -> add(added.made().apply(population.nextId()));
+            case Change.AddObject added -> add(added.definition());
+            case Change.Replace replaced -> replace(replaced.changed());
+            case Change.Remove removed -> {
+                if (find(removed.entityId()).isPresent()) {
+                    remove(removed.entityId());
+                }
+            }
+            case Change.UpdateComponents<?> updated -> update(updated);
+        }
+    }
+
+    private void addMomentum(Change.Momentum m) {
+        population
+                .findObject(m.objectId())
+                .ifPresent(
+                        object -> {
+                            object.setLinearMomentum(object.linearMomentum().plus(m.linear()));
+                            object.setAngularMomentum(object.angularMomentum().plus(m.angular()));
+                        });
+    }
+
+    private void replace(Entity changed) {
+        if (population.replace(changed)) {
+            motion = Optional.empty();
+        }
+    }
+
+    private <C extends Component> void update(Change.UpdateComponents<C> updated) {
+        Optional<WorldObject> object = population.findObject(updated.objectId());
+        if (object.isPresent()) {
+            for (C component : object.get().components(updated.type())) {
+                object.get().replace(updated.update().apply(component));
+            }
+        }
+    }
+
+    private void removeWhatIsOver() {
+        List<Long> over = new ArrayList<>();
+        for (Entity entity : population.entities()) {
+            if (entity.isOver(time())) {
+                over.add(entity.id());
+            }
+        }
+        over.forEach(this::remove);
+    }
+
+    private void publishCollisions(StepResult result) {
+        result.collisions()
+                .forEach(collision -> publish(new WorldEvent.Collided(time(), collision)));
+    }
+
+    private void publishMovements() {
+        if (listeners.isEmpty()) {
+            return;
+        }
+        for (WorldObject object : objects()) {
+            if (!object.isFixed()) {
+                publish(new WorldEvent.Moved(time(), object.id(), object.movementState()));
+            }
+        }
+    }
+
+    /**
+     * The ids of the collidables that share space with an object now, in order: what a correction
+     * of its position may have caused.
+     *
+     * @throws WorldException if there is no such object
+     */
+    public List<Long> overlaps(long objectId) {
+        object(objectId);
+        Motion here = motion();
+        here.begin(time());
+        return here.overlaps(objectId);
+    }
+}

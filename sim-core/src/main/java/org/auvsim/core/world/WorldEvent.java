@@ -1,0 +1,29 @@
+package org.auvsim.core.world;
+
+import org.auvsim.core.entity.MovementState;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.core.step.Collision;
+
+/** Something that happened in a world, told to its listeners after the step. */
+public sealed interface WorldEvent {
+    /** World time (s) at which it happened. */
+    double time();
+
+    /** An entity has been added. */
+    record EntityAdded(double time, long entityId) implements WorldEvent {}
+
+    /** A world object has been added; follows its {@link EntityAdded}. */
+    record ObjectAdded(double time, long objectId, Vec3 position) implements WorldEvent {}
+
+    /** An entity has left. */
+    record EntityRemoved(double time, long entityId) implements WorldEvent {}
+
+    /** Two collidables have collided and responded. */
+    record Collided(double time, Collision collision) implements WorldEvent {}
+
+    /** A world object has moved, or its momenta have changed. */
+    record Moved(double time, long objectId, MovementState state) implements WorldEvent {}
+
+    /** A step is done; the last event of a step. */
+    record StepAdvanced(double time, double elapsed) implements WorldEvent {}
+}

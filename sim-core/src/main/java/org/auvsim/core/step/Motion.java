@@ -225,11 +225,32 @@ public final class Motion {
                 at.column(BodyState.QZ)[slot]);
     }
 
-    /** Moves the world to an offset: the snapshot is now there. */
+    /**
+     * Moves the world to an offset: the snapshot is now there.
+     *
+     * @throws StepException if a body would get a number that is not finite; nothing has moved then
+     */
     public void commit(double offset) {
         if (offset > 0) {
-            allAt(offset).commit();
+            Projection there = allAt(offset);
+            requireFinite(there.firstNotFinite(), offset);
+            there.commit();
             begin(time + offset);
+        }
+    }
+
+    private void requireFinite(int slot, double offset) {
+        for (int i = 0; slot >= 0 && i < size(); i++) {
+            if (slots[i] == slot) {
+                throw new StepException(
+                        "the motion of '%s' (id %d) gets out of all bounds between %s s and %s s;"
+                                        .formatted(
+                                                collidables.get(i).name(),
+                                                collidables.get(i).id(),
+                                                time,
+                                                time + offset)
+                                + " lessen its forces or the time step");
+            }
         }
     }
 

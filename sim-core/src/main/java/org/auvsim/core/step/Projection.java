@@ -95,6 +95,22 @@ final class Projection {
         }
     }
 
+    /** The lowest slot whose body has a number that is not finite, -1 if none has. */
+    int firstNotFinite() {
+        integrateAll();
+        for (int slot = 0; slot < known.length; slot++) {
+            double sum = 0;
+            for (double[] column : columns) {
+                sum += 0 * column[slot];
+            }
+            // 0 times infinity is NaN, and NaN stays.
+            if (Double.isNaN(sum)) {
+                return slot;
+            }
+        }
+        return -1;
+    }
+
     /** Makes this the present state of all bodies. */
     void commit() {
         integrateAll();

@@ -34,6 +34,7 @@ public final class FrameReader {
     private final Queue<Frame> found = new ArrayDeque<>();
     private Mode mode = Mode.BETWEEN;
     private int depth;
+    private long tagOffset;
     private int tagLine = 1;
     private int tagColumn = 1;
     private int rootLine = 1;
@@ -55,8 +56,13 @@ public final class FrameReader {
     /** Says that the stream is over: a root that is not complete will not be. */
     public void end() {
         if (mode == Mode.INSIDE) {
-            faultAtRoot("expected the end of this root element, but the stream ended");
+            reportRoot(
+                    ErrorCode.MALFORMED_XML,
+                    "expected the end of this root element, but the stream ended");
+        } else if (mode == Mode.BETWEEN && markup.isOpen()) {
+            faultAtTag(ErrorCode.MALFORMED_XML, "something without end");
         }
+        skip();
     }
 
     /** What was found next; empty until more bytes are fed. */
@@ -67,45 +73,29 @@ public final class FrameReader {
     private void accept(byte b) {
         Markup.Event event = markup.accept(b);
         if (event == Markup.Event.TAG_BEGINS || event == Markup.Event.MISPLACED_TAG_BEGINS) {
+            tagOffset = position.offset();
             tagLine = position.line();
             tagColumn = position.column();
         }
-        if (mode == Mode.INSIDE) {
-            keep(b);
-        }
-        switch (mode) {
-            case BETWEEN -> between(event, b);
-            case INSIDE -> inside(event, b);
-            case SKIPPING -> {
-                if (event == Markup.Event.START_TAG_NAMED) {
-                    beginRoot(b);
-                }
+        boolean namesRoot = event == Markup.Event.START_TAG_NAMED && markup.isRootName();
+        if (namesRoot) {
+            if (mode == Mode.INSIDE) {
+                reportRoot(
+                        ErrorCode.MALFORMED_XML,
+                        "expected the end of this root element, but another one begins");
             }
+            beginRoot(b);
+        } else if (mode == Mode.BETWEEN) {
+            between(event);
+        } else if (mode == Mode.INSIDE) {
+            inside(event, b);
         }
     }
 
-    private void keep(byte b) {
-        if (kept.size() < limits.bytes()) {
-            kept.add(b);
-        } else {
-            fault(
-                    ErrorCode.LIMIT_EXCEEDED,
-                    "expected at most %d bytes in a root element, but this one has more"
-                            .formatted(limits.bytes()),
-                    rootLine,
-                    rootColumn);
-        }
-    }
-
-    private void between(Markup.Event event, byte b) {
+    private void between(Markup.Event event) {
         switch (event) {
-            case START_TAG_NAMED -> {
-                if (markup.isRootName()) {
-                    beginRoot(b);
-                } else {
+            case START_TAG_NAMED ->
                     faultAtTag(ErrorCode.UNKNOWN_ROOT, "<" + markup.name() + ">");
-                }
-            }
             case END_TAG_ENDS ->
                     faultAtTag(ErrorCode.MALFORMED_XML, "the end tag </" + markup.name() + ">");
             case INSTRUCTION_ENDS -> checkEncoding();
@@ -117,29 +107,27 @@ public final class FrameReader {
                             position.line(),
                             position.column());
             default -> {
-                // white space and comments
+                if (markup.isOpen() && position.offset() - tagOffset >= limits.bytes()) {
+                    faultAtTag(ErrorCode.LIMIT_EXCEEDED, "a comment or instruction without end");
+                }
             }
         }
     }
 
     private void inside(Markup.Event event, byte b) {
+        if (kept.size() == limits.bytes()) {
+            reportRoot(
+                    ErrorCode.LIMIT_EXCEEDED,
+                    "expected at most %d bytes in a root element, but this one has more"
+                            .formatted(limits.bytes()));
+            skip();
+            return;
+        }
+        kept.add(b);
         switch (event) {
-            case START_TAG_NAMED -> {
-                if (markup.isRootName()) {
-                    faultAtRoot("expected the end of this root element, but another one begins");
-                    beginRoot(b);
-                } else {
-                    deeper();
-                }
-            }
+            case START_TAG_NAMED -> deeper();
             case ATTRIBUTE_BEGINS -> countAttributes();
-            case EMPTY_TAG_ENDS, END_TAG_ENDS -> {
-                depth--;
-                if (markup.isRootName()) {
-                    found.add(new Frame.Root(kept.take(), rootLine, rootColumn));
-                    mode = Mode.BETWEEN;
-                }
-            }
+            case EMPTY_TAG_ENDS, END_TAG_ENDS -> tagEnds();
             case FORBIDDEN ->
                     fault(
                             ErrorCode.FORBIDDEN_XML,
@@ -155,6 +143,14 @@ public final class FrameReader {
             default -> {
                 // what stands inside is the parser's
             }
+        }
+    }
+
+    private void tagEnds() {
+        depth--;
+        if (markup.isRootName()) {
+            found.add(new Frame.Root(kept.take(), rootLine, rootColumn));
+            mode = Mode.BETWEEN;
         }
     }
 
@@ -213,12 +209,20 @@ public final class FrameReader {
         fault(code, "expected <auvsml>, but found " + found, tagLine, tagColumn);
     }
 
-    private void faultAtRoot(String problem) {
-        fault(ErrorCode.MALFORMED_XML, problem, rootLine, rootColumn);
+    private void fault(ErrorCode code, String problem, int line, int column) {
+        report(code, problem, line, column);
+        skip();
     }
 
-    private void fault(ErrorCode code, String problem, int line, int column) {
+    private void reportRoot(ErrorCode code, String problem) {
+        report(code, problem, rootLine, rootColumn);
+    }
+
+    private void report(ErrorCode code, String problem, int line, int column) {
         found.add(new Frame.Broken(new Fault(code, problem, "", line, column)));
+    }
+
+    private void skip() {
         kept.clear();
         mode = Mode.SKIPPING;
         markup.search();

@@ -83,6 +83,11 @@ final class Markup {
         }
     }
 
+    /** Whether a tag, comment or other markup has begun and not ended. */
+    boolean isOpen() {
+        return state != State.TEXT;
+    }
+
     /** Whether the name read last is a root's. */
     boolean isRootName() {
         return nameLength == ROOT.length

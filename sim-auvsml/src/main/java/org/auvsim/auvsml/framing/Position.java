@@ -4,6 +4,7 @@ package org.auvsim.auvsml.framing;
 final class Position {
     private int line = 1;
     private int column = 1;
+    private long offset;
     private boolean afterReturn;
 
     int line() {
@@ -14,7 +15,13 @@ final class Position {
         return column;
     }
 
+    /** How many bytes have passed. */
+    long offset() {
+        return offset;
+    }
+
     void pass(byte b) {
+        offset++;
         if (b == '\r' || (b == '\n' && !afterReturn)) {
             line++;
             column = 1;

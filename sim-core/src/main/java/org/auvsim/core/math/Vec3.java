@@ -48,13 +48,13 @@ public record Vec3(double x, double y, double z) {
     /**
      * The vector of length 1 in this direction.
      *
-     * @throws IllegalArgumentException if this is the zero vector
+     * @throws IllegalArgumentException if the length is 0 or too large for a number
      */
     public Vec3 normalized() {
         double norm = norm();
-        if (!(norm > 0)) {
+        if (!(norm > 0) || Double.isInfinite(norm)) {
             throw new IllegalArgumentException(
-                    "a direction needs a length above 0, but " + this + " has " + norm);
+                    "a direction needs a finite length above 0, but " + this + " has " + norm);
         }
         return times(1 / norm);
     }

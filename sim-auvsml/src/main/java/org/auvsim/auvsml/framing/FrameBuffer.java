@@ -20,6 +20,14 @@ final class FrameBuffer {
         bytes[size++] = b;
     }
 
+    void add(byte[] from, int offset, int length) {
+        while (size + length > bytes.length) {
+            bytes = Arrays.copyOf(bytes, 2 * bytes.length);
+        }
+        System.arraycopy(from, offset, bytes, size, length);
+        size += length;
+    }
+
     void clear() {
         size = 0;
         if (bytes.length > SMALL) {

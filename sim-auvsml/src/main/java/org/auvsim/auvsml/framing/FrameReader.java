@@ -47,10 +47,24 @@ public final class FrameReader {
 
     /** Takes the stream's next bytes; what they complete is in {@link #next()}. */
     public void feed(byte[] bytes, int offset, int length) {
-        for (int i = offset; i < offset + length; i++) {
-            accept(bytes[i]);
-            position.pass(bytes[i]);
+        int end = offset + length;
+        int i = offset;
+        while (i < end) {
+            i += mode == Mode.INSIDE ? keepPlainRun(bytes, i, end) : 0;
+            if (i < end) {
+                accept(bytes[i]);
+                position.pass(bytes[i]);
+                i++;
+            }
         }
+    }
+
+    private int keepPlainRun(byte[] bytes, int from, int end) {
+        int room = limits.bytes() - kept.size();
+        int run = markup.plainRun(bytes, from, Math.min(end, from + room));
+        kept.add(bytes, from, run);
+        position.passPlain(run);
+        return run;
     }
 
     /** Says that the stream is over: a root that is not complete will not be. */
@@ -94,8 +108,7 @@ public final class FrameReader {
 
     private void between(Markup.Event event) {
         switch (event) {
-            case START_TAG_NAMED ->
-                    faultAtTag(ErrorCode.UNKNOWN_ROOT, "<" + markup.name() + ">");
+            case START_TAG_NAMED -> faultAtTag(ErrorCode.UNKNOWN_ROOT, "<" + markup.name() + ">");
             case END_TAG_ENDS ->
                     faultAtTag(ErrorCode.MALFORMED_XML, "the end tag </" + markup.name() + ">");
             case INSTRUCTION_ENDS -> checkEncoding();

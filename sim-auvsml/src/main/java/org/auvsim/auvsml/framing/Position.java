@@ -31,6 +31,13 @@ final class Position {
         afterReturn = b == '\r';
     }
 
+    /** Passes so many bytes of ASCII without line breaks. */
+    void passPlain(int length) {
+        offset += length;
+        column += length;
+        afterReturn = false;
+    }
+
     /** A character is counted at its first byte; one of four bytes is two UTF-16 units. */
     private static int units(byte b) {
         if ((b & 0xC0) == 0x80) {

@@ -1,5 +1,7 @@
 package org.auvsim.auvsml.mapping;
 
+import ch.randelshofer.fastdoubleparser.JavaDoubleParser;
+
 import org.auvsim.auvsml.xml.XmlText;
 
 import java.util.Arrays;
@@ -106,7 +108,7 @@ record ScalarCodec(Class<?> type, String expected, Reader reader, Writer writer)
                 throw new IllegalArgumentException(text);
             }
         }
-        double value = Double.parseDouble(text);
+        double value = JavaDoubleParser.parseDouble(text);
         if (Double.isInfinite(value)) {
             throw new IllegalArgumentException(text);
         }

@@ -1,18 +1,9 @@
 package org.auvsim.auvsml.framing;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.SequenceInputStream;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Optional;
-import java.util.Random;
-import java.util.stream.LongStream;
+import static java.nio.charset.StandardCharsets.UTF_8;
+
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.control.PauseSimulatorCommand;
@@ -24,6 +15,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.SequenceInputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.stream.LongStream;
 
 class AuvsmlReaderTest {
     private static final MessageCatalogue CATALOGUE =
@@ -43,7 +45,8 @@ class AuvsmlReaderTest {
             <!DOCTYPE x [<!ENTITY y SYSTEM "file:///etc/passwd">]>
             <auvsml>&y;</auvsml>
             <auvsml><resume-simulator-command/></auvsml>
-            <auvsml>""";
+            <auvsml>\
+            """;
 
     private static final Incoming PAUSE =
             new Incoming.Request(Optional.of("7"), List.of(new PauseSimulatorCommand()));
@@ -107,7 +110,8 @@ class AuvsmlReaderTest {
     @Test
     void aMessageOfTwoMebibytesIsSkippedAndTheNextOneRead() throws IOException {
         String large = "<auvsml><remove-force-command force-name=\"" + "x".repeat(2 << 20) + "\"/>";
-        List<Incoming> incoming = read(large + "</auvsml><auvsml><resume-simulator-command/></auvsml>");
+        List<Incoming> incoming =
+                read(large + "</auvsml><auvsml><resume-simulator-command/></auvsml>");
 
         assertThat(incoming.stream().map(AuvsmlReaderTest::summary))
                 .containsExactly("LIMIT_EXCEEDED 1:1", "Request");
@@ -156,7 +160,9 @@ class AuvsmlReaderTest {
         bytes.writeBytes(new byte[] {(byte) 0xC0, (byte) 0xAF, (byte) 0xFF});
         bytes.writeBytes("' world-object-id='1'/></auvsml>".getBytes(UTF_8));
 
-        assertThat(read(new ByteArrayInputStream(bytes.toByteArray())).stream().map(AuvsmlReaderTest::code))
+        assertThat(
+                        read(new ByteArrayInputStream(bytes.toByteArray())).stream()
+                                .map(AuvsmlReaderTest::code))
                 .containsExactly(ErrorCode.MALFORMED_XML);
     }
 
@@ -170,7 +176,8 @@ class AuvsmlReaderTest {
         byte[] noise = noise(new Random(seed));
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         bytes.writeBytes(noise);
-        bytes.writeBytes("--><auvsml/>]]>?><auvsml><resume-simulator-command/></auvsml>".getBytes(UTF_8));
+        bytes.writeBytes(
+                "--><auvsml/>]]>?><auvsml><resume-simulator-command/></auvsml>".getBytes(UTF_8));
 
         assertThat(read(new ByteArrayInputStream(bytes.toByteArray())).getLast()).isEqualTo(RESUME);
     }
@@ -190,8 +197,27 @@ class AuvsmlReaderTest {
     /** Random bytes, mixed with pieces of markup; what they open, the caller closes. */
     private static byte[] noise(Random random) {
         String[] pieces = {
-            "<", ">", "</", "/>", "<!--", "<![CDATA[", "]]>", "<?", "?>", "\"", "'", "<auvsml", "<auvxml>",
-            "</auvsml>", "&amp;", "&#xD800;", "<!DOCTYPE", "pause-simulator-command", " a='", "\uFEFF", "xml"
+            "<",
+            ">",
+            "</",
+            "/>",
+            "<!--",
+            "<![CDATA[",
+            "]]>",
+            "<?",
+            "?>",
+            "\"",
+            "'",
+            "<auvsml",
+            "<auvxml>",
+            "</auvsml>",
+            "&amp;",
+            "&#xD800;",
+            "<!DOCTYPE",
+            "pause-simulator-command",
+            " a='",
+            "\uFEFF",
+            "xml"
         };
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         for (int i = 0; i < 200; i++) {
@@ -210,8 +236,7 @@ class AuvsmlReaderTest {
 
     private static List<Incoming> read(InputStream in) throws IOException {
         AuvsmlReader reader =
-                new AuvsmlReader(
-                        in, RootDecoder.strict(CATALOGUE, Limits.MESSAGE), Limits.MESSAGE);
+                new AuvsmlReader(in, RootDecoder.strict(CATALOGUE, Limits.MESSAGE), Limits.MESSAGE);
         List<Incoming> incoming = new ArrayList<>();
         Incoming next = reader.next();
         while (!(next instanceof Incoming.End)) {

@@ -1,17 +1,19 @@
 package org.auvsim.auvsml.framing;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Optional;
+import static java.nio.charset.StandardCharsets.UTF_8;
+
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.Fault;
 import org.auvsim.auvsml.xml.Limits;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 
 class FrameReaderTest {
     private static final Limits LIMITS = new Limits(200, 4, 3);
@@ -34,7 +36,8 @@ class FrameReaderTest {
     @Test
     void aRootEndsOnlyWithItsOwnEndTag() {
         assertThat(frames("<auvsml><!-- </auvsml> --><![CDATA[</auvsml>]]></a></auvsml>"))
-                .containsExactly("1:1 <auvsml><!-- </auvsml> --><![CDATA[</auvsml>]]></a></auvsml>");
+                .containsExactly(
+                        "1:1 <auvsml><!-- </auvsml> --><![CDATA[</auvsml>]]></a></auvsml>");
     }
 
     @Test
@@ -44,7 +47,8 @@ class FrameReaderTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"<auvsml><a b=\"", "<auvsml><a b", "<auvsml", "<auvsml></a", "<auvsml><"})
+    @ValueSource(
+            strings = {"<auvsml><a b=\"", "<auvsml><a b", "<auvsml", "<auvsml></a", "<auvsml><"})
     void aRootThatBreaksOffInATagIsReportedWhereTheNextOneBegins(String broken) {
         assertThat(frames(broken + "<auvsml/>"))
                 .containsExactly(
@@ -102,7 +106,8 @@ class FrameReaderTest {
                 .containsExactly("1:1 LIMIT_EXCEEDED", "1:203 <auvsml/>");
         assertThat(frames("<!--" + "x".repeat(198) + "<auvsml/>"))
                 .containsExactly("1:1 LIMIT_EXCEEDED", "1:203 <auvsml/>");
-        assertThat(frames("<auvsml/> <!-- ")).containsExactly("1:1 <auvsml/>", "1:11 MALFORMED_XML");
+        assertThat(frames("<auvsml/> <!-- "))
+                .containsExactly("1:1 <auvsml/>", "1:11 MALFORMED_XML");
     }
 
     @Test

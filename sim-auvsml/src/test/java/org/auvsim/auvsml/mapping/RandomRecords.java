@@ -15,8 +15,8 @@ import java.util.Random;
 import java.util.function.Supplier;
 
 /**
- * Makes records of any type that AUVSML can write, with random values in all components; values that
- * a record's constructor refuses are drawn again.
+ * Makes records of any type that AUVSML can write, with random values in all components; values
+ * that a record's constructor refuses are drawn again.
  */
 final class RandomRecords {
     private static final int DRAWS = 20_000;
@@ -56,7 +56,8 @@ final class RandomRecords {
                 return drawn.get();
             }
         }
-        throw new AssertionError("no random values fit " + type + ": give it an example of its own");
+        throw new AssertionError(
+                "no random values fit " + type + ": give it an example of its own");
     }
 
     private Optional<Record> draw(Class<?> type) {

@@ -2,12 +2,6 @@ package org.auvsim.auvsml.mapping;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.ByteArrayInputStream;
-import java.util.List;
-import java.util.Optional;
-import java.util.Random;
-import java.util.stream.LongStream;
-import java.util.stream.Stream;
 import org.auvsim.auvsml.framing.AuvsmlReader;
 import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.framing.Incoming;
@@ -19,8 +13,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
+import java.io.ByteArrayInputStream;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.stream.LongStream;
+import java.util.stream.Stream;
+
 /**
- * What every message owes: {@code decode(encode(m)).equals(m)}, for random values in all components.
+ * What every message owes: {@code decode(encode(m)).equals(m)}, for random values in all
+ * components.
  *
  * <p>To test messages of your own, extend this and name their types; nothing else is needed:
  *
@@ -40,14 +42,15 @@ public abstract class RoundTripContract {
     private final MessageCatalogue catalogue =
             MessageCatalogue.load(RoundTripContract.class.getClassLoader());
 
-    /** The message types to test; all that the class path's provider files name, if not overridden. */
+    /**
+     * The message types to test; all that the class path's provider files name, if not overridden.
+     */
     protected Stream<Class<?>> types() {
         return catalogue.types().stream();
     }
 
     Stream<Arguments> cases() {
-        return types()
-                .flatMap(
+        return types().flatMap(
                         type ->
                                 LongStream.rangeClosed(1, SEEDS)
                                         .mapToObj(

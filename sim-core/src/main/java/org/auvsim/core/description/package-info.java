@@ -1,7 +1,4 @@
-/**
- * What a document may leave out and what its numbers are measured in: annotations on record
- * components.
- */
+/** What a document calls, leaves out, and measures: annotations on record components. */
 @NullMarked
 package org.auvsim.core.description;
 

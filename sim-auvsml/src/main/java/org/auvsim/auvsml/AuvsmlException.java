@@ -1,17 +1,22 @@
 package org.auvsim.auvsml;
 
+import java.util.Comparator;
 import java.util.List;
 
 /**
  * A text that cannot be turned into a record; it has one fault or more, in order of their places.
  */
 public final class AuvsmlException extends Exception {
+    private static final Comparator<Fault> BY_PLACE =
+            Comparator.comparingInt(Fault::line).thenComparingInt(Fault::column);
+
     private final transient List<Fault> faults;
 
     /** For these faults, of which there is at least one. */
     public AuvsmlException(List<Fault> faults) {
-        super(faults.getFirst().toString());
-        this.faults = List.copyOf(faults);
+        List<Fault> sorted = faults.stream().sorted(BY_PLACE).toList();
+        super(sorted.getFirst().toString());
+        this.faults = sorted;
     }
 
     /** For one fault. */

@@ -1,6 +1,7 @@
 package org.auvsim.auvsml.mapping;
 
 import org.auvsim.core.description.Default;
+import org.auvsim.core.description.Name;
 import org.auvsim.core.description.Unit;
 
 import java.lang.invoke.MethodHandle;
@@ -70,12 +71,17 @@ final class RecordCompiler {
         }
         return new Slot(
                 index,
-                Names.kebab(component.getName()),
+                name(component),
                 lookup.unreflect(component.getAccessor())
                         .asType(MethodType.methodType(Object.class, Object.class)),
                 presence,
                 content,
                 Optional.ofNullable(component.getAnnotation(Unit.class)).map(Unit::value));
+    }
+
+    private static String name(RecordComponent component) {
+        Name stated = component.getAnnotation(Name.class);
+        return stated == null ? Names.kebab(component.getName()) : stated.value();
     }
 
     private Presence presence(RecordComponent component, Slot.Content content) {

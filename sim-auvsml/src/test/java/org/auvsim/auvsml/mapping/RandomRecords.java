@@ -80,7 +80,7 @@ final class RandomRecords {
             }
             throw new AssertionError("constructor of " + type, e.getCause());
         } catch (ReflectiveOperationException e) {
-            throw new AssertionError("constructor of " + type, e);
+            throw new LinkageError("constructor of " + type, e);
         }
     }
 

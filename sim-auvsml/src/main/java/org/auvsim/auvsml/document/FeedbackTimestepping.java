@@ -1,0 +1,43 @@
+package org.auvsim.auvsml.document;
+
+import org.auvsim.core.description.Name;
+import org.auvsim.core.description.Unit;
+
+import java.util.List;
+
+/**
+ * Which of the server's feedback time-steppers a scenario asks for, and with what (thesis, section
+ * 7.2); here they are data alone.
+ */
+public interface FeedbackTimestepping {
+    /** Feedback is ignored. */
+    record NoFeedbackTimestepper() implements FeedbackTimestepping {}
+
+    /**
+     * Each step is announced by its projected state, then feedback is awaited for a fixed time.
+     *
+     * @param waiting real time to wait for feedback
+     * @param client if any are named, the wait ends early once all of them have sent feedback
+     */
+    record SimpleFixedTimeFeedbackTimestepper(
+            @Name("wait") @Unit("s") double waiting, List<AwaitedClient> client)
+            implements FeedbackTimestepping {
+        /**
+         * A checked choice.
+         *
+         * @throws IllegalArgumentException if the wait is negative
+         */
+        public SimpleFixedTimeFeedbackTimestepper {
+            if (!(waiting >= 0)) {
+                throw new IllegalArgumentException(
+                        "the wait for feedback must be 0 s or more, but is " + waiting + " s");
+            }
+        }
+    }
+
+    /** Feedback is never awaited; what has arrived is applied between two steps. */
+    record AsynchronousFeedbackTimestepper() implements FeedbackTimestepping {}
+
+    /** The client that sends feedback for this world object. */
+    record AwaitedClient(long worldObjectId) {}
+}

@@ -1,0 +1,51 @@
+package org.auvsim.auvsml.document;
+
+import org.auvsim.core.description.Default;
+import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Current;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.step.Stepper;
+import org.auvsim.core.world.World;
+import org.auvsim.core.world.WorldBuilder;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A world and how it is to be run, as a file states it.
+ *
+ * @param startTime the world's time at the beginning
+ * @param timeStep by how much a step moves time on
+ * @param stepper how a step is made
+ * @param feedbackTimestepping when robots' feedback is taken
+ * @param feedbackProcessor which processor uses it; empty: the one that each message names
+ * @param current the water's motion
+ * @param worldObject what moves, or does not
+ */
+public record Scenario(
+        @Unit("s") @Default("0.0") double startTime,
+        @Default("0.05") TimeStep timeStep,
+        @Default("snapshot-stepper") Stepper stepper,
+        @Default("asynchronous-feedback-timestepper") FeedbackTimestepping feedbackTimestepping,
+        Optional<FeedbackProcessorChoice> feedbackProcessor,
+        List<Current> current,
+        List<WorldObjectDefinition> worldObject) {
+    /** Lists that cannot be changed. */
+    public Scenario {
+        current = List.copyOf(current);
+        worldObject = List.copyOf(worldObject);
+    }
+
+    /**
+     * The world at the beginning.
+     *
+     * @throws org.auvsim.core.world.WorldException if an id or a name is used twice
+     */
+    public World world() {
+        WorldBuilder world =
+                World.builder().startTime(startTime).timeStep(timeStep.delta()).stepper(stepper);
+        current.forEach(world::add);
+        worldObject.forEach(world::add);
+        return world.build();
+    }
+}

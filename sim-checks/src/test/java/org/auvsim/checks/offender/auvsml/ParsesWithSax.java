@@ -1,0 +1,5 @@
+package org.auvsim.checks.offender.auvsml;
+
+import org.jdom2.input.SAXBuilder;
+
+record ParsesWithSax(SAXBuilder builder) {}

@@ -1,0 +1,3 @@
+package org.auvsim.checks.offender.core.stray;
+
+public record HasNoPlace() {}

@@ -1,0 +1,55 @@
+package org.auvsim.checks.repository;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.checks.Repository;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The tracked files are as they should be. */
+class RepositoryTest {
+    private static final Path ROOT = Repository.root();
+
+    @Test
+    void noFileSaysWhatNoneMay() throws Exception {
+        List<String> offences = new ArrayList<>();
+        for (Path file :
+                tracked(".java", ".xml", ".md", ".py", ".sh", ".yml", ".csv", ".txt", "run")) {
+            offences.addAll(Wording.offences(ROOT, file));
+        }
+        assertThat(offences).isEmpty();
+    }
+
+    @Test
+    void everyLinkLeadsSomewhere() throws Exception {
+        List<String> broken = new ArrayList<>();
+        for (Path file : tracked(".md")) {
+            broken.addAll(Links.broken(ROOT, file));
+        }
+        assertThat(broken).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"auvsim", ".ci/run"})
+    void scriptsAreExecutable(String script) {
+        assertThat(ROOT.resolve(script)).isExecutable();
+    }
+
+    private static List<Path> tracked(String... endings) throws IOException, InterruptedException {
+        List<Path> files =
+                TrackedFiles.of(ROOT).stream()
+                        .filter(
+                                file ->
+                                        List.of(endings).stream()
+                                                .anyMatch(file.toString()::endsWith))
+                        .toList();
+        assertThat(files).isNotEmpty();
+        return files;
+    }
+}

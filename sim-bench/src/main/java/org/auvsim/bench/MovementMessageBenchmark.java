@@ -45,7 +45,7 @@ public class MovementMessageBenchmark {
                     7.800000000000001,
                     46,
                     false,
-                    new Vec3(1.0 / 3, -27.123456789012345, 1234.5678901234567),
+                    new Vec3(1.0 / 3, -27.123456789012344, 1234.5678901234567),
                     Quat.ofAxisAngle(new Vec3(1, -2, 3), 1.234).toMatrix(),
                     new Vec3(Math.PI, -Math.E * 1e3, 1.0 / 7),
                     new Vec3(1e-3 / 3, 2e2 / 3, -Math.sqrt(2)));

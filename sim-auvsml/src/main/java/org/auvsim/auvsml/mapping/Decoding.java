@@ -5,7 +5,6 @@ import org.auvsim.auvsml.Fault;
 import org.auvsim.auvsml.xml.Place;
 import org.auvsim.auvsml.xml.PlacedElement;
 import org.auvsim.auvsml.xml.XmlTree;
-import org.jdom2.Element;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -35,19 +34,14 @@ final class Decoding {
     }
 
     void fault(ErrorCode code, String problem, PlacedElement element) {
-        add(code, problem, path(element), element.place());
+        add(code, problem, element.path(), element.place());
     }
 
     void fault(ErrorCode code, String problem, PlacedElement element, String attribute) {
-        add(code, problem, path(element) + "@" + attribute, tree.placeOf(element, attribute));
+        add(code, problem, element.path() + "@" + attribute, tree.placeOf(element, attribute));
     }
 
     private void add(ErrorCode code, String problem, String path, Place place) {
         faults.add(new Fault(code, problem, path, place.line(), place.column()));
-    }
-
-    private static String path(Element element) {
-        Element parent = element.getParentElement();
-        return parent == null ? element.getName() : path(parent) + "/" + element.getName();
     }
 }

@@ -24,7 +24,7 @@ public final class MessageCatalogue {
     /** How the thesis' appendix prints the root; read, never written. */
     private static final String OTHER_ROOT = "auvxml";
 
-    private static final String REQUEST_ID = "request-id";
+    static final String REQUEST_ID = "request-id";
 
     private final AuvsmlMapper mapper;
     private final Map<String, Class<?>> types;
@@ -59,9 +59,9 @@ public final class MessageCatalogue {
         return List.copyOf(types.values());
     }
 
-    /** Whether an element of this name is a root. */
-    public static boolean isRoot(String element) {
-        return element.equals(ROOT) || element.equals(OTHER_ROOT);
+    /** The names of the roots that are read; the first one is written. */
+    public static List<String> roots() {
+        return List.of(ROOT, OTHER_ROOT);
     }
 
     /** The request-id that a root element states, if any. */
@@ -96,7 +96,7 @@ public final class MessageCatalogue {
     }
 
     private static void checkRoot(PlacedElement root, Decoding decoding) {
-        if (!isRoot(root.getName())) {
+        if (!roots().contains(root.getName())) {
             decoding.fault(
                     ErrorCode.UNKNOWN_ROOT,
                     "expected the root element <%s>, but found <%s>"
@@ -148,8 +148,7 @@ public final class MessageCatalogue {
     public void encode(Optional<String> requestId, List<? extends Message> messages, XmlText out) {
         out.open(ROOT);
         if (requestId.isPresent()) {
-            XmlText.escape(requestId.get(), out.attribute(REQUEST_ID));
-            out.endAttribute();
+            out.attribute(REQUEST_ID, requestId.get());
         }
         for (Message message : messages) {
             mapper.encode(message, out);

@@ -4,7 +4,7 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.Collectors;
+import java.util.function.ToIntFunction;
 
 /** How Java's names look in XML, and which known name an unknown one comes near. */
 final class Names {
@@ -28,22 +28,22 @@ final class Names {
                 : "'" + found.substring(0, LONGEST_SHOWN) + "...'";
     }
 
-    /** "the nearest known names are 'a', 'b'", at most three. */
+    /** "the nearest known name is 'a'", or a few that are about as near. */
     static String nearest(String unknown, Collection<String> known) {
-        if (known.isEmpty()) {
-            return "none is known here";
-        }
+        ToIntFunction<String> distance = name -> distance(unknown, name);
+        int least = known.stream().mapToInt(distance).min().orElse(0);
         List<String> best =
                 known.stream()
-                        .sorted(
-                                Comparator.<String>comparingInt(name -> distance(unknown, name))
-                                        .thenComparing(Comparator.naturalOrder()))
+                        .filter(name -> distance.applyAsInt(name) <= least + 1)
+                        .sorted(Comparator.comparingInt(distance))
                         .limit(3)
+                        .map(Names::quoted)
                         .toList();
-        String names = best.stream().map(Names::quoted).collect(Collectors.joining(", "));
-        return best.size() == 1
-                ? "the only known name is " + names
-                : "the nearest known names are " + names;
+        return switch (best.size()) {
+            case 0 -> "none is known here";
+            case 1 -> "the nearest known name is " + best.getFirst();
+            default -> "the nearest known names are " + String.join(", ", best);
+        };
     }
 
     /** 0 if one holds the other, else Levenshtein's edit distance. */

@@ -23,6 +23,16 @@ public final class PlacedElement extends Element {
         return place;
     }
 
+    /** The names from the root to here, as {@code auvsml/pause-simulator-command}. */
+    public String path() {
+        return path(this);
+    }
+
+    private static String path(Element element) {
+        Element parent = element.getParentElement();
+        return parent == null ? element.getName() : path(parent) + "/" + element.getName();
+    }
+
     /** Where the start tag begins, in UTF-16 units from the start of the text. */
     int offset() {
         return offset;

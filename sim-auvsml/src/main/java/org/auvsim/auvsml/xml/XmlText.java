@@ -47,7 +47,21 @@ public final class XmlText {
         }
     }
 
-    /** An attribute whose value needs no escapes. */
+    /** An attribute with any value. */
+    public void attribute(String name, String value) {
+        escape(value, attribute(name));
+        endAttribute();
+    }
+
+    /** An element that holds nothing but a text. */
+    public void element(String name, String content) {
+        closeTag();
+        breakLine();
+        escape(content, text.append('<').append(name).append('>'));
+        text.append("</").append(name).append('>');
+    }
+
+    /** Begins an attribute; its value, escaped, is to be appended to what is returned. */
     public StringBuilder attribute(String name) {
         return text.append(' ').append(name).append("=\"");
     }

@@ -11,6 +11,8 @@ import org.jdom2.IllegalDataException;
 import org.jdom2.Namespace;
 import org.jdom2.UncheckedJDOMFactory;
 
+import java.util.Optional;
+
 import javax.xml.XMLConstants;
 import javax.xml.stream.Location;
 import javax.xml.stream.XMLStreamException;
@@ -54,6 +56,25 @@ public final class XmlTreeReader {
         } catch (WstxLazyException | IllegalDataException e) {
             throw new AuvsmlException(
                     new Fault(ErrorCode.MALFORMED_XML, XmlFaults.sentence(e), "", 1, 1));
+        }
+    }
+
+    /** The name of a text's root element, if the text is sound up to there. */
+    public Optional<String> rootName(byte[] xml) {
+        try {
+            XMLStreamReader2 reader = parser.open(xml);
+            try {
+                while (reader.hasNext()) {
+                    if (reader.next() == XMLStreamReader.START_ELEMENT) {
+                        return Optional.of(name(reader));
+                    }
+                }
+                return Optional.empty();
+            } finally {
+                reader.close();
+            }
+        } catch (XMLStreamException | WstxLazyException _) {
+            return Optional.empty();
         }
     }
 

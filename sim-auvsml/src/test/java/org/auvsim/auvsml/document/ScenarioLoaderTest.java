@@ -146,13 +146,13 @@ class ScenarioLoaderTest {
                     mass="30"             | mass="NaN"          | line 14, column 43: expected a finite number, but found 'NaN' at scenario/world-object@mass
                     mass="30"             | mass="x"            | line 14, column 43: expected a finite number, but found 'x' at scenario/world-object@mass
                     mass="30"             | ``                  | line 14, column 3: world object 'Juggernaut' needs a mass
-                    mass="30"             | mas="30"            | line 14, column 43: <world-object> has no attribute 'mas'; the nearest known names are 'mass'
+                    mass="30"             | mas="30"            | line 14, column 43: <world-object> has no attribute 'mas'; the nearest known name is 'mass'
                     name="Rock"           | name="Juggernaut"   | line 22, column 17: the name 'Juggernaut' is that of the <world-object> in line 14
                     name="Rock"           | name="a" id="47"    | line 22, column 26: the id '47' is that of the <world-object> in line 14
                     delta="0.01"          | delta="0"           | line 4, column 3: the time step must be above 0 s, but is 0.0 s
                     delta="0.01"          | delta="-1"          | line 4, column 3: the time step must be above 0 s
                     <sphere radius="0.5"/>| ``                  | line 22, column 3: <world-object> needs a volume: one of the elements box
-                    <gravity/>            | <gravty/>           | line 19, column 5: unknown element 'gravty'; the nearest known names are 'gravity'
+                    <gravity/>            | <gravty/>           | line 19, column 5: unknown element 'gravty'; the nearest known name is 'gravity'
                     <gravity/>            | <gravity>           | line 21, column 16: unexpected close tag
                     wait="0.02"           | wait="-1"           | line 9, column 3: the wait for feedback must be 0 s or more
                     <scenario start-time  | <scene start-time   | line 23, column 10: unexpected close tag

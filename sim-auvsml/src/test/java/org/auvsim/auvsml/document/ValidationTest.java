@@ -1,0 +1,167 @@
+package org.auvsim.auvsml.document;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import org.auvsim.auvsml.Fault;
+import org.auvsim.auvsml.mapping.MessageCatalogue;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.xml.sax.SAXException;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.StringReader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+import javax.xml.transform.stream.StreamSource;
+import javax.xml.validation.SchemaFactory;
+import javax.xml.validation.Validator;
+
+class ValidationTest {
+    private static final MessageCatalogue CATALOGUE =
+            MessageCatalogue.load(ValidationTest.class.getClassLoader());
+
+    private final Validation validation = new Validation(CATALOGUE);
+
+    @Test
+    void whatIsRightHasNoFaults() throws IOException {
+        assertThat(faults("<scenario/>")).isEmpty();
+        assertThat(
+                        faults(
+                                """
+                                <?xml version="1.0"?>
+                                <scenario xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"
+                                          xsi:noNamespaceSchemaLocation="../docs/auvsml.xsd">
+                                  <world-object name="a" mass="1.5e1"><position z="0" y="0" x="0"/>
+                                    <sphere radius=".5"/></world-object>
+                                </scenario>
+                                """))
+                .isEmpty();
+        assertThat(
+                        faults(
+                                """
+                                <auvsml><pause-simulator-command/></auvsml>
+                                <auvxml request-id="x"><get-propulsor-list-request agent-id="4"/>
+                                <remove-force-command force-name="a" world-object-id="1"/></auvxml>
+                                """))
+                .isEmpty();
+    }
+
+    @Test
+    void allFaultsOfAScenarioAreToldOnceEachInOrder() throws IOException {
+        assertThat(
+                        faults(
+                                """
+                                <scenario>
+                                  <time-step delta="NaN"/>
+                                  <uniform-current id="a" name="tide"/>
+                                  <world-object nam="b" mass="-1"><sphere radius="0"/>
+                                    <position x="1" y="2"/></world-object>
+                                  <world-objekt/>
+                                </scenario>
+                                """))
+                .containsExactly(
+                        "line 2, column 14: expected a finite number, but found 'NaN' at"
+                                + " scenario/time-step@delta",
+                        "line 3, column 3: <uniform-current> needs an element <velocity> at"
+                                + " scenario/uniform-current",
+                        "line 3, column 20: expected a whole number, but found 'a' at"
+                                + " scenario/uniform-current@id",
+                        "line 4, column 3: <world-object> needs an attribute 'name', a text at"
+                                + " scenario/world-object",
+                        "line 4, column 17: <world-object> has no attribute 'nam'; the nearest"
+                                + " known name is 'name' at"
+                                + " scenario/world-object@nam",
+                        "line 4, column 35: a sphere's radius must be above 0 m and finite, but"
+                                + " is 0.0 m at scenario/world-object/sphere",
+                        "line 5, column 5: <position> needs an attribute 'z', a finite number at"
+                                + " scenario/world-object/position",
+                        "line 6, column 3: unknown element 'world-objekt'; the nearest known name"
+                            + " is 'world-object' at scenario/world-objekt");
+    }
+
+    @Test
+    void allFaultsOfAllMessagesAreTold() throws IOException {
+        assertThat(
+                        faults(
+                                """
+                                <auvsml><pause-simulator/></auvsml>
+                                <auvsml><pause-simulator-command></auvsml>
+                                <auvsml>
+                                  <get-propulsor-list-request/>
+                                  <set-propulsor-command world-object-id="1" name="a" level="2"/>
+                                </auvsml> hello
+                                <auvsml><get-world-object-list-command/></auvsml>
+                                """))
+                .extracting(fault -> fault.replaceAll(":.*", ""))
+                .containsExactly(
+                        "line 1, column 9",
+                        "line 2, column 41",
+                        "line 4, column 3",
+                        "line 5, column 3",
+                        "line 6, column 11");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "",
+                "hello",
+                "<scenario>",
+                "<scenario/><scenario/>",
+                "<!DOCTYPE a><a/>",
+                "<a/>"
+            })
+    void whatIsNeitherHasOneFault(String text) throws IOException {
+        assertThat(faults(text)).hasSize(1);
+    }
+
+    @Test
+    void aFileThatIsMissingIsNamed(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("conversation.xml");
+        assertThatThrownBy(() -> validation.faults(file))
+                .isInstanceOf(DocumentException.class)
+                .hasMessage(file + ": there is no such file");
+
+        Files.writeString(
+                file, "<auvsml><pause-simulator-command/></auvsml>\n".repeat(50_000) + "<auvsml");
+        assertThat(validation.faults(file)).hasSize(1);
+    }
+
+    @Test
+    void theSchemaAloneFindsWhatItCan() throws Exception {
+        Validator schema =
+                SchemaFactory.newDefaultInstance()
+                        .newSchema(new StreamSource(new StringReader(Schema.of(CATALOGUE))))
+                        .newValidator();
+        schema.validate(new StreamSource(new StringReader("<auvsml><step-command/></auvsml>")));
+
+        for (String wrong :
+                List.of(
+                        "<auvsml/>",
+                        "<auvsml><step/></auvsml>",
+                        "<auvsml><step-command count='x'/></auvsml>",
+                        "<auvsml><step-command speed='1'/></auvsml>",
+                        "<auvsml><entity-added-message timestamp='NaN' entity-id='1'/></auvsml>",
+                        "<auvsml><timestep-advanced-notification timestamp='1'/></auvsml>",
+                        "<scenario><time-step/></scenario>",
+                        "<scenario><uniform-current id='1' name='a'/></scenario>")) {
+            assertThatThrownBy(() -> schema.validate(new StreamSource(new StringReader(wrong))))
+                    .as(wrong)
+                    .isInstanceOf(SAXException.class);
+        }
+    }
+
+    private List<String> faults(String text) throws IOException {
+        return validation.faults(new ByteArrayInputStream(text.getBytes(UTF_8))).stream()
+                .map(Fault::toString)
+                .toList();
+    }
+}

@@ -16,9 +16,6 @@ import static org.auvsim.core.entity.BodyState.QW;
 import static org.auvsim.core.entity.BodyState.QX;
 import static org.auvsim.core.entity.BodyState.QY;
 import static org.auvsim.core.entity.BodyState.QZ;
-import static org.auvsim.core.entity.BodyState.X;
-import static org.auvsim.core.entity.BodyState.Y;
-import static org.auvsim.core.entity.BodyState.Z;
 
 import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.BlockEffect;
@@ -39,8 +36,8 @@ import java.util.List;
  */
 public final class EquationsOfMotion {
     private final BodyState bodies;
-    private final List<BlockEffect> effects;
-    private final List<Current> currents;
+    private final BlockEffect[] effects;
+    private final Current[] currents;
 
     /**
      * The equations for the bodies of a world.
@@ -50,11 +47,11 @@ public final class EquationsOfMotion {
      */
     public EquationsOfMotion(BodyState bodies, List<BlockEffect> effects, List<Current> currents) {
         this.bodies = bodies;
-        this.effects = List.copyOf(effects);
-        this.currents = List.copyOf(currents);
+        this.effects = effects.toArray(BlockEffect[]::new);
+        this.currents = currents.toArray(Current[]::new);
     }
 
-    /** Copies the state and mass of {@code count} bodies from slot {@code first} on. */
+    /** Copies state and constants of {@code count} bodies from slot {@code first} on. */
     public void load(Block block, int first, int count, double time) {
         block.first = first;
         block.count = count;
@@ -62,7 +59,16 @@ public final class EquationsOfMotion {
         for (int c = 0; c < BodyState.COLUMNS; c++) {
             System.arraycopy(bodies.column(c), first, block.state[c], 0, count);
         }
+        for (int e = 0; e < BodyState.ELEMENTS; e++) {
+            System.arraycopy(bodies.inverseInertia(e), first, block.inverseInertia[e], 0, count);
+        }
         System.arraycopy(bodies.mass(), first, block.mass, 0, count);
+        System.arraycopy(bodies.inverseMass(), first, block.inverseMass, 0, count);
+        bodies.applied().load(block);
+        block.hasFixed = false;
+        for (int i = 0; i < count; i++) {
+            block.hasFixed |= block.inverseMass[i] == 0;
+        }
     }
 
     /** Fills rotations, velocities, forces, torques and rates of the block from its state. */
@@ -75,7 +81,10 @@ public final class EquationsOfMotion {
         for (BlockEffect effect : effects) {
             effect.add(b);
         }
-        rates(b);
+        quaternionRates(b);
+        if (b.hasFixed) {
+            holdFixed(b);
+        }
     }
 
     /** Scales the quaternions of the block back to length 1. */
@@ -116,62 +125,40 @@ public final class EquationsOfMotion {
         }
     }
 
-    private void velocities(Block b) {
-        scale(b, b.vx, b.state[PX], bodies.inverseMass());
-        scale(b, b.vy, b.state[PY], bodies.inverseMass());
-        scale(b, b.vz, b.state[PZ], bodies.inverseMass());
+    private static void velocities(Block b) {
+        scale(b, b.vx, b.state[PX]);
+        scale(b, b.vy, b.state[PY]);
+        scale(b, b.vz, b.state[PZ]);
     }
 
-    private static void scale(Block b, double[] to, double[] from, double[] bySlot) {
-        int first = b.first;
+    private static void scale(Block b, double[] to, double[] from) {
+        double[] by = b.inverseMass;
         for (int i = 0; i < b.count; i++) {
-            to[i] = from[i] * bySlot[first + i];
+            to[i] = from[i] * by[i];
         }
     }
 
     /** w = R I^-1 R^T L, through the body's axes. */
-    private void angularVelocities(Block b) {
-        double[] lx = b.state[LX];
-        double[] ly = b.state[LY];
-        double[] lz = b.state[LZ];
-        rotate(b, b.wx, b.rxx, lx, b.ryx, ly, b.rzx, lz);
-        rotate(b, b.wy, b.rxy, lx, b.ryy, ly, b.rzy, lz);
-        rotate(b, b.wz, b.rxz, lx, b.ryz, ly, b.rzz, lz);
-        weigh(b, b.scratchX, IXX, b.wx, IXY, b.wy, IXZ, b.wz);
-        weigh(b, b.scratchY, IXY, b.wx, IYY, b.wy, IYZ, b.wz);
-        weigh(b, b.scratchZ, IXZ, b.wx, IYZ, b.wy, IZZ, b.wz);
-        rotate(b, b.wx, b.rxx, b.scratchX, b.rxy, b.scratchY, b.rxz, b.scratchZ);
-        rotate(b, b.wy, b.ryx, b.scratchX, b.ryy, b.scratchY, b.ryz, b.scratchZ);
-        rotate(b, b.wz, b.rzx, b.scratchX, b.rzy, b.scratchY, b.rzz, b.scratchZ);
+    private static void angularVelocities(Block b) {
+        double[][] w = b.scratch;
+        b.toBody(b.wx, b.wy, b.wz, b.state[LX], b.state[LY], b.state[LZ]);
+        weigh(b, w[0], IXX, IXY, IXZ);
+        weigh(b, w[1], IXY, IYY, IYZ);
+        weigh(b, w[2], IXZ, IYZ, IZZ);
+        b.toWorld(b.wx, b.wy, b.wz, w[0], w[1], w[2]);
     }
 
-    private static void rotate(
-            Block b,
-            double[] to,
-            double[] rx,
-            double[] x,
-            double[] ry,
-            double[] y,
-            double[] rz,
-            double[] z) {
+    private static void weigh(Block b, double[] to, int x, int y, int z) {
+        double[] ix = b.inverseInertia[x];
+        double[] iy = b.inverseInertia[y];
+        double[] iz = b.inverseInertia[z];
         for (int i = 0; i < b.count; i++) {
-            to[i] = rx[i] * x[i] + ry[i] * y[i] + rz[i] * z[i];
-        }
-    }
-
-    private void weigh(
-            Block b, double[] to, int kx, double[] x, int ky, double[] y, int kz, double[] z) {
-        double[] ix = bodies.inverseInertia(kx);
-        double[] iy = bodies.inverseInertia(ky);
-        double[] iz = bodies.inverseInertia(kz);
-        int first = b.first;
-        for (int i = 0; i < b.count; i++) {
-            to[i] = ix[first + i] * x[i] + iy[first + i] * y[i] + iz[first + i] * z[i];
+            to[i] = ix[i] * b.wx[i] + iy[i] * b.wy[i] + iz[i] * b.wz[i];
         }
     }
 
     private void waterVelocities(Block b) {
-        if (currents.isEmpty()) {
+        if (currents.length == 0) {
             return;
         }
         Arrays.fill(b.ux, 0, b.count, 0);
@@ -187,18 +174,15 @@ public final class EquationsOfMotion {
         }
     }
 
-    private void rates(Block b) {
-        System.arraycopy(b.vx, 0, b.rate[X], 0, b.count);
-        System.arraycopy(b.vy, 0, b.rate[Y], 0, b.count);
-        System.arraycopy(b.vz, 0, b.rate[Z], 0, b.count);
-        quaternionRates(b);
-        double[] mobility = bodies.mobility();
-        scale(b, b.rate[PX], b.fx, mobility);
-        scale(b, b.rate[PY], b.fy, mobility);
-        scale(b, b.rate[PZ], b.fz, mobility);
-        scale(b, b.rate[LX], b.tx, mobility);
-        scale(b, b.rate[LY], b.ty, mobility);
-        scale(b, b.rate[LZ], b.tz, mobility);
+    /** Whatever pushes a fixed body, its momenta stay zero. */
+    private static void holdFixed(Block b) {
+        for (int i = 0; i < b.count; i++) {
+            if (b.inverseMass[i] == 0) {
+                for (int c = PX; c <= LZ; c++) {
+                    b.rate[c][i] = 0;
+                }
+            }
+        }
     }
 
     private static void quaternionRates(Block b) {

@@ -25,29 +25,24 @@ public record Rk4() implements Integrator {
             System.arraycopy(block.state[c], 0, start[c], 0, block.count);
             System.arraycopy(block.state[c], 0, sum[c], 0, block.count);
         }
-        for (int stage = 0; stage < NODE.length; stage++) {
-            if (stage > 0) {
-                block.time = begin + NODE[stage] * dt;
-                addScaled(block.state, start, NODE[stage] * dt, block.rate, block.count);
-            }
+        for (int stage = 0; stage < 3; stage++) {
             equations.evaluate(block);
-            addScaled(sum, sum, WEIGHT[stage] * dt, block.rate, block.count);
+            double next = NODE[stage + 1] * dt;
+            for (int c = 0; c < BodyState.COLUMNS; c++) {
+                addScaled(sum[c], sum[c], WEIGHT[stage] * dt, block.rate[c], block.count);
+                addScaled(block.state[c], start[c], next, block.rate[c], block.count);
+            }
+            block.time = begin + next;
         }
+        equations.evaluate(block);
         for (int c = 0; c < BodyState.COLUMNS; c++) {
-            System.arraycopy(sum[c], 0, block.state[c], 0, block.count);
+            addScaled(block.state[c], sum[c], WEIGHT[3] * dt, block.rate[c], block.count);
         }
         block.time = begin + dt;
         equations.normalizeOrientations(block);
     }
 
-    /** to = base + factor * rate, column by column. */
-    private static void addScaled(
-            double[][] to, double[][] base, double factor, double[][] rate, int count) {
-        for (int c = 0; c < BodyState.COLUMNS; c++) {
-            addScaled(to[c], base[c], factor, rate[c], count);
-        }
-    }
-
+    /** to = base + factor * rate. */
     private static void addScaled(
             double[] to, double[] base, double factor, double[] rate, int count) {
         for (int i = 0; i < count; i++) {

@@ -43,16 +43,16 @@ final class DampingBlock implements BlockEffect {
         if (!touches(b)) {
             return;
         }
-        relativeToBody(b, b.vx, b.vy, b.vz, true);
-        damp(b, b.scratchX, 0);
-        damp(b, b.scratchY, 1);
-        damp(b, b.scratchZ, 2);
-        addToWorld(b, b.fx, b.fy, b.fz);
-        relativeToBody(b, b.wx, b.wy, b.wz, false);
-        damp(b, b.scratchX, 3);
-        damp(b, b.scratchY, 4);
-        damp(b, b.scratchZ, 5);
-        addToWorld(b, b.tx, b.ty, b.tz);
+        double[][] v = b.scratch;
+        subtract(b, v[3], b.vx, b.ux);
+        subtract(b, v[4], b.vy, b.uy);
+        subtract(b, v[5], b.vz, b.uz);
+        b.toBody(v[0], v[1], v[2], v[3], v[4], v[5]);
+        damp(b, 0);
+        b.addToWorld(b.fx, b.fy, b.fz, v[0], v[1], v[2]);
+        b.toBody(v[0], v[1], v[2], b.wx, b.wy, b.wz);
+        damp(b, 3);
+        b.addToWorld(b.tx, b.ty, b.tz, v[0], v[1], v[2]);
     }
 
     private boolean touches(Block b) {
@@ -64,32 +64,26 @@ final class DampingBlock implements BlockEffect {
         return false;
     }
 
-    private void relativeToBody(Block b, double[] x, double[] y, double[] z, boolean toWater) {
+    private static void subtract(Block b, double[] to, double[] from, double[] what) {
         for (int i = 0; i < b.count; i++) {
-            double dx = toWater ? x[i] - b.ux[i] : x[i];
-            double dy = toWater ? y[i] - b.uy[i] : y[i];
-            double dz = toWater ? z[i] - b.uz[i] : z[i];
-            b.scratchX[i] = b.rxx[i] * dx + b.ryx[i] * dy + b.rzx[i] * dz;
-            b.scratchY[i] = b.rxy[i] * dx + b.ryy[i] * dy + b.rzy[i] * dz;
-            b.scratchZ[i] = b.rxz[i] * dx + b.ryz[i] * dy + b.rzz[i] * dz;
+            to[i] = from[i] - what[i];
         }
     }
 
-    /** Turns a velocity component into the damping force along it, in place. */
-    private void damp(Block b, double[] v, int axis) {
-        double[] a = linear[axis];
-        double[] k = quadratic[axis];
-        int first = b.first;
-        for (int i = 0; i < b.count; i++) {
-            v[i] = -(a[first + i] + k[first + i] * Math.abs(v[i])) * v[i];
+    /** Turns the three velocity components in scratch into the damping forces along them. */
+    private void damp(Block b, int column) {
+        double[] a = b.scratch[6];
+        double[] k = b.scratch[7];
+        for (int axis = 0; axis < 3; axis++) {
+            System.arraycopy(linear[column + axis], b.first, a, 0, b.count);
+            System.arraycopy(quadratic[column + axis], b.first, k, 0, b.count);
+            damp(b, b.scratch[axis], a, k);
         }
     }
 
-    private void addToWorld(Block b, double[] x, double[] y, double[] z) {
+    private static void damp(Block b, double[] v, double[] a, double[] k) {
         for (int i = 0; i < b.count; i++) {
-            x[i] += b.rxx[i] * b.scratchX[i] + b.rxy[i] * b.scratchY[i] + b.rxz[i] * b.scratchZ[i];
-            y[i] += b.ryx[i] * b.scratchX[i] + b.ryy[i] * b.scratchY[i] + b.ryz[i] * b.scratchZ[i];
-            z[i] += b.rzx[i] * b.scratchX[i] + b.rzy[i] * b.scratchY[i] + b.rzz[i] * b.scratchZ[i];
+            v[i] = -(a[i] + k[i] * Math.abs(v[i])) * v[i];
         }
     }
 }

@@ -23,10 +23,11 @@ public record Gravity(@Unit("m/s^2") @Default("9.80665") double acceleration) im
         }
         return block -> {
             double[] mass = block.mass;
+            double[] acceleration = block.scratch[0];
             double[] fz = block.fz;
-            int first = block.first;
+            System.arraycopy(downward, block.first, acceleration, 0, block.count);
             for (int i = 0; i < block.count; i++) {
-                fz[i] -= mass[i] * downward[first + i];
+                fz[i] -= mass[i] * acceleration[i];
             }
         };
     }

@@ -18,7 +18,7 @@ public final class AppliedForces {
     private static final int BODY_FORCE = 3;
     private static final int BODY_TORQUE = 6;
     private static final int MOMENT = 9;
-    private static final int COLUMNS = 18;
+    static final int COLUMNS = 18;
 
     private final double[][] columns;
     private int slotsWithMoment;
@@ -102,19 +102,23 @@ public final class AppliedForces {
         columns[column + 2][slot] += v.z();
     }
 
-    /** Sets force and torque of every body of the block to these resultants. */
+    /** Copies the resultants of the block's bodies into it. */
+    public void load(Block b) {
+        for (int c = 0; c < (slotsWithMoment > 0 ? COLUMNS : MOMENT); c++) {
+            System.arraycopy(columns[c], b.first, b.applied[c], 0, b.count);
+        }
+    }
+
+    /** Sets force and torque of every body of the block to the resultants loaded there. */
     public void write(Block b) {
-        writeRow(b, b.fx, b.rxx, b.rxy, b.rxz, BODY_FORCE);
-        writeRow(b, b.fy, b.ryx, b.ryy, b.ryz, BODY_FORCE);
-        writeRow(b, b.fz, b.rzx, b.rzy, b.rzz, BODY_FORCE);
-        addColumn(b, b.fx, WORLD_FORCE);
-        addColumn(b, b.fy, WORLD_FORCE + 1);
-        addColumn(b, b.fz, WORLD_FORCE + 2);
-        writeRow(b, b.tx, b.rxx, b.rxy, b.rxz, BODY_TORQUE);
-        writeRow(b, b.ty, b.ryx, b.ryy, b.ryz, BODY_TORQUE);
-        writeRow(b, b.tz, b.rzx, b.rzy, b.rzz, BODY_TORQUE);
+        double[][] a = b.applied;
+        for (int axis = 0; axis < 3; axis++) {
+            System.arraycopy(a[WORLD_FORCE + axis], 0, b.rate[BodyState.PX + axis], 0, b.count);
+        }
+        b.addToWorld(b.fx, b.fy, b.fz, a[BODY_FORCE], a[BODY_FORCE + 1], a[BODY_FORCE + 2]);
+        b.toWorld(b.tx, b.ty, b.tz, a[BODY_TORQUE], a[BODY_TORQUE + 1], a[BODY_TORQUE + 2]);
         if (slotsWithMoment > 0) {
-            // (R A)_yz - (R A)_zy and so on; column j of A is stored at MOMENT + j, + 3, + 6.
+            // (R A)_yz - (R A)_zy and so on.
             addMoment(b, b.tx, b.ryx, b.ryy, b.ryz, 2, 1);
             addMoment(b, b.tx, b.rzx, b.rzy, b.rzz, 1, -1);
             addMoment(b, b.ty, b.rzx, b.rzy, b.rzz, 0, 1);
@@ -124,32 +128,14 @@ public final class AppliedForces {
         }
     }
 
-    private void writeRow(Block b, double[] to, double[] rx, double[] ry, double[] rz, int column) {
-        double[] x = columns[column];
-        double[] y = columns[column + 1];
-        double[] z = columns[column + 2];
-        int first = b.first;
-        for (int i = 0; i < b.count; i++) {
-            to[i] = rx[i] * x[first + i] + ry[i] * y[first + i] + rz[i] * z[first + i];
-        }
-    }
-
-    private void addColumn(Block b, double[] to, int column) {
-        double[] from = columns[column];
-        int first = b.first;
-        for (int i = 0; i < b.count; i++) {
-            to[i] += from[first + i];
-        }
-    }
-
-    private void addMoment(
+    /** Column j of A is stored at MOMENT + j, + 3, + 6. */
+    private static void addMoment(
             Block b, double[] to, double[] rx, double[] ry, double[] rz, int j, double sign) {
-        double[] x = columns[MOMENT + j];
-        double[] y = columns[MOMENT + 3 + j];
-        double[] z = columns[MOMENT + 6 + j];
-        int first = b.first;
+        double[] x = b.applied[MOMENT + j];
+        double[] y = b.applied[MOMENT + 3 + j];
+        double[] z = b.applied[MOMENT + 6 + j];
         for (int i = 0; i < b.count; i++) {
-            to[i] += sign * (rx[i] * x[first + i] + ry[i] * y[first + i] + rz[i] * z[first + i]);
+            to[i] += sign * (rx[i] * x[i] + ry[i] * y[i] + rz[i] * z[i]);
         }
     }
 }

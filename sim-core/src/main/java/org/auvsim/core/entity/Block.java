@@ -40,11 +40,11 @@ public final class Block {
     public final double[] rzy = new double[SIZE];
     public final double[] rzz = new double[SIZE];
 
-    /** Velocity of the origin (m/s, world). */
-    public final double[] vx = new double[SIZE];
+    /** Velocity of the origin (m/s, world): the rate of the position, in the same arrays. */
+    public final double[] vx = rate[BodyState.X];
 
-    public final double[] vy = new double[SIZE];
-    public final double[] vz = new double[SIZE];
+    public final double[] vy = rate[BodyState.Y];
+    public final double[] vz = rate[BodyState.Z];
 
     /** Angular velocity (rad/s, world). */
     public final double[] wx = new double[SIZE];
@@ -58,26 +58,35 @@ public final class Block {
     public final double[] uy = new double[SIZE];
     public final double[] uz = new double[SIZE];
 
-    /** Mass (kg). */
+    /** Mass (kg); 0 for a fixed body. */
     public final double[] mass = new double[SIZE];
 
-    /** Force (N, world). */
-    public final double[] fx = new double[SIZE];
+    /** Inverse mass (1/kg); 0 for a fixed body. */
+    public final double[] inverseMass = new double[SIZE];
 
-    public final double[] fy = new double[SIZE];
-    public final double[] fz = new double[SIZE];
+    /** Inverse inertia (1/(kg m^2), body axes), elements as in {@link BodyState}. */
+    public final double[][] inverseInertia = new double[BodyState.ELEMENTS][SIZE];
 
-    /** Torque about the origin (N m, world). */
-    public final double[] tx = new double[SIZE];
+    /** Whether one of the bodies is fixed. */
+    public boolean hasFixed;
 
-    public final double[] ty = new double[SIZE];
-    public final double[] tz = new double[SIZE];
+    /** Force (N, world): the rate of the linear momentum, in the same arrays. */
+    public final double[] fx = rate[BodyState.PX];
+
+    public final double[] fy = rate[BodyState.PY];
+    public final double[] fz = rate[BodyState.PZ];
+
+    /** Torque about the origin (N m, world): the rate of the angular momentum, likewise. */
+    public final double[] tx = rate[BodyState.LX];
+
+    public final double[] ty = rate[BodyState.LY];
+    public final double[] tz = rate[BodyState.LZ];
 
     /** Free for an effect's own use while it adds; what it left there is lost afterwards. */
-    public final double[] scratchX = new double[SIZE];
+    public final double[][] scratch = new double[8][SIZE];
 
-    public final double[] scratchY = new double[SIZE];
-    public final double[] scratchZ = new double[SIZE];
+    /** Resultants of named forces and propulsors, as {@link AppliedForces} lays them out. */
+    final double[][] applied = new double[AppliedForces.COLUMNS][SIZE];
 
     private double[][][] work = new double[0][][];
 
@@ -137,5 +146,55 @@ public final class Block {
         tx[i] += torque.x();
         ty[i] += torque.y();
         tz[i] += torque.z();
+    }
+
+    /** Turns vectors, one a body, from the world's axes into the bodies', in other arrays. */
+    public void toBody(
+            double[] toX, double[] toY, double[] toZ, double[] x, double[] y, double[] z) {
+        turn(toX, rxx, x, ryx, y, rzx, z);
+        turn(toY, rxy, x, ryy, y, rzy, z);
+        turn(toZ, rxz, x, ryz, y, rzz, z);
+    }
+
+    /** Turns vectors, one a body, from the bodies' axes into the world's, in other arrays. */
+    public void toWorld(
+            double[] toX, double[] toY, double[] toZ, double[] x, double[] y, double[] z) {
+        turn(toX, rxx, x, rxy, y, rxz, z);
+        turn(toY, ryx, x, ryy, y, ryz, z);
+        turn(toZ, rzx, x, rzy, y, rzz, z);
+    }
+
+    /** Turns vectors, one a body, from the bodies' axes into the world's and adds them. */
+    public void addToWorld(
+            double[] toX, double[] toY, double[] toZ, double[] x, double[] y, double[] z) {
+        addTurned(toX, rxx, x, rxy, y, rxz, z);
+        addTurned(toY, ryx, x, ryy, y, ryz, z);
+        addTurned(toZ, rzx, x, rzy, y, rzz, z);
+    }
+
+    private void turn(
+            double[] to,
+            double[] rx,
+            double[] x,
+            double[] ry,
+            double[] y,
+            double[] rz,
+            double[] z) {
+        for (int i = 0; i < count; i++) {
+            to[i] = rx[i] * x[i] + ry[i] * y[i] + rz[i] * z[i];
+        }
+    }
+
+    private void addTurned(
+            double[] to,
+            double[] rx,
+            double[] x,
+            double[] ry,
+            double[] y,
+            double[] rz,
+            double[] z) {
+        for (int i = 0; i < count; i++) {
+            to[i] += rx[i] * x[i] + ry[i] * y[i] + rz[i] * z[i];
+        }
     }
 }

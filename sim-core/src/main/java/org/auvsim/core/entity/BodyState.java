@@ -38,6 +38,9 @@ public final class BodyState {
     public static final int IXZ = 4;
     public static final int IYZ = 5;
 
+    /** Number of elements of a symmetric tensor. */
+    public static final int ELEMENTS = 6;
+
     private int count;
     private final double[][] columns;
     private final double[][] inverseInertia;
@@ -49,7 +52,12 @@ public final class BodyState {
 
     /** A state without bodies. */
     public BodyState() {
-        this(0, new double[COLUMNS][16], new double[6][16], new double[16], new AppliedForces(16));
+        this(
+                0,
+                new double[COLUMNS][16],
+                new double[ELEMENTS][16],
+                new double[16],
+                new AppliedForces(16));
     }
 
     private BodyState(

@@ -43,4 +43,25 @@ public final class Pose {
     public Quat orientation() {
         return new Quat(qw, qx, qy, qz);
     }
+
+    /** The component of a world vector along the volume's x axis. */
+    double alongX(double vx, double vy, double vz) {
+        return (1 - 2 * (qy * qy + qz * qz)) * vx
+                + 2 * (qx * qy + qw * qz) * vy
+                + 2 * (qx * qz - qw * qy) * vz;
+    }
+
+    /** The component of a world vector along the volume's y axis. */
+    double alongY(double vx, double vy, double vz) {
+        return 2 * (qx * qy - qw * qz) * vx
+                + (1 - 2 * (qx * qx + qz * qz)) * vy
+                + 2 * (qy * qz + qw * qx) * vz;
+    }
+
+    /** The component of a world vector along the volume's z axis. */
+    double alongZ(double vx, double vy, double vz) {
+        return 2 * (qx * qz + qw * qy) * vx
+                + 2 * (qy * qz - qw * qx) * vy
+                + (1 - 2 * (qx * qx + qy * qy)) * vz;
+    }
 }

@@ -13,26 +13,9 @@ final class SphereBox implements PairQuery<Sphere, Box> {
         double dx = poseA.x - poseB.x;
         double dy = poseA.y - poseB.y;
         double dz = poseA.z - poseB.z;
-        double w = poseB.qw;
-        double x = poseB.qx;
-        double y = poseB.qy;
-        double z = poseB.qz;
-        // The ball's centre in the box's frame: the rows of the transposed rotation matrix.
-        double lx =
-                (1 - 2 * (y * y + z * z)) * dx
-                        + 2 * (x * y + w * z) * dy
-                        + 2 * (x * z - w * y) * dz;
-        double ly =
-                2 * (x * y - w * z) * dx
-                        + (1 - 2 * (x * x + z * z)) * dy
-                        + 2 * (y * z + w * x) * dz;
-        double lz =
-                2 * (x * z + w * y) * dx
-                        + 2 * (y * z - w * x) * dy
-                        + (1 - 2 * (x * x + y * y)) * dz;
-        double ox = outside(lx, box.size().x() / 2);
-        double oy = outside(ly, box.size().y() / 2);
-        double oz = outside(lz, box.size().z() / 2);
+        double ox = outside(poseB.alongX(dx, dy, dz), box.size().x() / 2);
+        double oy = outside(poseB.alongY(dx, dy, dz), box.size().y() / 2);
+        double oz = outside(poseB.alongZ(dx, dy, dz), box.size().z() / 2);
         return ox * ox + oy * oy + oz * oz <= sphere.radius() * sphere.radius();
     }
 

@@ -48,7 +48,8 @@ class Vec3Test {
         assertNear(new Vec3(0, 3, 4).normalized(), new Vec3(0, 0.6, 0.8), 1e-15);
         assertThatIllegalArgumentException()
                 .isThrownBy(Vec3.ZERO::normalized)
-                .withMessage("a direction needs a length above 0, but (0.0, 0.0, 0.0) has 0.0");
+                .withMessage(
+                        "a direction needs a finite length above 0, but (0.0, 0.0, 0.0) has 0.0");
     }
 
     @Test

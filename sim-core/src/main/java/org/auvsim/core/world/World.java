@@ -203,10 +203,24 @@ public final class World {
      * @throws WorldException if collisions at one instant never end
      */
     public double advanceTimestep() {
+        return advanceTimestep(timeStep);
+    }
+
+    /** As {@link #advanceTimestep()}, but for a step of at most {@code wanted} (s). */
+    public double advanceTimestep(double wanted) {
         letBehaviorsAct();
+        return continueTimestep(wanted);
+    }
+
+    /**
+     * Goes on within a step that {@link #advanceTimestep(double)} has begun, so that forces may
+     * change in the middle of it: the same as a step, but behaviors do not act again.
+     */
+    public double continueTimestep(double wanted) {
+        requireTimeStep(wanted);
         Motion path = motion();
         path.begin(time());
-        StepResult result = stepper.advance(path, timeStep);
+        StepResult result = stepper.advance(path, wanted);
         clock.advance(result.elapsed());
         guardAgainstStandstill(result);
         publishCollisions(result);

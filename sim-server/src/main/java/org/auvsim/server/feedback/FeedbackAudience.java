@@ -1,0 +1,28 @@
+package org.auvsim.server.feedback;
+
+import java.time.Duration;
+import java.util.function.BooleanSupplier;
+
+/** The world outside of a step: hears what happens in it and brings feedback. */
+public interface FeedbackAudience {
+    /** The step will end so; this is to reach the clients now. */
+    void projected(ProjectedWorld projection);
+
+    /**
+     * Brings feedback, by {@link CorrectiveFeedbackSystem#take}, for so long or until enough is
+     * there.
+     */
+    void bringFeedback(Duration wait, BooleanSupplier enough);
+
+    /** The world has made the step, as its listeners have heard. */
+    void advanced();
+
+    /** A processor has moved an object after the step, which is to be told once more. */
+    void moved(long objectId);
+
+    /** A correction is done. */
+    void applied(AppliedFeedback applied);
+
+    /** The step is over: the last message of it. */
+    void finished();
+}

@@ -1,0 +1,35 @@
+package org.auvsim.server.feedback;
+
+import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
+
+/**
+ * Makes a correction out of what a robot has measured (thesis, section 7.2).
+ *
+ * <p>Feedback messages name the processor they want by its {@link #name()}. Implementations are
+ * immutable; they subclass {@code FeedbackProcessorContract} in their tests.
+ */
+public interface FeedbackProcessor {
+    /** When, in a step, a processor works. */
+    enum Phase {
+        /** Before the world makes the step: the correction goes through collision detection. */
+        BEFORE_STEP,
+        /** When the world has made the step. */
+        AFTER_STEP
+    }
+
+    /** The name by which messages and configurations choose it; by default its class's. */
+    default String name() {
+        return getClass().getSimpleName();
+    }
+
+    /** When it works. */
+    Phase phase();
+
+    /**
+     * Corrects one object.
+     *
+     * @throws org.auvsim.auvsml.message.command.RefusedException if this object cannot be corrected
+     *     so; then nothing has changed
+     */
+    void process(DifferentPositionFeedbackMessage feedback, Correction correction);
+}

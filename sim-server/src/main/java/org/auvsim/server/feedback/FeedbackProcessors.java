@@ -1,0 +1,50 @@
+package org.auvsim.server.feedback;
+
+import org.auvsim.auvsml.ErrorCode;
+import org.auvsim.auvsml.message.command.RefusedException;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/** The feedback processors of a simulator, by name. */
+public final class FeedbackProcessors {
+    private final Map<String, FeedbackProcessor> byName = new TreeMap<>();
+    private Optional<FeedbackProcessor> override = Optional.empty();
+
+    /** Direct alteration and vector adjustment, as the thesis names them. */
+    public static FeedbackProcessors standard() {
+        FeedbackProcessors processors = new FeedbackProcessors();
+        processors.add(new DirectPositionChangeFeedbackHandler());
+        processors.add(new VectorAdjustmentFeedbackHandler());
+        return processors;
+    }
+
+    private FeedbackProcessors() {}
+
+    /** Adds a processor, in place of one of the same name. */
+    public void add(FeedbackProcessor processor) {
+        byName.put(processor.name(), processor);
+    }
+
+    /** Lets a processor do all corrections, whichever the messages name. */
+    public void override(FeedbackProcessor processor) {
+        override = Optional.of(processor);
+    }
+
+    /**
+     * The processor that a message names, or the one that overrides it.
+     *
+     * @throws RefusedException if there is none of this name
+     */
+    public FeedbackProcessor named(String name) {
+        return override.or(() -> Optional.ofNullable(byName.get(name)))
+                .orElseThrow(
+                        () ->
+                                new RefusedException(
+                                        ErrorCode.UNKNOWN_ENTITY,
+                                        "no feedback processor has the name '%s'; there are %s"
+                                                .formatted(
+                                                        name, String.join(", ", byName.keySet()))));
+    }
+}

@@ -1,0 +1,161 @@
+package org.auvsim.server.net;
+
+import org.auvsim.auvsml.framing.AuvsmlWriter;
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.command.ListenedObject;
+import org.auvsim.auvsml.message.session.DisconnectedNotification;
+import org.auvsim.auvsml.message.session.LaggingNotification;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * One client's session: who it is, what it hears, what is on its way to it. But for what {@link
+ * Transport transports} use, it belongs to the simulation thread.
+ */
+public final class ClientSession {
+    private static final int MOST_STATES = 4096;
+    private static final int MOST_CONTROL = 4096;
+
+    private final long id;
+    private final String peer;
+    private final AuvsmlWriter writer;
+    private final Outbox outbox = new Outbox(MOST_STATES, MOST_CONTROL);
+    private final Registrations registrations = new Registrations();
+    private final List<Delivery> pending = new ArrayList<>();
+    private String name;
+
+    /**
+     * A session that has just begun.
+     *
+     * @param id unique among all sessions of a simulator
+     * @param peer where the client is, as {@code 127.0.0.1:51234}
+     */
+    public ClientSession(long id, String peer, AuvsmlWriter writer) {
+        this.id = id;
+        this.peer = peer;
+        this.writer = writer;
+        this.name = "client " + id;
+    }
+
+    /** Its number, unique among all sessions of a simulator. */
+    public long id() {
+        return id;
+    }
+
+    /** Where the client is, as {@code 127.0.0.1:51234}. */
+    public String peer() {
+        return peer;
+    }
+
+    /** What it may do. */
+    public Role role() {
+        return Role.ADMIN;
+    }
+
+    /** The client's name: "client 3" until it states its own. */
+    public String name() {
+        return name;
+    }
+
+    /** Takes the name that the client states. */
+    public void rename(String name) {
+        this.name = name;
+    }
+
+    /** Begins to send the events of an object. */
+    public void register(ListenedObject object) {
+        registrations.register(object);
+    }
+
+    /** Ends to send the events of an object. */
+    public void unregister(ListenedObject object) {
+        registrations.unregister(object);
+    }
+
+    /** Whether the client has registered for this object by its id. */
+    public boolean isRegisteredFor(long objectId) {
+        return registrations.names(objectId);
+    }
+
+    boolean wants(Topic topic, double time) {
+        return registrations.wants(topic, time);
+    }
+
+    void append(Delivery delivery) {
+        pending.add(delivery);
+    }
+
+    void flush() {
+        offer(List.copyOf(pending));
+        pending.clear();
+    }
+
+    /**
+     * Sends messages in one root element, which bears the request's id; they are never left out.
+     */
+    public void send(Optional<String> requestId, List<? extends Message> messages) {
+        flush();
+        offer(List.of(Delivery.control(writer.write(requestId, messages))));
+    }
+
+    /** Sends a message, which is never left out. */
+    public void send(Message message) {
+        send(Optional.empty(), List.of(message));
+    }
+
+    private void offer(List<Delivery> batch) {
+        if (!outbox.offer(batch)) {
+            outbox.abort(
+                    farewell(
+                            "more than %d messages wait for this client; read them faster"
+                                    .formatted(MOST_CONTROL)));
+        }
+    }
+
+    /** Ends the session after what waits; the last message states the reason. */
+    public void close(String reason) {
+        flush();
+        offer(List.of(Delivery.control(farewell(reason))));
+        outbox.close();
+    }
+
+    /** Ends the session after what waits. */
+    public void close() {
+        flush();
+        outbox.close();
+    }
+
+    private byte[] farewell(String reason) {
+        return writer.write(new DisconnectedNotification(reason));
+    }
+
+    /**
+     * Waits for bytes to send; for the client's writer.
+     *
+     * @return empty when the session is over and all is sent
+     */
+    public Optional<byte[]> nextBytes() throws InterruptedException {
+        return outbox.take().map(this::join);
+    }
+
+    private byte[] join(Outbox.Packet packet) {
+        List<byte[]> messages = new ArrayList<>(packet.messages());
+        if (packet.skipped() > 0) {
+            messages.addFirst(writer.write(new LaggingNotification(packet.skipped())));
+        }
+        byte[] joined = new byte[messages.stream().mapToInt(m -> m.length).sum()];
+        int end = 0;
+        for (byte[] message : messages) {
+            System.arraycopy(message, 0, joined, end, message.length);
+            end += message.length;
+        }
+        return joined;
+    }
+
+    @Override
+    public String toString() {
+        return name + " (" + peer + ")";
+    }
+}

@@ -1,0 +1,100 @@
+package org.auvsim.server.simulator;
+
+import org.auvsim.auvsml.framing.AuvsmlReader;
+import org.auvsim.auvsml.framing.AuvsmlWriter;
+import org.auvsim.auvsml.framing.Incoming;
+import org.auvsim.auvsml.framing.RootDecoder;
+import org.auvsim.auvsml.message.feedback.FeedbackMessage;
+import org.auvsim.auvsml.message.session.DisconnectedNotification;
+import org.auvsim.auvsml.message.session.ErrorResponse;
+import org.auvsim.auvsml.xml.Limits;
+import org.auvsim.server.net.ClientSession;
+import org.auvsim.server.net.Reception;
+
+import java.io.InputStream;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
+
+/** Where clients come in: brings what they do to the simulation thread. Runs on their threads. */
+final class Clients implements Reception {
+    private final Mailbox mailbox;
+    private final Requests requests;
+    private final RootDecoder decoder;
+    private final AuvsmlWriter writer;
+    private final Limits limits;
+    private final AtomicLong lastId = new AtomicLong();
+    private final Map<Long, ClientSession> open = new ConcurrentHashMap<>();
+
+    Clients(
+            Mailbox mailbox,
+            Requests requests,
+            RootDecoder decoder,
+            AuvsmlWriter writer,
+            Limits limits) {
+        this.mailbox = mailbox;
+        this.requests = requests;
+        this.decoder = decoder;
+        this.writer = writer;
+        this.limits = limits;
+    }
+
+    @Override
+    public AuvsmlReader reader(InputStream in) {
+        return new AuvsmlReader(in, decoder, limits);
+    }
+
+    @Override
+    public Optional<ClientSession> admit(String peer) throws InterruptedException {
+        ClientSession session = new ClientSession(lastId.incrementAndGet(), peer, writer);
+        open.put(session.id(), session);
+        if (mailbox.postRequest(() -> requests.begin(session))) {
+            return Optional.of(session);
+        }
+        open.remove(session.id());
+        return Optional.empty();
+    }
+
+    @Override
+    public void received(ClientSession session, Incoming incoming) throws InterruptedException {
+        switch (incoming) {
+            case Incoming.Request request -> received(session, request);
+            case Incoming.Rejected rejected ->
+                    mailbox.postRequest(
+                            () ->
+                                    session.send(
+                                            rejected.requestId(),
+                                            List.of(ErrorResponse.of(rejected.fault()))));
+            case Incoming.End _ -> left(session);
+        }
+    }
+
+    private void received(ClientSession session, Incoming.Request request)
+            throws InterruptedException {
+        if (request.messages().stream().allMatch(FeedbackMessage.class::isInstance)) {
+            mailbox.postFeedback(() -> requests.carryOut(session, request));
+        } else {
+            mailbox.postRequest(() -> requests.carryOut(session, request));
+        }
+    }
+
+    @Override
+    public void left(ClientSession session) throws InterruptedException {
+        open.remove(session.id());
+        if (!mailbox.postRequest(() -> requests.end(session))) {
+            session.close();
+        }
+    }
+
+    @Override
+    public byte[] farewell(String reason) {
+        return writer.write(new DisconnectedNotification(reason));
+    }
+
+    /** Ends all sessions when the simulation thread has done its work. */
+    void endAll(String reason) {
+        open.values().forEach(session -> session.close(reason));
+    }
+}

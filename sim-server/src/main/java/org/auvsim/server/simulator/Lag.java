@@ -1,0 +1,32 @@
+package org.auvsim.server.simulator;
+
+import java.util.OptionalLong;
+
+/** Counts the steps that a simulator skips because it is too slow, and says so once in a while. */
+final class Lag {
+    private static final long SHORTEST_SILENCE = 5_000_000_000L;
+
+    private final Pace pace;
+    private final double timeStep;
+    private double skipped;
+    private OptionalLong lastTold = OptionalLong.empty();
+
+    Lag(Pace pace, double timeStep) {
+        this.pace = pace;
+        this.timeStep = timeStep;
+    }
+
+    /** How many steps were skipped, if there are any and it is time to say so. */
+    OptionalLong skippedSteps(double worldTime) {
+        skipped += pace.skipWhatIsLost(worldTime);
+        long now = pace.now();
+        boolean saidJustNow = lastTold.isPresent() && now - lastTold.getAsLong() < SHORTEST_SILENCE;
+        if (skipped == 0 || saidJustNow) {
+            return OptionalLong.empty();
+        }
+        long steps = Math.max(1, Math.round(skipped / timeStep));
+        skipped = 0;
+        lastTold = OptionalLong.of(now);
+        return OptionalLong.of(steps);
+    }
+}

@@ -1,0 +1,142 @@
+package org.auvsim.server.simulator;
+
+import org.auvsim.auvsml.framing.AuvsmlWriter;
+import org.auvsim.auvsml.framing.RootDecoder;
+import org.auvsim.auvsml.mapping.MessageCatalogue;
+import org.auvsim.auvsml.xml.Limits;
+import org.auvsim.core.world.World;
+import org.auvsim.server.feedback.CorrectiveFeedbackSystem;
+import org.auvsim.server.feedback.FeedbackProcessor;
+import org.auvsim.server.feedback.FeedbackProcessors;
+import org.auvsim.server.feedback.FeedbackTimestepper;
+import org.auvsim.server.feedback.NoFeedbackTimestepper;
+import org.auvsim.server.net.Notifications;
+import org.auvsim.server.net.Transport;
+import org.auvsim.server.net.TransportException;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.LongSupplier;
+
+/** Collects what a simulator is made of; everything has a default. */
+public final class SimulatorBuilder {
+    /** So many requests, and as many feedbacks, may wait for the simulation thread. */
+    private static final int MAILBOX_CAPACITY = 1024;
+
+    private final World world;
+    private final List<Transport> transports = new ArrayList<>();
+    private final FeedbackProcessors processors = FeedbackProcessors.standard();
+    private FeedbackTimestepper timestepper = new NoFeedbackTimestepper();
+    private OptionalDouble rate = OptionalDouble.of(1);
+    private OptionalDouble until = OptionalDouble.empty();
+    private boolean running = true;
+    private Optional<MessageCatalogue> catalogue = Optional.empty();
+    private Limits limits = Limits.MESSAGE;
+    private String serverName = "auvsim";
+    private LongSupplier nanoClock = System::nanoTime;
+
+    SimulatorBuilder(World world) {
+        this.world = world;
+    }
+
+    /** Adds a way by which clients come; without one the simulator is only embedded. */
+    public SimulatorBuilder transport(Transport transport) {
+        transports.add(transport);
+        return this;
+    }
+
+    /** World seconds a second; empty: as fast as possible. Real time by default. */
+    public SimulatorBuilder rate(OptionalDouble rate) {
+        this.rate = rate;
+        return this;
+    }
+
+    /** How steps are made and feedback comes into them; by default feedback is ignored. */
+    public SimulatorBuilder timestepper(FeedbackTimestepper timestepper) {
+        this.timestepper = timestepper;
+        return this;
+    }
+
+    /** Adds a feedback processor, in place of one of the same name. */
+    public SimulatorBuilder processor(FeedbackProcessor processor) {
+        processors.add(processor);
+        return this;
+    }
+
+    /** Lets a processor do all corrections, whichever the messages name. */
+    public SimulatorBuilder overrideProcessors(FeedbackProcessor processor) {
+        processors.override(processor);
+        return this;
+    }
+
+    /** Ends the simulation when the world has reached this time (s). */
+    public SimulatorBuilder until(OptionalDouble worldTime) {
+        this.until = worldTime;
+        return this;
+    }
+
+    /** Stands still until a client or {@link Simulator#resume} lets it go on. */
+    public SimulatorBuilder paused() {
+        running = false;
+        return this;
+    }
+
+    /** The messages that clients may send; by default those that provider files name. */
+    public SimulatorBuilder catalogue(MessageCatalogue catalogue) {
+        this.catalogue = Optional.of(catalogue);
+        return this;
+    }
+
+    /** How long and how deep messages may be. */
+    public SimulatorBuilder limits(Limits limits) {
+        this.limits = limits;
+        return this;
+    }
+
+    /** What the welcome message says of the server: its name and version. */
+    public SimulatorBuilder serverName(String serverName) {
+        this.serverName = serverName;
+        return this;
+    }
+
+    /** The wall's clock (ns), for tests. */
+    SimulatorBuilder nanoClock(LongSupplier nanoClock) {
+        this.nanoClock = nanoClock;
+        return this;
+    }
+
+    /**
+     * Builds the simulator, lets clients in and time go on.
+     *
+     * @throws TransportException if a transport cannot be opened
+     * @throws IllegalArgumentException if the rate is not positive
+     */
+    public Simulator start() {
+        MessageCatalogue messages =
+                catalogue.orElseGet(
+                        () -> MessageCatalogue.load(SimulatorBuilder.class.getClassLoader()));
+        AuvsmlWriter writer = new AuvsmlWriter(messages);
+        Mailbox mailbox = new Mailbox(MAILBOX_CAPACITY);
+        Pace pace = new Pace(rate, nanoClock);
+        Notifications notifications = new Notifications(writer);
+        WorldNews news = new WorldNews(world, notifications);
+        CorrectiveFeedbackSystem feedback =
+                new CorrectiveFeedbackSystem(
+                        world,
+                        timestepper,
+                        processors,
+                        new StepAudience(news, notifications, mailbox, pace));
+        ControlledObjects controlled = new ControlledObjects(world);
+        world.addListener(news);
+        world.addListener(controlled);
+        SimulationLoop loop =
+                new SimulationLoop(world, mailbox, notifications, pace, feedback, running, until);
+        Requests requests =
+                new Requests(world, notifications, controlled, feedback, loop, serverName);
+        RootDecoder decoder = RootDecoder.strict(messages, limits);
+        Clients clients = new Clients(mailbox, requests, decoder, writer, limits);
+        return new Simulator(world, loop, mailbox, clients, transports).start();
+    }
+}

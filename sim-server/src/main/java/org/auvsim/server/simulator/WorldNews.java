@@ -1,0 +1,188 @@
+package org.auvsim.server.simulator;
+
+import org.auvsim.auvsml.message.command.EventType;
+import org.auvsim.auvsml.message.entity.EntityAddedMessage;
+import org.auvsim.auvsml.message.entity.EntityRemovedMessage;
+import org.auvsim.auvsml.message.entity.WorldObjectAddedMessage;
+import org.auvsim.auvsml.message.feedback.FeedbackAppliedNotification;
+import org.auvsim.auvsml.message.movement.CollisionNotification;
+import org.auvsim.auvsml.message.movement.KinematicStateMessage;
+import org.auvsim.auvsml.message.movement.MovementStateChangeMessage;
+import org.auvsim.auvsml.message.movement.StateType;
+import org.auvsim.auvsml.message.movement.TimestepAdvancedNotification;
+import org.auvsim.core.entity.Contact;
+import org.auvsim.core.entity.MovementState;
+import org.auvsim.core.entity.WorldObject;
+import org.auvsim.core.step.Collision;
+import org.auvsim.core.world.World;
+import org.auvsim.core.world.WorldEvent;
+import org.auvsim.core.world.WorldListener;
+import org.auvsim.server.feedback.AppliedFeedback;
+import org.auvsim.server.feedback.ProjectedWorld;
+import org.auvsim.server.net.Notifications;
+
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * Turns what happens in the world into messages. Collisions, arrivals and departures are told as
+ * they happen; movements when the step is made, since a step may have parts.
+ */
+final class WorldNews implements WorldListener {
+    private final World world;
+    private final Notifications notifications;
+    private final Map<Long, WorldEvent.Moved> moved = new TreeMap<>();
+
+    WorldNews(World world, Notifications notifications) {
+        this.world = world;
+        this.notifications = notifications;
+    }
+
+    @Override
+    public void happened(WorldEvent event) {
+        switch (event) {
+            case WorldEvent.EntityAdded added -> tell(added);
+            case WorldEvent.ObjectAdded added -> tell(added);
+            case WorldEvent.EntityRemoved removed -> tell(removed);
+            case WorldEvent.Collided collided -> tell(collided);
+            case WorldEvent.Moved movement -> moved.put(movement.objectId(), movement);
+            case WorldEvent.StepAdvanced _ -> {
+                // told when the whole step is over, see finished()
+            }
+        }
+    }
+
+    private void tell(WorldEvent.EntityAdded added) {
+        notifications.event(
+                EventType.ENTITY_ADDED,
+                List.of(added.entityId()),
+                added.time(),
+                () -> new EntityAddedMessage(added.time(), added.entityId()));
+    }
+
+    private void tell(WorldEvent.ObjectAdded added) {
+        notifications.event(
+                EventType.ENTITY_ADDED,
+                List.of(added.objectId()),
+                added.time(),
+                () ->
+                        new WorldObjectAddedMessage(
+                                added.time(), added.objectId(), added.position()));
+    }
+
+    private void tell(WorldEvent.EntityRemoved removed) {
+        moved.remove(removed.entityId());
+        notifications.event(
+                EventType.ENTITY_REMOVED,
+                List.of(removed.entityId()),
+                removed.time(),
+                () -> new EntityRemovedMessage(removed.time(), removed.entityId()));
+    }
+
+    private void tell(WorldEvent.Collided collided) {
+        Collision collision = collided.collision();
+        Contact contact = collision.contact();
+        notifications.event(
+                EventType.COLLISION,
+                List.of(contact.self().id(), contact.other().id()),
+                collided.time(),
+                () ->
+                        new CollisionNotification(
+                                collided.time(),
+                                contact.self().id(),
+                                contact.other().id(),
+                                contact.point(),
+                                contact.normal(),
+                                collision.impulse()));
+    }
+
+    /** Tells where the step will end. */
+    void projected(ProjectedWorld projection) {
+        double time = projection.time();
+        projection
+                .states()
+                .forEach(
+                        (id, state) ->
+                                notifications.state(
+                                        EventType.PROJECTED_MOVEMENT,
+                                        id,
+                                        time,
+                                        () -> movement(time, id, true, state)));
+        stepAdvanced(EventType.PROJECTED_MOVEMENT, time, StateType.PROJECTED);
+    }
+
+    /** Tells of the movements of a step that is made. */
+    void advanced() {
+        moved.values().forEach(movement -> tell(movement.objectId(), movement.state()));
+        moved.clear();
+    }
+
+    /** Tells once more where an object is. */
+    void moved(long objectId) {
+        tell(objectId, world.object(objectId).movementState());
+    }
+
+    private void tell(long id, MovementState state) {
+        double time = world.time();
+        notifications.state(
+                EventType.MOVEMENT_STATE_CHANGE, id, time, () -> movement(time, id, false, state));
+        notifications.state(
+                EventType.KINEMATIC_STATE,
+                id,
+                time,
+                () -> kinematics(time, world.object(id), state));
+    }
+
+    private static MovementStateChangeMessage movement(
+            double time, long id, boolean projected, MovementState state) {
+        return new MovementStateChangeMessage(
+                time,
+                id,
+                projected,
+                state.position(),
+                state.orientation().toMatrix(),
+                state.linearMomentum(),
+                state.angularMomentum());
+    }
+
+    private static KinematicStateMessage kinematics(
+            double time, WorldObject object, MovementState state) {
+        var velocity = object.velocityOf(state.linearMomentum());
+        var turning = object.angularVelocityOf(state.angularMomentum(), state.orientation());
+        return new KinematicStateMessage(
+                time,
+                object.id(),
+                state.position(),
+                state.orientation(),
+                velocity,
+                turning,
+                state.orientation().rotateInverse(velocity),
+                state.orientation().rotateInverse(turning));
+    }
+
+    /** Tells of a correction. */
+    void applied(AppliedFeedback applied) {
+        notifications.event(
+                EventType.FEEDBACK_APPLIED,
+                List.of(applied.objectId()),
+                applied.time(),
+                () ->
+                        new FeedbackAppliedNotification(
+                                applied.objectId(),
+                                applied.time(),
+                                applied.processor(),
+                                applied.errorBefore(),
+                                applied.errorAfter()));
+    }
+
+    /** Tells that the step is over. */
+    void finished() {
+        stepAdvanced(EventType.MOVEMENT_STATE_CHANGE, world.time(), StateType.ACTUAL);
+    }
+
+    private void stepAdvanced(EventType closes, double time, StateType type) {
+        notifications.stepAdvanced(
+                closes, time, () -> new TimestepAdvancedNotification(time, type));
+    }
+}

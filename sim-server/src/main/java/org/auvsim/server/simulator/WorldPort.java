@@ -1,0 +1,55 @@
+package org.auvsim.server.simulator;
+
+import org.auvsim.auvsml.ErrorCode;
+import org.auvsim.auvsml.message.command.ListedWorldObject;
+import org.auvsim.auvsml.message.command.RefusedException;
+import org.auvsim.auvsml.message.command.WorldControl;
+import org.auvsim.core.entity.Propulsor;
+import org.auvsim.core.entity.WorldObject;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.world.World;
+import org.auvsim.core.world.WorldException;
+
+import java.util.List;
+
+/** The world as commands reach it. */
+record WorldPort(World world) implements WorldControl {
+    /**
+     * The world object with an id.
+     *
+     * @throws RefusedException if there is none
+     */
+    static WorldObject object(World world, long id) {
+        try {
+            return world.object(id);
+        } catch (WorldException e) {
+            throw new RefusedException(ErrorCode.UNKNOWN_ENTITY, String.valueOf(e.getMessage()));
+        }
+    }
+
+    @Override
+    public List<ListedWorldObject> worldObjects() {
+        return world.objects().stream()
+                .map(o -> new ListedWorldObject(o.id(), ListedWorldObject.WORLD_OBJECT, o.name()))
+                .toList();
+    }
+
+    @Override
+    public List<String> propulsorNames(long worldObjectId) {
+        return object(world, worldObjectId).propulsors().stream().map(Propulsor::name).toList();
+    }
+
+    @Override
+    public long add(WorldObjectDefinition definition) {
+        return world.add(definition).id();
+    }
+
+    @Override
+    public void remove(long entityId) {
+        if (world.find(entityId).isEmpty()) {
+            throw new RefusedException(
+                    ErrorCode.UNKNOWN_ENTITY, "no entity has the id %d".formatted(entityId));
+        }
+        world.remove(entityId);
+    }
+}

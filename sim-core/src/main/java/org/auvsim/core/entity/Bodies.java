@@ -43,11 +43,21 @@ public final class Bodies {
         return objects.size();
     }
 
-    /** Makes a live object of a definition. */
+    /**
+     * Makes a live object of a definition.
+     *
+     * @throws IllegalArgumentException if a component lacks another one that it needs, or a
+     *     momentum is too large for a number; nothing has changed then
+     */
     public WorldObject add(long id, WorldObjectDefinition definition) {
-        WorldObject object = new WorldObject(id, definition, state);
-        objects.add(object);
-        return object;
+        try {
+            WorldObject object = new WorldObject(id, definition, state);
+            objects.add(object);
+            return object;
+        } catch (IllegalArgumentException e) {
+            state.remove(objects.size());
+            throw e;
+        }
     }
 
     /** Removes an object; those behind it move down by one slot. */

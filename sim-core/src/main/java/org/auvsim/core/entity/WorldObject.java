@@ -76,12 +76,23 @@ public final class WorldObject extends RigidBody {
     }
 
     /**
-     * Puts a component in the place of the one with the same name.
+     * Puts a component in the place of the one with the same name, of the same class.
      *
-     * @throws IllegalArgumentException if there is none
+     * @throws IllegalArgumentException if there is none, or it is of another class
      */
     public void replace(Component component) {
-        components.set(existing(component.name()), component);
+        int index = existing(component.name());
+        Class<?> before = components.get(index).getClass();
+        if (before != component.getClass()) {
+            throw new IllegalArgumentException(
+                    "component '%s' of '%s' is a %s and cannot become a %s; remove it first"
+                            .formatted(
+                                    component.name(),
+                                    name(),
+                                    before.getSimpleName(),
+                                    component.getClass().getSimpleName()));
+        }
+        components.set(index, component);
         changed(component);
     }
 

@@ -13,10 +13,11 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /** Random bodies with inertia, forces and a propulsor, from a seed. */
-final class DrawnBodies {
+public final class DrawnBodies {
     private DrawnBodies() {}
 
-    static List<WorldObjectDefinition> of(long seed, int count) {
+    /** This many, at most a block full. */
+    public static List<WorldObjectDefinition> of(long seed, int count) {
         Draws draws = new Draws(seed);
         return IntStream.range(0, count).mapToObj(i -> body(draws, "body " + i)).toList();
     }

@@ -1,0 +1,101 @@
+package org.auvsim.core.entity;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.auvsim.core.math.Near.assertNear;
+
+import org.auvsim.core.math.Draws;
+import org.auvsim.core.math.Mat3;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.Box;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import java.util.List;
+
+class RigidBodyTest {
+    private static final Vec3 PUSH = new Vec3(1, 2, 3);
+
+    private final Bodies bodies = new Bodies();
+
+    private static WorldObjectDefinition.Builder crate() {
+        return WorldObjectDefinition.named("crate").volume(new Box(new Vec3(1, 2, 3)));
+    }
+
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = {1, 2, 3, 4})
+    void velocitiesAndMomentaAgreeInEveryOrientation(long seed) {
+        Draws draws = new Draws(seed);
+        Inertia inertia = new Inertia(2, 3, 4, 0.1, -0.2, 0.3);
+        WorldObject body = bodies.add(1, crate().mass(5).inertia(inertia).build());
+        body.setOrientation(draws.orientation());
+        Vec3 v = draws.vector(3);
+        Vec3 w = draws.vector(3);
+        body.setVelocity(v);
+        body.setAngularVelocity(w);
+        assertNear(body.velocity(), v, 1e-14);
+        assertNear(body.angularVelocity(), w, 1e-13);
+        assertNear(body.linearMomentum(), v.times(5), 1e-14);
+        Mat3 turn = body.orientation().toMatrix();
+        Mat3 inWorld = turn.times(inertia.toMatrix()).times(turn.transposed());
+        assertNear(body.angularMomentum(), inWorld.times(w), 1e-13);
+        assertNear(body.inverseInertia().times(inWorld), Mat3.IDENTITY, 1e-14);
+        Vec3 point = body.position().plus(new Vec3(0.5, 1, 0));
+        assertNear(body.motion().velocityAt(point), v.plus(w.cross(new Vec3(0.5, 1, 0))), 1e-13);
+    }
+
+    @Test
+    void aMovementStateIsSetAndReadBack() {
+        WorldObject body = bodies.add(1, crate().mass(5).build());
+        MovementState state =
+                new MovementState(PUSH, new Quat(0.5, 0.5, -0.5, 0.5), PUSH, PUSH.negated());
+        body.setMovementState(state);
+        assertThat(body.movementState()).isEqualTo(state);
+    }
+
+    @Test
+    void aFixedBodyTakesNoMomentum() {
+        WorldObject rock = bodies.add(1, crate().fixed().velocity(1, 0, 0).build());
+        rock.setLinearMomentum(PUSH);
+        rock.setAngularMomentum(PUSH);
+        rock.setAngularVelocity(PUSH);
+        assertThat(rock.linearMomentum()).isEqualTo(Vec3.ZERO);
+        assertThat(rock.angularMomentum()).isEqualTo(Vec3.ZERO);
+        assertThat(rock.mass()).isZero();
+        assertThat(rock.motion().inverseMass()).isZero();
+    }
+
+    @Test
+    void aForceReplacesTheOneOfItsNameAndKeepsItsPlace() {
+        WorldObject body = bodies.add(1, crate().mass(1).build());
+        NamedForce first = NamedForce.direct("first", Frame.WORLD, PUSH);
+        NamedForce second = NamedForce.direct("second", Frame.BODY, PUSH);
+        NamedForce weaker = NamedForce.direct("first", Frame.WORLD, PUSH.times(0.5));
+        body.applyForce(first);
+        body.applyForce(second);
+        body.applyForce(weaker);
+        assertThat(body.forces()).containsExactly(weaker, second);
+        assertThat(body.removeForce("first")).isTrue();
+        assertThat(body.removeForce("first")).isFalse();
+        assertThat(body.forces()).containsExactly(second);
+        body.setForces(List.of(first));
+        assertThat(body.forces()).containsExactly(first);
+    }
+
+    @Test
+    void whatIsNotFiniteIsRefusedAndNothingChanges() {
+        WorldObject body = bodies.add(1, crate().mass(1).build());
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> body.setPosition(new Vec3(1, Double.NaN, 2)))
+                .withMessage("position of 'crate' must be finite, but is (1.0, NaN, 2.0)");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> body.setVelocity(new Vec3(Double.POSITIVE_INFINITY, 0, 0)));
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> body.setOrientation(new Quat(0, 0, 0, 0)));
+        assertThat(body.position()).isEqualTo(Vec3.ZERO);
+        assertThat(body.velocity()).isEqualTo(Vec3.ZERO);
+        assertThat(body.orientation()).isEqualTo(Quat.IDENTITY);
+    }
+}

@@ -1,5 +1,7 @@
 package org.auvsim.cli;
 
+import org.auvsim.cli.report.FaultReport;
+
 import picocli.AutoComplete.GenerateCompletion;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -20,7 +22,13 @@ import java.nio.file.Path;
         synopsisSubcommandLabel = "<command>",
         commandListHeading = "%nCommands:%n",
         footer = "%nA command explains itself with: auvsim <command> --help",
-        subcommands = {GenerateCompletion.class})
+        subcommands = {
+            Run.class,
+            Validate.class,
+            Watch.class,
+            Feed.class,
+            GenerateCompletion.class
+        })
 public final class Auvsim implements Runnable {
     @Spec private CommandSpec spec;
 

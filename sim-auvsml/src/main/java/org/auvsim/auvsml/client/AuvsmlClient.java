@@ -15,6 +15,7 @@ import org.auvsim.auvsml.xml.Limits;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.net.ConnectException;
 import java.net.InetSocketAddress;
 import java.net.Socket;
@@ -233,15 +234,15 @@ public final class AuvsmlClient implements AutoCloseable {
     /**
      * Ends the connection; nothing happens if it has ended.
      *
-     * @throws ConnectionException if the system cannot end it
+     * @throws UncheckedIOException if the system cannot end it
      */
     @Override
-    public void close() throws ConnectionException {
+    public void close() {
         closed = true;
         try {
             socket.close();
         } catch (IOException e) {
-            throw gone(e);
+            throw new UncheckedIOException(e);
         }
     }
 }

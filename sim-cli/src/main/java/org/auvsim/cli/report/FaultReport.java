@@ -1,6 +1,9 @@
-package org.auvsim.cli;
+package org.auvsim.cli.report;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
+
+import org.auvsim.auvsml.client.ConnectionException;
+import org.auvsim.auvsml.document.DocumentException;
 
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
@@ -12,10 +15,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /** Says in one sentence why a command failed; the trace of a fault of our own goes to a file. */
-final class FaultReport implements IExecutionExceptionHandler {
+public final class FaultReport implements IExecutionExceptionHandler {
     private final Path folder;
 
-    FaultReport(Path folder) {
+    /** Writes its reports to {@code folder}. */
+    public FaultReport(Path folder) {
         this.folder = folder;
     }
 
@@ -23,7 +27,7 @@ final class FaultReport implements IExecutionExceptionHandler {
     public int handleExecutionException(Exception e, CommandLine command, ParseResult parsed)
             throws IOException {
         PrintWriter err = command.getErr();
-        if (e instanceof UserError) {
+        if (isTheUsers(e)) {
             err.println(e.getMessage());
             err.flush();
             return CommandLine.ExitCode.USAGE;
@@ -35,5 +39,11 @@ final class FaultReport implements IExecutionExceptionHandler {
         err.printf("auvsim failed by a fault of its own; please report %s%n", report);
         err.flush();
         return CommandLine.ExitCode.SOFTWARE;
+    }
+
+    private static boolean isTheUsers(Exception e) {
+        return e instanceof UserError
+                || e instanceof ConnectionException
+                || e instanceof DocumentException;
     }
 }

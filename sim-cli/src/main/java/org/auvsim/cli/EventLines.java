@@ -1,0 +1,88 @@
+package org.auvsim.cli;
+
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.entity.EntityAddedMessage;
+import org.auvsim.auvsml.message.entity.EntityRemovedMessage;
+import org.auvsim.auvsml.message.feedback.FeedbackAppliedNotification;
+import org.auvsim.auvsml.message.movement.CollisionNotification;
+import org.auvsim.auvsml.message.movement.MovementStateChangeMessage;
+import org.auvsim.auvsml.message.session.DisconnectedNotification;
+import org.auvsim.auvsml.message.session.ErrorResponse;
+import org.auvsim.auvsml.message.session.LaggingNotification;
+import org.auvsim.core.math.Mat3;
+import org.auvsim.core.math.Vec3;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/** Messages of a simulator as lines of a table for people. */
+final class EventLines {
+    /** The table's first line. */
+    static final String HEADER =
+            "%10s  %-16s %-9s %12s %12s %12s %8s %8s %8s"
+                    .formatted(
+                            "time s", "object", "state", "x m", "y m", "z m", "roll", "pitch",
+                            "yaw");
+
+    private final Map<Long, String> names = new HashMap<>();
+
+    /** For a simulator that has these objects. */
+    EventLines(List<ServedObject> objects) {
+        objects.forEach(object -> names.put(object.id(), object.name()));
+    }
+
+    /** The line of a message; empty for one that is not for people. */
+    Optional<String> of(Message message) {
+        return switch (message) {
+            case MovementStateChangeMessage m -> Optional.of(movement(m));
+            case CollisionNotification c ->
+                    event(
+                            c.timestamp(),
+                            c.entityId(),
+                            "collides with %s, impulse %.4g N s"
+                                    .formatted(name(c.otherId()), c.impulse().norm()));
+            case EntityAddedMessage a -> event(a.timestamp(), a.entityId(), "was added");
+            case EntityRemovedMessage r -> event(r.timestamp(), r.entityId(), "was removed");
+            case FeedbackAppliedNotification f ->
+                    event(
+                            f.timestamp(),
+                            f.worldObjectId(),
+                            "was corrected by %s, error %.4g m before, %.4g m after"
+                                    .formatted(f.handlerName(), f.errorBefore(), f.errorAfter()));
+            case LaggingNotification l ->
+                    Optional.of(
+                            "(%d movements left out: too fast for here)".formatted(l.skipped()));
+            case DisconnectedNotification d -> Optional.of("the simulator ends: " + d.reason());
+            case ErrorResponse e -> Optional.of("the simulator refuses: " + e.text());
+            default -> Optional.empty();
+        };
+    }
+
+    private String name(long id) {
+        return names.getOrDefault(id, "#" + id);
+    }
+
+    private Optional<String> event(double time, long id, String what) {
+        return Optional.of(String.format(Locale.ROOT, "%10.3f  %-16s %s", time, name(id), what));
+    }
+
+    private String movement(MovementStateChangeMessage m) {
+        Vec3 p = m.position();
+        Mat3 r = m.orientation();
+        return String.format(
+                Locale.ROOT,
+                "%10.3f  %-16s %-9s %12.4f %12.4f %12.4f %8.2f %8.2f %8.2f",
+                m.timestamp(),
+                name(m.worldObjectId()),
+                m.isProjectedState() ? "projected" : "actual",
+                p.x(),
+                p.y(),
+                p.z(),
+                Math.toDegrees(Math.atan2(r.zy(), r.zz())),
+                Math.toDegrees(Math.asin(Math.clamp(-r.zx(), -1, 1))),
+                Math.toDegrees(Math.atan2(r.yx(), r.xx())));
+    }
+}

@@ -1,0 +1,44 @@
+package org.auvsim.cli;
+
+import java.util.concurrent.CountDownLatch;
+
+/**
+ * Ctrl-C, or a request to end from elsewhere, for as long as this is open: the process ends only
+ * when it is closed, so that what is under way can be brought to a good end.
+ */
+final class Interruption implements AutoCloseable {
+    private final CountDownLatch done = new CountDownLatch(1);
+    private final Thread hook;
+    private volatile boolean requested;
+
+    /** Runs {@code end}, on a thread of its own, when the end is requested. */
+    Interruption(Runnable end) {
+        hook = new Thread(() -> finish(end), "interruption");
+        Runtime.getRuntime().addShutdownHook(hook);
+    }
+
+    /** Whether the end has been requested. */
+    boolean isRequested() {
+        return requested;
+    }
+
+    private void finish(Runnable end) {
+        requested = true;
+        end.run();
+        try {
+            done.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Override
+    public void close() {
+        done.countDown();
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException _) {
+            // It runs: the process is ending.
+        }
+    }
+}

@@ -1,0 +1,116 @@
+package org.auvsim.cli;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static java.util.Objects.requireNonNull;
+
+import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.cli.report.FileTrouble;
+import org.auvsim.cli.report.UserError;
+import org.auvsim.core.world.World;
+
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
+import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.function.Consumer;
+
+/** {@code auvsim run}. */
+@Command(
+        name = "run",
+        description = "Runs a scenario without a network, as fast as it can.",
+        footer = {
+            "",
+            "The CSV of --out has the columns",
+            "  t,object,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz",
+            "and a row for each object that is not fixed, at the start and after each step: time"
+                + " (s), name, position (m), orientation (quaternion, body to world), velocity"
+                + " (m/s) and angular velocity (rad/s), all in world axes (x east, y north, z up).",
+            "Ctrl-C ends a run early; the CSV is whole up to there.",
+            "",
+            "Example: auvsim run examples/scenarios/tank.xml --until 120 --out run.csv"
+        })
+final class Run implements Callable<Integer> {
+    private static final Path STANDARD_OUTPUT = Path.of("-");
+
+    @Spec private CommandSpec spec;
+
+    @Parameters(paramLabel = "FILE", description = "A scenario.")
+    private Path file;
+
+    @Option(
+            names = "--until",
+            paramLabel = "SECONDS",
+            defaultValue = "60",
+            description = "World time at which the run ends; by default ${DEFAULT-VALUE}.")
+    private double until;
+
+    @Option(
+            names = "--out",
+            paramLabel = "FILE",
+            description = "Writes what moves as CSV; '-' is the standard output.")
+    private Optional<Path> out = Optional.empty();
+
+    @Override
+    public Integer call() throws DocumentException {
+        World world = ScenarioLoader.load(Run.class.getClassLoader()).load(file).world();
+        if (!(until > world.time()) || Double.isInfinite(until)) {
+            throw new UserError(
+                    "--until must be after the scenario's start at %s s, but is %s s."
+                            .formatted(world.time(), until));
+        }
+        // Ctrl-C waits until all of this is closed, so that the CSV is whole.
+        try (Interruption interruption = new Interruption(() -> {})) {
+            if (out.isPresent()) {
+                record(world, out.get(), interruption);
+            } else {
+                run(world, _ -> {}, interruption);
+            }
+        }
+        return 0;
+    }
+
+    private void record(World world, Path target, Interruption interruption) {
+        try (Writer writer = open(target);
+                TrajectoryCsv csv = new TrajectoryCsv(writer)) {
+            csv.append(world);
+            run(world, csv::append, interruption);
+            tell("%d rows written to %s".formatted(csv.rows(), target));
+        } catch (IOException e) {
+            throw FileTrouble.writing(target, e);
+        } catch (UncheckedIOException e) {
+            throw FileTrouble.writing(target, requireNonNull(e.getCause()));
+        }
+    }
+
+    private Writer open(Path target) throws IOException {
+        return target.equals(STANDARD_OUTPUT)
+                ? spec.commandLine().getOut()
+                : Files.newBufferedWriter(target, UTF_8);
+    }
+
+    private void run(World world, Consumer<World> afterStep, Interruption interruption) {
+        Progress progress =
+                new Progress(world.time(), until, spec.commandLine().getErr(), System::nanoTime);
+        BatchRun run = new BatchRun(world, afterStep.andThen(w -> progress.at(w.time())));
+        run.run(until, interruption::isRequested);
+        tell(run.summary());
+    }
+
+    private void tell(String line) {
+        boolean csvOnOut = out.equals(Optional.of(STANDARD_OUTPUT));
+        PrintWriter to = csvOnOut ? spec.commandLine().getErr() : spec.commandLine().getOut();
+        to.println(line);
+        to.flush();
+    }
+}

@@ -1,0 +1,53 @@
+package org.auvsim.cli;
+
+import org.auvsim.auvsml.Fault;
+import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.document.Validation;
+import org.auvsim.auvsml.mapping.MessageCatalogue;
+
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+
+/** {@code auvsim validate}. */
+@Command(
+        name = "validate",
+        description =
+                "Checks scenarios, or files of messages: ok, or every fault with line and column.",
+        footer = {"", "The exit code is 2 if there is a fault."})
+final class Validate implements Callable<Integer> {
+    @Spec private CommandSpec spec;
+
+    @Parameters(arity = "1..*", paramLabel = "FILE", description = "A scenario, or messages.")
+    private List<Path> files = List.of();
+
+    @Override
+    public Integer call() throws DocumentException {
+        MessageCatalogue catalogue = MessageCatalogue.load(Validate.class.getClassLoader());
+        Validation validation = new Validation(catalogue);
+        boolean ok = true;
+        for (Path file : files) {
+            ok &= isOk(file, validation.faults(file));
+        }
+        return ok ? ExitCode.OK : ExitCode.USAGE;
+    }
+
+    private boolean isOk(Path file, List<Fault> faults) {
+        PrintWriter out = spec.commandLine().getOut();
+        for (Fault fault : faults) {
+            out.printf("%s:%d:%d: %s%n", file, fault.line(), fault.column(), fault.sentence());
+        }
+        if (faults.isEmpty()) {
+            out.printf("%s: ok%n", file);
+        }
+        out.flush();
+        return faults.isEmpty();
+    }
+}

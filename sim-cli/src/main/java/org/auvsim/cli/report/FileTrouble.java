@@ -1,0 +1,31 @@
+package org.auvsim.cli.report;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+
+/** Why a file could not be read or written, in a sentence; the system's own words are a path. */
+public final class FileTrouble {
+    private FileTrouble() {}
+
+    /** A file that should have been read. */
+    public static UserError reading(Path file, IOException e) {
+        return new UserError(
+                "Cannot read %s: %s.".formatted(file, reason(e, "there is no such file")), e);
+    }
+
+    /** A file that should have been written. */
+    public static UserError writing(Path file, IOException e) {
+        return new UserError(
+                "Cannot write %s: %s.".formatted(file, reason(e, "its folder does not exist")), e);
+    }
+
+    private static String reason(IOException e, String ifMissing) {
+        return switch (e) {
+            case NoSuchFileException _ -> ifMissing;
+            case AccessDeniedException _ -> "you may not";
+            default -> String.valueOf(e.getMessage());
+        };
+    }
+}

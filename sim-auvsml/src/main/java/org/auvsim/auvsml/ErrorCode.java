@@ -26,6 +26,8 @@ public enum ErrorCode {
     UNKNOWN_ENTITY,
     /** Somebody else controls the world object. */
     NOT_IN_CONTROL,
+    /** The world could not make a step and stands still. */
+    STEP_FAILED,
     /** Understood, but not possible now or not allowed. */
     REFUSED
 }

@@ -84,7 +84,7 @@ class ValidationTest {
                         "line 5, column 5: <position> needs an attribute 'z', a finite number at"
                                 + " scenario/world-object/position",
                         "line 6, column 3: unknown element 'world-objekt'; the nearest known name"
-                            + " is 'world-object' at scenario/world-objekt");
+                                + " is 'world-object' at scenario/world-objekt");
     }
 
     @Test

@@ -17,7 +17,7 @@ public interface FeedbackTimestepping {
      * Each step is announced by its projected state, then feedback is awaited for a fixed time.
      *
      * @param waiting real time to wait for feedback
-     * @param client if any are named, the wait ends early once all of them have sent feedback
+     * @param client if any are named, the wait ends early once all of them have answered
      */
     record SimpleFixedTimeFeedbackTimestepper(
             @Name("wait") @Unit("s") double waiting, List<AwaitedClient> client)
@@ -25,12 +25,12 @@ public interface FeedbackTimestepping {
         /**
          * A checked choice.
          *
-         * @throws IllegalArgumentException if the wait is negative
+         * @throws IllegalArgumentException if the wait is not above 0
          */
         public SimpleFixedTimeFeedbackTimestepper {
-            if (!(waiting >= 0)) {
+            if (!(waiting > 0)) {
                 throw new IllegalArgumentException(
-                        "the wait for feedback must be 0 s or more, but is " + waiting + " s");
+                        "the wait for feedback must be above 0 s, but is " + waiting + " s");
             }
         }
     }
@@ -38,6 +38,6 @@ public interface FeedbackTimestepping {
     /** Feedback is never awaited; what has arrived is applied between two steps. */
     record AsynchronousFeedbackTimestepper() implements FeedbackTimestepping {}
 
-    /** The client that sends feedback for this world object. */
-    record AwaitedClient(long worldObjectId) {}
+    /** A client that a step waits for. */
+    record AwaitedClient(String name) {}
 }

@@ -7,6 +7,7 @@ import java.io.UncheckedIOException;
 import java.net.URL;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.ServiceConfigurationError;
@@ -40,8 +41,7 @@ final class ProviderFile {
     }
 
     private static List<URL> urls(Class<?> type, ClassLoader loader) throws IOException {
-        return java.util.Collections.list(
-                loader.getResources("META-INF/services/" + type.getName()));
+        return Collections.list(loader.getResources("META-INF/services/" + type.getName()));
     }
 
     private static List<String> lines(URL file) throws IOException {

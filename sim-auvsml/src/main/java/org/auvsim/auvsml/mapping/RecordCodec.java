@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import java.lang.invoke.MethodHandle;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -26,6 +27,8 @@ final class RecordCodec {
     private final Class<?> type;
     private final String elementName;
     private final List<Slot> slots;
+    private final List<Slot> attributeSlots;
+    private final List<Slot> elementSlots;
     private final MethodHandle constructor;
     private final Map<String, Slot> attributes = new HashMap<>();
     private final Map<String, Child> children = new HashMap<>();
@@ -44,6 +47,8 @@ final class RecordCodec {
         this.type = type;
         this.elementName = Names.kebab(type.getSimpleName());
         this.slots = slots;
+        this.attributeSlots = slots.stream().filter(Slot::isAttribute).toList();
+        this.elementSlots = slots.stream().filter(slot -> !slot.isAttribute()).toList();
         this.constructor = constructor;
         for (Slot slot : slots) {
             switch (slot.content()) {
@@ -79,7 +84,7 @@ final class RecordCodec {
 
     /** The record types of the elements inside. */
     Set<Class<?>> childTypes() {
-        Set<Class<?>> types = new java.util.LinkedHashSet<>();
+        Set<Class<?>> types = new LinkedHashSet<>();
         children.values().forEach(child -> types.add(child.type));
         return types;
     }
@@ -250,42 +255,32 @@ final class RecordCodec {
     /** Writes a record as an element of this name. */
     void encode(String name, Object record, XmlText out) {
         out.open(name);
-        for (Slot slot : slots) {
+        for (Slot slot : attributeSlots) {
             Object value = slot.presence().written(value(slot, record));
-            if (value == null) {
-                continue;
+            if (value != null) {
+                ScalarCodec codec = ((Slot.Attribute) slot.content()).codec();
+                codec.writer().write(value, out.attribute(slot.name()));
+                out.endAttribute();
             }
-            switch (slot.content()) {
-                case Slot.Attribute attribute -> {
-                    attribute.codec().writer().write(value, out.attribute(slot.name()));
-                    out.endAttribute();
-                }
-                case Slot.Elements elements ->
-                        encodeAll(mapper.codec(elements.type()), slot, value, out);
-                case Slot.Choice _ -> encodeChoices(value, out);
+        }
+        for (Slot slot : elementSlots) {
+            Object value = slot.presence().written(value(slot, record));
+            if (value != null) {
+                encodeElements(slot, value, out);
             }
         }
         out.close(name);
     }
 
-    private static void encodeAll(RecordCodec codec, Slot slot, Object value, XmlText out) {
+    private void encodeElements(Slot slot, Object value, XmlText out) {
         if (value instanceof List<?> list) {
             for (Object each : list) {
-                codec.encode(slot.name(), each, out);
-            }
-        } else {
-            codec.encode(slot.name(), value, out);
-        }
-    }
-
-    private void encodeChoices(Object value, XmlText out) {
-        if (value instanceof List<?> list) {
-            for (Object each : list) {
-                encodeChoices(each, out);
+                encodeElements(slot, each, out);
             }
         } else {
             RecordCodec codec = mapper.codec(value.getClass());
-            codec.encode(codec.elementName, value, out);
+            boolean named = slot.content() instanceof Slot.Elements;
+            codec.encode(named ? slot.name() : codec.elementName, value, out);
         }
     }
 

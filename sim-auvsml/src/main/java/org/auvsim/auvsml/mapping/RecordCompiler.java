@@ -122,7 +122,7 @@ final class RecordCompiler {
         if (type.isRecord()) {
             return new Slot.Elements(type);
         }
-        if (type.isInterface() && !java.util.Collection.class.isAssignableFrom(type)) {
+        if (type.isInterface() && !type.getName().startsWith("java.")) {
             return new Slot.Choice(type, mapper.implementations(type));
         }
         throw unsupported(component, "a " + type.getName());

@@ -118,7 +118,7 @@ public final class SchemaWriter {
         List<Slot> slots = catalogue.mapper().codec(type).slots();
         out.open("xs:complexType");
         out.attribute("name", name);
-        elements(slots.stream().filter(s -> !(s.content() instanceof Slot.Attribute)).toList());
+        elements(slots.stream().filter(slot -> !slot.isAttribute()).toList());
         for (Slot slot : slots) {
             if (slot.content() instanceof Slot.Attribute(ScalarCodec codec)) {
                 attribute(slot, codec);

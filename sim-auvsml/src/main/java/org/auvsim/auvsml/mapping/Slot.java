@@ -36,6 +36,10 @@ record Slot(
      */
     record Choice(Class<?> type, Map<String, Class<?>> byName) implements Content {}
 
+    boolean isAttribute() {
+        return content instanceof Attribute;
+    }
+
     boolean isRequired() {
         return presence instanceof Presence.Required;
     }

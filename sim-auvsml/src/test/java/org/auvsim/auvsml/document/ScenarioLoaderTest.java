@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
+import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.document.FeedbackTimestepping.AsynchronousFeedbackTimestepper;
 import org.auvsim.auvsml.document.FeedbackTimestepping.AwaitedClient;
 import org.auvsim.auvsml.document.FeedbackTimestepping.SimpleFixedTimeFeedbackTimestepper;
+import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.core.effect.Damping;
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Frame;
@@ -45,7 +47,7 @@ class ScenarioLoaderTest {
                 <all-pairs-partitioner/>
               </snapshot-stepper>
               <simple-fixed-time-feedback-timestepper wait="0.02">
-                <client world-object-id="47"/>
+                <client name="robot"/>
               </simple-fixed-time-feedback-timestepper>
               <feedback-processor override="VectorAdjustmentFeedbackHandler"/>
               <uniform-current id="1" name="tide"><velocity x="0.3" y="0" z="0"/></uniform-current>
@@ -78,7 +80,7 @@ class ScenarioLoaderTest {
                                         new AllPairsPartitioner(),
                                         BisectionFinder.standard()),
                                 new SimpleFixedTimeFeedbackTimestepper(
-                                        0.02, List.of(new AwaitedClient(47))),
+                                        0.02, List.of(new AwaitedClient("robot"))),
                                 Optional.of(
                                         new FeedbackProcessorChoice(
                                                 "VectorAdjustmentFeedbackHandler")),
@@ -154,7 +156,7 @@ class ScenarioLoaderTest {
                     <sphere radius="0.5"/>| ``                  | line 22, column 3: <world-object> needs a volume: one of the elements box
                     <gravity/>            | <gravty/>           | line 19, column 5: unknown element 'gravty'; the nearest known name is 'gravity'
                     <gravity/>            | <gravity>           | line 21, column 16: unexpected close tag
-                    wait="0.02"           | wait="-1"           | line 9, column 3: the wait for feedback must be 0 s or more
+                    wait="0.02"           | wait="-1"           | line 9, column 3: the wait for feedback must be above 0 s
                     <scenario start-time  | <scene start-time   | line 23, column 10: unexpected close tag
                     """)
     void aFaultIsOneSentenceWithItsPlace(String right, String wrong, String sentence) {
@@ -178,7 +180,7 @@ class ScenarioLoaderTest {
 
         assertThatThrownBy(() -> loader.parse(text.getBytes(UTF_8)))
                 .isInstanceOfSatisfying(
-                        org.auvsim.auvsml.AuvsmlException.class,
+                        AuvsmlException.class,
                         e ->
                                 assertThat(e.faults())
                                         .extracting(fault -> fault.line() + ":" + fault.column())
@@ -215,9 +217,7 @@ class ScenarioLoaderTest {
     void aScenarioIsWrittenAsItIsRead() throws Exception {
         Scenario scenario = loader.parse(TANK.getBytes(UTF_8));
 
-        String written =
-                org.auvsim.auvsml.mapping.AuvsmlMapper.load(getClass().getClassLoader())
-                        .encode(scenario);
+        String written = AuvsmlMapper.load(getClass().getClassLoader()).encode(scenario);
 
         assertThat(loader.parse(written.getBytes(UTF_8))).isEqualTo(scenario);
     }

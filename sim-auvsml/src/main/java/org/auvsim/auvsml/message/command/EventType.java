@@ -3,6 +3,7 @@ package org.auvsim.auvsml.message.command;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** The events that a client can register for, and their names in AUVSML. */
 public enum EventType {
@@ -41,9 +42,8 @@ public enum EventType {
 
     /** All names, {@link Listener#ALL} first. */
     public static List<String> names() {
-        return java.util.stream.Stream.concat(
-                        java.util.stream.Stream.of(Listener.ALL),
-                        Arrays.stream(values()).map(EventType::eventName))
+        return Stream.concat(
+                        Stream.of(Listener.ALL), Arrays.stream(values()).map(EventType::eventName))
                 .toList();
     }
 }

@@ -1,4 +1,4 @@
-package org.auvsim.auvsml.document;
+package org.auvsim.auvsml.mapping;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

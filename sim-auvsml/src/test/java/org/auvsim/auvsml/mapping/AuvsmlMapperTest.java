@@ -183,10 +183,8 @@ class AuvsmlMapperTest {
                         () ->
                                 read(
                                         Pair.class,
-                                        "<pair>\n"
-                                            + " <first value='1'/>\n"
-                                            + " <second value='-1'/></pair>"))
-                .hasMessage("line 3, column 2: value must be above 0, but is -1.0 at pair/second");
+                                        "<pair> <first value='1'/>\n <second value='-1'/></pair>"))
+                .hasMessage("line 2, column 2: value must be above 0, but is -1.0 at pair/second");
     }
 
     @Test

@@ -38,7 +38,7 @@ record JavadocSource(String description, Map<String, String> parameters) {
                         .map(line -> line.strip().replaceFirst("^\\*\\s?", ""))
                         .collect(Collectors.joining("\n"))
                         .strip();
-        String[] parts = text.split("(?m)^@param ");
+        String[] parts = text.split("(?m)^@param ", -1);
         Map<String, String> parameters = new LinkedHashMap<>();
         for (int i = 1; i < parts.length; i++) {
             MatchResult parameter =

@@ -19,11 +19,11 @@ class ConversationTest {
             assertThat(client.next())
                     .isEqualTo(
                             "<auvsml><world-object-list-response><world-object id=\"1\""
-                                + " type=\"WorldObject\" name=\"Bob\"/><world-object id=\"2\""
-                                + " type=\"WorldObject\" name=\"Carl\"/><world-object id=\"3\""
-                                + " type=\"WorldObject\" name=\"Tank\"/><world-object id=\"4\""
-                                + " type=\"WorldObject\" name=\"myAgent\"/>"
-                                + "</world-object-list-response></auvsml>");
+                                    + " type=\"WorldObject\" name=\"Bob\"/><world-object id=\"2\""
+                                    + " type=\"WorldObject\" name=\"Carl\"/><world-object id=\"3\""
+                                    + " type=\"WorldObject\" name=\"Tank\"/><world-object id=\"4\""
+                                    + " type=\"WorldObject\" name=\"myAgent\"/>"
+                                    + "</world-object-list-response></auvsml>");
             client.send("<auvsml><get-propulsor-list-request agent-id=\"4\" /></auvsml>");
             assertThat(client.next())
                     .isEqualTo(

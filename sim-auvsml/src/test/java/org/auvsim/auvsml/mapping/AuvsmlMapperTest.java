@@ -194,7 +194,7 @@ class AuvsmlMapperTest {
                                 read(
                                         Pair.class,
                                         "<pair><first value='1'/><first value='2'/><second"
-                                            + " value='1'/></pair>"))
+                                                + " value='1'/></pair>"))
                 .isInstanceOfSatisfying(
                         AuvsmlException.class,
                         e -> assertThat(e.fault().code()).isEqualTo(ErrorCode.DUPLICATE_ELEMENT));

@@ -86,7 +86,7 @@ public final class CorrectiveFeedbackSystem {
                     throw new RefusedException(
                             ErrorCode.REFUSED,
                             "this simulator uses no feedback; start it with a feedback"
-                                + " time-stepper");
+                                    + " time-stepper");
             case UP_TO_NOW -> refuseAfter(world.time(), timestamp);
             case END_OF_STEP -> {
                 Optional<Double> end = step.flatMap(CorrectedStep::projectedEnd);

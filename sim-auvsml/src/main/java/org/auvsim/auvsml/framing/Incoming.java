@@ -9,7 +9,8 @@ import java.util.Optional;
 /** What came in next. */
 public sealed interface Incoming {
     /**
-     * A root element with its messages, of which there is at least one.
+     * A root element with its messages: at least one, but for a lenient reader that knows none of
+     * them.
      *
      * @param requestId the root's {@code request-id}, which goes back with responses and errors
      */

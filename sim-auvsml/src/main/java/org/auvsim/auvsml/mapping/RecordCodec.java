@@ -258,9 +258,7 @@ final class RecordCodec {
         for (Slot slot : attributeSlots) {
             Object value = slot.presence().written(value(slot, record));
             if (value != null) {
-                ScalarCodec codec = ((Slot.Attribute) slot.content()).codec();
-                codec.writer().write(value, out.attribute(slot.name()));
-                out.endAttribute();
+                encodeAttribute(name, slot, value, out);
             }
         }
         for (Slot slot : elementSlots) {
@@ -270,6 +268,21 @@ final class RecordCodec {
             }
         }
         out.close(name);
+    }
+
+    private static void encodeAttribute(String name, Slot slot, Object value, XmlText out) {
+        try {
+            ((Slot.Attribute) slot.content())
+                    .codec()
+                    .writer()
+                    .write(value, out.attribute(slot.name()));
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException(
+                    "<%s> cannot be written: its %s is wrong: %s"
+                            .formatted(name, slot.name(), e.getMessage()),
+                    e);
+        }
+        out.endAttribute();
     }
 
     private void encodeElements(Slot slot, Object value, XmlText out) {

@@ -166,6 +166,27 @@ class AuvsmlReaderTest {
                 .containsExactly(ErrorCode.MALFORMED_XML);
     }
 
+    @Test
+    void aLenientReaderPassesOverWhatItDoesNotKnow() throws IOException {
+        String text =
+                "<auvsml version='2'><pause-simulator-command"
+                    + " since='3'><a/>b</pause-simulator-command>"
+                    + "<sonar-message/></auvsml><auvsml><sonar-message/></auvsml>"
+                    + "<auvsml><remove-force-command/></auvsml>";
+        AuvsmlReader reader =
+                new AuvsmlReader(
+                        new ByteArrayInputStream(text.getBytes(UTF_8)),
+                        RootDecoder.lenient(CATALOGUE, Limits.MESSAGE),
+                        Limits.MESSAGE);
+
+        assertThat(reader.next())
+                .isEqualTo(
+                        new Incoming.Request(
+                                Optional.empty(), List.of(new PauseSimulatorCommand())));
+        assertThat(reader.next()).isEqualTo(new Incoming.Request(Optional.empty(), List.of()));
+        assertThat(code(reader.next())).isEqualTo(ErrorCode.MISSING_VALUE);
+    }
+
     static LongStream seeds() {
         return LongStream.rangeClosed(1, 200);
     }

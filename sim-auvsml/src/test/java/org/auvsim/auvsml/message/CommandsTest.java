@@ -1,0 +1,180 @@
+package org.auvsim.auvsml.message;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.auvsim.auvsml.message.command.Command;
+import org.auvsim.auvsml.message.command.ListedWorldObject;
+import org.auvsim.auvsml.message.command.ListenedObject;
+import org.auvsim.auvsml.message.command.Listener;
+import org.auvsim.auvsml.message.command.SessionControl;
+import org.auvsim.auvsml.message.command.SimulatorControl;
+import org.auvsim.auvsml.message.command.SimulatorState;
+import org.auvsim.auvsml.message.command.WorldControl;
+import org.auvsim.auvsml.message.command.WorldObjectControl;
+import org.auvsim.auvsml.message.control.ApplyDirectForceCommand;
+import org.auvsim.auvsml.message.control.ApplyForceCommand;
+import org.auvsim.auvsml.message.control.GetSimulatorStateRequest;
+import org.auvsim.auvsml.message.control.PauseSimulatorCommand;
+import org.auvsim.auvsml.message.control.ReleaseControlCommand;
+import org.auvsim.auvsml.message.control.RemoveForceCommand;
+import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
+import org.auvsim.auvsml.message.control.SetPropulsorCommand;
+import org.auvsim.auvsml.message.control.SetRateCommand;
+import org.auvsim.auvsml.message.control.ShutdownSimulatorCommand;
+import org.auvsim.auvsml.message.control.SimulatorStateResponse;
+import org.auvsim.auvsml.message.control.StepCommand;
+import org.auvsim.auvsml.message.control.TakeControlCommand;
+import org.auvsim.auvsml.message.entity.AddWorldObjectCommand;
+import org.auvsim.auvsml.message.entity.AddWorldObjectResponse;
+import org.auvsim.auvsml.message.entity.GetPropulsorListRequest;
+import org.auvsim.auvsml.message.entity.GetWorldObjectListCommand;
+import org.auvsim.auvsml.message.entity.ListedPropulsor;
+import org.auvsim.auvsml.message.entity.PropulsorListResponse;
+import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
+import org.auvsim.auvsml.message.entity.WorldObjectListResponse;
+import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
+import org.auvsim.auvsml.message.session.DisconnectCommand;
+import org.auvsim.core.entity.Frame;
+import org.auvsim.core.entity.NamedForce;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.Sphere;
+import org.junit.jupiter.api.Test;
+
+import java.lang.reflect.Proxy;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalDouble;
+
+/** What each command asks of its port, and what it answers. */
+class CommandsTest {
+    private static final Vec3 UP = new Vec3(0, 0, 1);
+
+    private final List<String> calls = new ArrayList<>();
+
+    @Test
+    void sessionCommands() {
+        List<ListenedObject> objects =
+                List.of(new ListenedObject("47", List.of(Listener.to(Listener.ALL))));
+        silent(SessionControl.class, new ListenerRegistrationRequestCommand(true, objects));
+        silent(SessionControl.class, new ListenerRegistrationRequestCommand(false, objects));
+        silent(SessionControl.class, new TakeControlCommand(47));
+        silent(SessionControl.class, new ReleaseControlCommand(47));
+        silent(SessionControl.class, new DisconnectCommand());
+
+        assertThat(calls)
+                .containsExactly(
+                        "register" + List.of(objects),
+                        "unregister" + List.of(objects),
+                        "takeControl[47]",
+                        "releaseControl[47]",
+                        "disconnect[]");
+    }
+
+    @Test
+    void simulatorCommands() {
+        silent(SimulatorControl.class, new PauseSimulatorCommand());
+        silent(SimulatorControl.class, new ResumeSimulatorCommand());
+        silent(SimulatorControl.class, new ShutdownSimulatorCommand());
+        silent(SimulatorControl.class, new SetRateCommand("2.5"));
+        silent(SimulatorControl.class, new SetRateCommand("max"));
+        silent(SimulatorControl.class, new StepCommand(3));
+
+        assertThat(calls)
+                .containsExactly(
+                        "pause[]",
+                        "resume[]",
+                        "shutdown[]",
+                        "setRate[OptionalDouble[2.5]]",
+                        "setRate[OptionalDouble.empty]",
+                        "step[3]");
+    }
+
+    @Test
+    void theStateIsAnswered() {
+        SimulatorState state = new SimulatorState(1.5, true, OptionalDouble.empty(), 30, 2);
+
+        assertThat(new GetSimulatorStateRequest().execute(port(SimulatorControl.class, state)))
+                .contains(new SimulatorStateResponse(1.5, true, "max", 30, 2));
+    }
+
+    @Test
+    void worldCommands() {
+        List<ListedWorldObject> objects =
+                List.of(new ListedWorldObject(47, ListedWorldObject.WORLD_OBJECT, "Juggernaut"));
+        WorldObjectDefinition rock =
+                WorldObjectDefinition.named("Rock").fixed().volume(new Sphere(1)).build();
+
+        assertThat(new GetWorldObjectListCommand().execute(port(WorldControl.class, objects)))
+                .contains(new WorldObjectListResponse(objects));
+        assertThat(
+                        new GetPropulsorListRequest(47)
+                                .execute(port(WorldControl.class, List.of("Rudder"))))
+                .contains(new PropulsorListResponse(47, List.of(new ListedPropulsor("Rudder"))));
+        assertThat(new AddWorldObjectCommand(rock).execute(port(WorldControl.class, 48L)))
+                .contains(new AddWorldObjectResponse(48));
+        silent(WorldControl.class, new RemoveEntityCommand(48));
+
+        assertThat(calls)
+                .containsExactly(
+                        "worldObjects[]",
+                        "propulsorNames[47]",
+                        "add" + List.of(rock),
+                        "remove[48]");
+    }
+
+    @Test
+    void worldObjectCommands() {
+        silent(WorldObjectControl.class, new ApplyDirectForceCommand(1, "a", Frame.BODY, UP));
+        silent(
+                WorldObjectControl.class,
+                new ApplyForceCommand(1, "b", Frame.WORLD, UP, new Vec3(1, 0, 0)));
+        silent(WorldObjectControl.class, new RemoveForceCommand(1, "a"));
+        silent(WorldObjectControl.class, new SetPropulsorCommand(1, "Rudder", -1));
+
+        assertThat(calls)
+                .containsExactly(
+                        "apply" + List.of(NamedForce.direct("a", Frame.BODY, UP)),
+                        "apply" + List.of(new NamedForce("b", Frame.WORLD, UP, new Vec3(1, 0, 0))),
+                        "removeForce[a]",
+                        "setPropulsorLevel[Rudder, -1.0]");
+    }
+
+    @Test
+    void whatMakesNoSenseCannotBeMade() {
+        assertThatThrownBy(() -> new SetPropulsorCommand(1, "Rudder", 1.5))
+                .hasMessage("level must be -1 to 1, but is 1.5");
+        assertThatThrownBy(() -> new StepCommand(0))
+                .hasMessage("count must be 1 or more, but is 0");
+        for (String rate : List.of("0", "-1", "fast", "1e3", "")) {
+            assertThatThrownBy(() -> new SetRateCommand(rate))
+                    .hasMessage("rate must be a number above 0, or 'max', but is '" + rate + "'");
+        }
+        for (String id : List.of("0", "-1", "**", "", "99999999999999999999")) {
+            assertThatThrownBy(() -> new ListenedObject(id, List.of()))
+                    .hasMessageEndingWith("but found '" + id + "'");
+        }
+    }
+
+    private <P> void silent(Class<P> type, Command<P> command) {
+        assertThat(command.execute(port(type, Void.TYPE))).isEmpty();
+    }
+
+    /** A port that notes what it is asked, and answers {@code result} where an answer is due. */
+    private <P> P port(Class<P> type, Object result) {
+        return type.cast(
+                Proxy.newProxyInstance(
+                        type.getClassLoader(),
+                        new Class<?>[] {type},
+                        (_, method, arguments) -> {
+                            calls.add(
+                                    method.getName()
+                                            + (arguments == null
+                                                    ? "[]"
+                                                    : Arrays.toString(arguments)));
+                            return method.getReturnType() == void.class ? null : result;
+                        }));
+    }
+}

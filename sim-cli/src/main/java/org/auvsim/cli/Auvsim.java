@@ -23,6 +23,7 @@ import java.nio.file.Path;
         commandListHeading = "%nCommands:%n",
         footer = "%nA command explains itself with: auvsim <command> --help",
         subcommands = {
+            Demo.class,
             Run.class,
             Validate.class,
             Watch.class,

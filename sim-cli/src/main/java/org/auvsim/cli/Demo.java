@@ -1,0 +1,44 @@
+package org.auvsim.cli;
+
+import org.auvsim.cli.demo.Demonstration;
+import org.auvsim.server.net.TransportException;
+
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+
+/** {@code auvsim demo}: what the simulator is for, in a minute. */
+@Command(
+        name = "demo",
+        description = {
+            "Flies a robot that the model gets wrong, and corrects the model by its feedback.",
+            "Starts a server on a free loopback port and connects two clients over TCP: one flies"
+                    + " the vehicle by commands, one is the physical robot, which really moves"
+                    + " differently and sends the positions that it measures."
+        })
+final class Demo implements Callable<Integer> {
+    @Spec private CommandSpec spec;
+
+    @Option(
+            names = "--out",
+            paramLabel = "FOLDER",
+            defaultValue = "auvsim-demo",
+            description = "Where demo.png and demo.html go (default: ${DEFAULT-VALUE}).")
+    private Path folder = Path.of("auvsim-demo");
+
+    @Override
+    public Integer call() throws TransportException {
+        try {
+            new Demonstration(spec.commandLine().getOut()).run(folder);
+            return ExitCode.OK;
+        } catch (IOException e) {
+            throw new UserError("The demonstration ended early: " + e.getMessage(), e);
+        }
+    }
+}

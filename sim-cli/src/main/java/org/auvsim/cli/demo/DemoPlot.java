@@ -1,0 +1,109 @@
+package org.auvsim.cli.demo;
+
+import org.knowm.xchart.BitmapEncoder;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
+import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.Styler;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+
+/** The picture: the true path and the simulated ones, from above, along y, and how far apart. */
+final class DemoPlot {
+    private static final Color TRUTH = new Color(0x202020);
+    private static final Color[] SIMULATED = {
+        new Color(0xD1495B), new Color(0x00798C), new Color(0xEDAE49)
+    };
+    private static final int WIDTH = 900;
+    private static final int HEIGHT = 420;
+
+    private DemoPlot() {}
+
+    /** The three charts below one another, as a PNG. */
+    static byte[] png(List<Track> tracks) throws IOException {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        List<XYChart> charts = List.of(fromAbove(tracks), alongY(tracks), error(tracks));
+        BitmapEncoder.saveBitmap(charts, charts.size(), 1, out, BitmapEncoder.BitmapFormat.PNG);
+        return out.toByteArray();
+    }
+
+    private static XYChart fromAbove(List<Track> tracks) {
+        XYChart chart = chart("The paths from above", "x (m)", "y (m)");
+        addTruth(chart, tracks.getFirst(), s -> s.truth().x(), s -> s.truth().y());
+        for (int i = 0; i < tracks.size(); i++) {
+            add(chart, tracks.get(i), i, s -> s.simulated().x(), s -> s.simulated().y());
+        }
+        return chart;
+    }
+
+    private static XYChart alongY(List<Track> tracks) {
+        XYChart chart = chart("Position along the y-axis", "time (s)", "y (m)");
+        addTruth(chart, tracks.getFirst(), Track.Sample::time, s -> s.truth().y());
+        for (int i = 0; i < tracks.size(); i++) {
+            add(chart, tracks.get(i), i, Track.Sample::time, s -> s.simulated().y());
+        }
+        return chart;
+    }
+
+    private static XYChart error(List<Track> tracks) {
+        XYChart chart =
+                chart("Distance of the simulated from the true robot", "time (s)", "error (m)");
+        for (int i = 0; i < tracks.size(); i++) {
+            add(chart, tracks.get(i), i, Track.Sample::time, Track.Sample::error);
+        }
+        return chart;
+    }
+
+    private static XYChart chart(String title, String x, String y) {
+        XYChart chart =
+                new XYChartBuilder()
+                        .width(WIDTH)
+                        .height(HEIGHT)
+                        .title(title)
+                        .xAxisTitle(x)
+                        .yAxisTitle(y)
+                        .build();
+        chart.getStyler()
+                .setLegendPosition(Styler.LegendPosition.OutsideE)
+                .setChartBackgroundColor(Color.WHITE)
+                .setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 15));
+        chart.getStyler().setXAxisDecimalPattern("0.##").setYAxisDecimalPattern("0.##");
+        return chart;
+    }
+
+    private static void addTruth(
+            XYChart chart,
+            Track track,
+            ToDoubleFunction<Track.Sample> x,
+            ToDoubleFunction<Track.Sample> y) {
+        style(chart.addSeries("true path", values(track, x), values(track, y)), TRUTH, 3.5f);
+    }
+
+    private static void add(
+            XYChart chart,
+            Track track,
+            int index,
+            ToDoubleFunction<Track.Sample> x,
+            ToDoubleFunction<Track.Sample> y) {
+        style(
+                chart.addSeries(track.name(), values(track, x), values(track, y)),
+                SIMULATED[index],
+                1.6f);
+    }
+
+    private static void style(XYSeries series, Color color, float width) {
+        series.setMarker(SeriesMarkers.NONE);
+        series.setLineColor(color);
+        series.setLineWidth(width);
+    }
+
+    private static double[] values(Track track, ToDoubleFunction<Track.Sample> of) {
+        return track.samples().stream().mapToDouble(of).toArray();
+    }
+}

@@ -1,0 +1,97 @@
+package org.auvsim.cli.demo;
+
+import org.auvsim.auvsml.AuvsmlException;
+import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.auvsml.message.command.EventType;
+import org.auvsim.auvsml.message.command.ListenedObject;
+import org.auvsim.auvsml.message.command.Listener;
+import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
+import org.auvsim.server.net.TransportException;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The demonstration: the same flight three times, without feedback, with direct alteration and with
+ * vector adjustment, over real sockets; then the errors side by side, and a picture.
+ */
+public final class Demonstration {
+    /** The vehicle's id in the scenario. */
+    static final long ROBOT_ID = 1;
+
+    /** Of the noise of the robot's sensor. */
+    static final long SEED = 2012;
+
+    private static final String SCENARIO = "demo.xml";
+
+    private final LiveTable table;
+    private final PrintWriter out;
+
+    /** A demonstration that shows what happens on {@code out}. */
+    public Demonstration(PrintWriter out) {
+        this.out = out;
+        this.table = new LiveTable(out);
+    }
+
+    /**
+     * Flies, and writes {@code demo.png} and {@code demo.html} into a folder.
+     *
+     * @throws TransportException if the server cannot listen
+     * @throws IOException if a client loses the server, or the files cannot be written
+     */
+    public void run(Path folder) throws IOException, TransportException {
+        out.printf(
+                "A robot flies a square by commands. The real one feels a drag and a current"
+                    + " that%nthe scenario lacks; it measures its position with 5 mm of noise (seed"
+                    + " %d).%n",
+                SEED);
+        List<Track> tracks = new ArrayList<>();
+        tracks.add(fly("without feedback", Optional.empty()));
+        tracks.add(fly("direct alteration", Optional.of("DirectPositionChangeFeedbackHandler")));
+        tracks.add(fly("vector adjustment", Optional.of("VectorAdjustmentFeedbackHandler")));
+        table.summary(tracks);
+        out.printf("%nThe picture: %s%n", DemoReport.write(folder, tracks).toAbsolutePath());
+        out.flush();
+    }
+
+    private Track fly(String name, Optional<String> handler)
+            throws IOException, TransportException {
+        Track track = new Track(name);
+        table.begin(track);
+        int refused = new Flight(scenario(), handler, track, table).fly();
+        if (refused > 0) {
+            out.printf("  %d corrections came too late for their step and were refused%n", refused);
+        }
+        return track;
+    }
+
+    private static Scenario scenario() {
+        try (InputStream in = Demonstration.class.getResourceAsStream(SCENARIO)) {
+            if (in == null) {
+                throw new IllegalStateException(SCENARIO + " is missing from the program");
+            }
+            return ScenarioLoader.load(Demonstration.class.getClassLoader())
+                    .parse(in.readAllBytes());
+        } catch (AuvsmlException e) {
+            throw new IllegalStateException("the shipped " + SCENARIO + " is wrong", e);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** A request to hear these events of the robot. */
+    static ListenerRegistrationRequestCommand register(EventType... types) {
+        List<Listener> listeners =
+                Arrays.stream(types).map(type -> Listener.to(type.eventName())).toList();
+        return new ListenerRegistrationRequestCommand(
+                true, List.of(new ListenedObject(Long.toString(ROBOT_ID), listeners)));
+    }
+}

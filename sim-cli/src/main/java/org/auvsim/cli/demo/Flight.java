@@ -1,0 +1,77 @@
+package org.auvsim.cli.demo;
+
+import org.auvsim.auvsml.client.AuvsmlClient;
+import org.auvsim.auvsml.client.ConnectionException;
+import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
+import org.auvsim.server.feedback.SimpleFixedTimeFeedbackTimestepper;
+import org.auvsim.server.net.TcpTransport;
+import org.auvsim.server.net.TransportException;
+import org.auvsim.server.simulator.Simulator;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+
+/** One flight: a server on a free loopback port, the pilot and the physical robot. */
+final class Flight {
+    private final Scenario scenario;
+    private final Optional<String> handler;
+    private final Track track;
+    private final LiveTable table;
+    private final FlightPlan plan = new FlightPlan();
+
+    Flight(Scenario scenario, Optional<String> handler, Track track, LiveTable table) {
+        this.scenario = scenario;
+        this.handler = handler;
+        this.track = track;
+        this.table = table;
+    }
+
+    private Simulator serve(TcpTransport transport) throws TransportException {
+        return Simulator.of(scenario.world())
+                .timestepper(SimpleFixedTimeFeedbackTimestepper.waiting(Duration.ofMillis(10)))
+                .transport(transport)
+                .rate(OptionalDouble.empty())
+                .paused()
+                .start();
+    }
+
+    /** Flies the plan; returns how many corrections the server refused. */
+    int fly() throws IOException, TransportException {
+        TcpTransport transport = TcpTransport.onLoopback(0);
+        try (Simulator simulator = serve(transport);
+                AuvsmlClient pilotLink = AuvsmlClient.connect("127.0.0.1", transport.port());
+                AuvsmlClient robotLink = AuvsmlClient.connect("127.0.0.1", transport.port())) {
+            Pilot pilot = new Pilot(pilotLink, plan, scenario.timeStep().delta());
+            PhysicalRobot robot =
+                    new PhysicalRobot(robotLink, new TrueRobot(plan), handler, track, table);
+            robot.prepare();
+            pilot.prepare();
+            FutureTask<Integer> flying = new FutureTask<>(pilot::fly);
+            Thread.startVirtualThread(flying);
+            pilotLink.send(new ResumeSimulatorCommand());
+            robot.live();
+            simulator.close();
+            requireFlown(flying);
+            return robot.refused();
+        }
+    }
+
+    private static void requireFlown(FutureTask<Integer> flying) throws ConnectionException {
+        try {
+            flying.get();
+        } catch (ExecutionException e) {
+            if (e.getCause() instanceof ConnectionException lost) {
+                throw lost;
+            }
+            throw new IllegalStateException("the pilot failed", e.getCause());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException("interrupted while the pilot landed", e);
+        }
+    }
+}

@@ -1,0 +1,66 @@
+package org.auvsim.cli.demo;
+
+import org.auvsim.core.math.Vec3;
+
+import java.io.PrintWriter;
+import java.util.Locale;
+
+/** The table that grows while the robot flies, and the one at the end. */
+final class LiveTable {
+    private static final double ROW_EVERY = 4;
+
+    private final PrintWriter out;
+    private double nextRow;
+
+    LiveTable(PrintWriter out) {
+        this.out = out;
+    }
+
+    /** Begins the rows of a flight. */
+    void begin(Track track) {
+        nextRow = ROW_EVERY;
+        out.printf(Locale.ROOT, "%n%s%n", track.name());
+        out.printf(
+                "  %6s   %-24s %-24s %9s %12s%n",
+                "time", "true position", "simulated position", "error", "corrections");
+        out.flush();
+    }
+
+    /** Shows a sample if it is time for a row. */
+    void show(Track track, Track.Sample sample) {
+        if (sample.time() < nextRow - 1e-9) {
+            return;
+        }
+        nextRow += ROW_EVERY;
+        out.printf(
+                Locale.ROOT,
+                "  %4.0f s   %-24s %-24s %7.3f m %12d%n",
+                sample.time(),
+                text(sample.truth()),
+                text(sample.simulated()),
+                sample.error(),
+                track.corrections());
+        out.flush();
+    }
+
+    private static String text(Vec3 p) {
+        return String.format(Locale.ROOT, "%6.2f %6.2f %6.2f m", p.x(), p.y(), p.z());
+    }
+
+    /** The errors of all flights side by side. */
+    void summary(Iterable<Track> tracks) {
+        out.printf(
+                "%n%-22s %12s %12s %14s%n",
+                "simulation", "corrections", "RMS error", "largest error");
+        for (Track track : tracks) {
+            out.printf(
+                    Locale.ROOT,
+                    "%-22s %12d %10.3f m %12.3f m%n",
+                    track.name(),
+                    track.corrections(),
+                    track.rmsError(),
+                    track.largestError());
+        }
+        out.flush();
+    }
+}

@@ -1,0 +1,137 @@
+package org.auvsim.cli.demo;
+
+import org.auvsim.auvsml.client.AuvsmlClient;
+import org.auvsim.auvsml.client.ConnectionException;
+import org.auvsim.auvsml.client.Received;
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.command.EventType;
+import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
+import org.auvsim.auvsml.message.feedback.FeedbackAppliedNotification;
+import org.auvsim.auvsml.message.movement.MovementStateChangeMessage;
+import org.auvsim.auvsml.message.movement.StateType;
+import org.auvsim.auvsml.message.movement.TimestepAdvancedNotification;
+import org.auvsim.auvsml.message.session.ErrorResponse;
+import org.auvsim.core.math.Vec3;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.util.Optional;
+import java.util.SplittableRandom;
+
+/**
+ * The client that is the physical robot: it moves as a {@link TrueRobot} does and, when it is told
+ * where the model will have it, answers every so many steps where it measures itself to be.
+ */
+final class PhysicalRobot {
+    private static final int FEEDBACK_EVERY = 10;
+    private static final double SENSOR_NOISE = 0.005;
+
+    private final AuvsmlClient link;
+    private final TrueRobot body;
+    private final Optional<String> handler;
+    private final Track track;
+    private final LiveTable table;
+    private final SplittableRandom noise = new SplittableRandom(Demonstration.SEED);
+    private Vec3 simulated = Vec3.ZERO;
+    private Vec3 measuredBefore = Vec3.ZERO;
+    private double correctedAt = Double.NaN;
+    private int steps;
+    private int refused;
+
+    /**
+     * A robot at the start.
+     *
+     * @param handler the feedback processor to name; empty: it sends no feedback
+     */
+    PhysicalRobot(
+            AuvsmlClient link,
+            TrueRobot body,
+            Optional<String> handler,
+            Track track,
+            LiveTable table) {
+        this.link = link;
+        this.body = body;
+        this.handler = handler;
+        this.track = track;
+        this.table = table;
+    }
+
+    /** Asks to be told of everything. */
+    void prepare() throws ConnectionException {
+        link.send(
+                Demonstration.register(
+                        EventType.MOVEMENT_STATE_CHANGE,
+                        EventType.PROJECTED_MOVEMENT,
+                        EventType.TIMESTEP_ADVANCED,
+                        EventType.FEEDBACK_APPLIED));
+    }
+
+    /** Moves and answers until the plan is flown. */
+    void live() throws IOException {
+        double time = 0;
+        while (time < FlightPlan.DURATION) {
+            Received received = link.next().orElseThrow(PhysicalRobot::gone);
+            for (Message message : received.messages()) {
+                time = Math.max(time, hear(message));
+            }
+        }
+    }
+
+    private static EOFException gone() {
+        return new EOFException("the simulator ended before the flight was over");
+    }
+
+    /** Number of corrections that the simulator refused, because they came too late. */
+    int refused() {
+        return refused;
+    }
+
+    /** Deals with a message; the time of the world if it tells that a step is done, else 0. */
+    private double hear(Message message) throws ConnectionException {
+        switch (message) {
+            case MovementStateChangeMessage moved when moved.isProjectedState() -> answer(moved);
+            case MovementStateChangeMessage moved -> simulated = moved.position();
+            case FeedbackAppliedNotification applied -> correctedAt = applied.timestamp();
+            case ErrorResponse _ -> refused++;
+            case TimestepAdvancedNotification done when done.stateType() == StateType.ACTUAL -> {
+                record(done.timestamp());
+                return done.timestamp();
+            }
+            default -> {
+                // Nothing that a robot needs to know.
+            }
+        }
+        return 0;
+    }
+
+    private void answer(MovementStateChangeMessage projected) throws ConnectionException {
+        body.moveTo(projected.timestamp());
+        steps++;
+        if (handler.isEmpty() || steps % FEEDBACK_EVERY != 0) {
+            return;
+        }
+        Vec3 measured = body.position().plus(sensorNoise());
+        link.send(
+                new DifferentPositionFeedbackMessage(
+                        Demonstration.ROBOT_ID,
+                        projected.timestamp(),
+                        handler.get(),
+                        projected.position(),
+                        measured,
+                        measuredBefore));
+        measuredBefore = measured;
+    }
+
+    private Vec3 sensorNoise() {
+        return new Vec3(noise.nextGaussian(), noise.nextGaussian(), noise.nextGaussian())
+                .times(SENSOR_NOISE);
+    }
+
+    private void record(double time) {
+        body.moveTo(time);
+        boolean corrected = correctedAt == time;
+        Track.Sample sample = new Track.Sample(time, body.position(), simulated, corrected);
+        track.add(sample);
+        table.show(track, sample);
+    }
+}

@@ -9,6 +9,9 @@ import java.util.Locale;
 final class LiveTable {
     private static final double ROW_EVERY = 4;
 
+    /** Rows show the time just between two corrections, not the moment after one. */
+    private static final double FIRST_ROW = 3.75;
+
     private final PrintWriter out;
     private double nextRow;
 
@@ -18,7 +21,7 @@ final class LiveTable {
 
     /** Begins the rows of a flight. */
     void begin(Track track) {
-        nextRow = ROW_EVERY;
+        nextRow = FIRST_ROW;
         out.printf(Locale.ROOT, "%n%s%n", track.name());
         out.printf(
                 "  %6s   %-24s %-24s %9s %12s%n",
@@ -34,7 +37,7 @@ final class LiveTable {
         nextRow += ROW_EVERY;
         out.printf(
                 Locale.ROOT,
-                "  %4.0f s   %-24s %-24s %7.3f m %12d%n",
+                "  %5.2f s  %-24s %-24s %7.3f m %12d%n",
                 sample.time(),
                 text(sample.truth()),
                 text(sample.simulated()),

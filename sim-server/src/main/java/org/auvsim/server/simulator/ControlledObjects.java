@@ -11,20 +11,32 @@ import org.auvsim.server.net.ClientSession;
 import java.util.HashMap;
 import java.util.Map;
 
-/** Which client controls which world object: one at most, the first that commands it. */
+/**
+ * Which client holds which world object, the first that does something to it.
+ *
+ * <p>There are two of these: one for those who command, one for those who send feedback. So a pilot
+ * and the robot that feels where it really is can share a vehicle.
+ */
 final class ControlledObjects implements WorldListener {
     private final World world;
+    private final String verb;
     private final Map<Long, ClientSession> holders = new HashMap<>();
 
-    ControlledObjects(World world) {
+    /**
+     * Nobody holds anything.
+     *
+     * @param verb what a holder does to the object, as "controls" or "corrects"
+     */
+    ControlledObjects(World world, String verb) {
         this.world = world;
+        this.verb = verb;
     }
 
     /**
-     * Gives a client control of an object.
+     * Gives an object to a client.
      *
      * @return false if it had it already
-     * @throws RefusedException if there is no such object or another client controls it
+     * @throws RefusedException if there is no such object or another client holds it
      */
     boolean take(ClientSession client, long objectId) {
         WorldObject object = WorldPort.object(world, objectId);
@@ -32,28 +44,24 @@ final class ControlledObjects implements WorldListener {
         if (holder != null && holder != client) {
             throw new RefusedException(
                     ErrorCode.NOT_IN_CONTROL,
-                    "'%s' (id %d) is controlled by %s; wait until it lets go"
-                            .formatted(object.name(), objectId, holder));
+                    "%s %s '%s' (id %d); wait until it lets go"
+                            .formatted(holder, verb, object.name(), objectId));
         }
         return holder == null;
     }
 
     /**
-     * Takes control of an object from a client.
+     * Takes an object from a client.
      *
-     * @throws RefusedException if there is no such object or the client does not control it
+     * @return false if the client does not hold it
+     * @throws RefusedException if there is no such object
      */
-    void release(ClientSession client, long objectId) {
-        WorldObject object = WorldPort.object(world, objectId);
-        if (!holders.remove(objectId, client)) {
-            throw new RefusedException(
-                    ErrorCode.NOT_IN_CONTROL,
-                    "%s does not control '%s' (id %d)"
-                            .formatted(client.name(), object.name(), objectId));
-        }
+    boolean release(ClientSession client, long objectId) {
+        WorldPort.object(world, objectId);
+        return holders.remove(objectId, client);
     }
 
-    /** Takes from a client all that it controls. */
+    /** Takes from a client all that it holds. */
     void releaseAll(ClientSession client) {
         holders.values().removeIf(holder -> holder == client);
     }

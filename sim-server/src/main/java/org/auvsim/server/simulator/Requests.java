@@ -36,6 +36,7 @@ final class Requests {
     private final World world;
     private final Notifications notifications;
     private final ControlledObjects controlled;
+    private final ControlledObjects corrected;
     private final CorrectiveFeedbackSystem feedback;
     private final SimulatorControl simulator;
     private final String serverName;
@@ -44,12 +45,14 @@ final class Requests {
             World world,
             Notifications notifications,
             ControlledObjects controlled,
+            ControlledObjects corrected,
             CorrectiveFeedbackSystem feedback,
             SimulatorControl simulator,
             String serverName) {
         this.world = world;
         this.notifications = notifications;
         this.controlled = controlled;
+        this.corrected = corrected;
         this.feedback = feedback;
         this.simulator = simulator;
         this.serverName = serverName;
@@ -70,6 +73,7 @@ final class Requests {
             LOG.info("{} has gone", session);
         }
         controlled.releaseAll(session);
+        corrected.releaseAll(session);
         session.close();
         notifications.remove(session);
     }
@@ -112,7 +116,8 @@ final class Requests {
         return switch (message) {
             case Command<?> command -> execute(session, command);
             case FeedbackMessage measured ->
-                    inControl(
+                    holding(
+                            corrected,
                             session,
                             measured.worldObjectId(),
                             () -> {
@@ -130,23 +135,27 @@ final class Requests {
     private Optional<Message> execute(ClientSession session, Command<?> command) {
         return switch (command) {
             case ClientCommand c ->
-                    c.execute(new SessionPort(session, world, controlled, () -> end(session)));
+                    c.execute(
+                            new SessionPort(
+                                    session, world, controlled, corrected, () -> end(session)));
             case SimulatorCommand c -> c.execute(simulator);
             case WorldCommand c -> c.execute(new WorldPort(world));
             case WorldObjectCommand c ->
-                    inControl(
+                    holding(
+                            controlled,
                             session,
                             c.worldObjectId(),
                             () -> c.execute(new WorldObjectPort(world.object(c.worldObjectId()))));
         };
     }
 
-    /**
-     * Does something to an object that the client controls or, if it succeeds, takes control of.
-     */
-    private Optional<Message> inControl(
-            ClientSession session, long objectId, Supplier<Optional<Message>> action) {
-        boolean isNew = controlled.take(session, objectId);
+    /** Does something to an object that the client holds or, if it succeeds, gets hold of. */
+    private Optional<Message> holding(
+            ControlledObjects held,
+            ClientSession session,
+            long objectId,
+            Supplier<Optional<Message>> action) {
+        boolean isNew = held.take(session, objectId);
         boolean done = false;
         try {
             Optional<Message> response = action.get();
@@ -154,7 +163,7 @@ final class Requests {
             return response;
         } finally {
             if (isNew && !done) {
-                controlled.release(session, objectId);
+                held.release(session, objectId);
             }
         }
     }

@@ -12,7 +12,12 @@ import org.auvsim.server.net.ClientSession;
 import java.util.List;
 
 /** One client's session as commands reach it. */
-record SessionPort(ClientSession session, World world, ControlledObjects controlled, Runnable end)
+record SessionPort(
+        ClientSession session,
+        World world,
+        ControlledObjects controlled,
+        ControlledObjects corrected,
+        Runnable end)
         implements SessionControl {
     @Override
     public void register(List<ListenedObject> objects) {
@@ -60,7 +65,17 @@ record SessionPort(ClientSession session, World world, ControlledObjects control
 
     @Override
     public void releaseControl(long worldObjectId) {
-        controlled.release(session, worldObjectId);
+        boolean commanded = controlled.release(session, worldObjectId);
+        boolean measured = corrected.release(session, worldObjectId);
+        if (!commanded && !measured) {
+            throw new RefusedException(
+                    ErrorCode.NOT_IN_CONTROL,
+                    "%s does not control '%s' (id %d)"
+                            .formatted(
+                                    session.name(),
+                                    world.object(worldObjectId).name(),
+                                    worldObjectId));
+        }
     }
 
     @Override

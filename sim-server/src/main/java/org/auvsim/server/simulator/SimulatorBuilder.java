@@ -128,13 +128,16 @@ public final class SimulatorBuilder {
                         timestepper,
                         processors,
                         new StepAudience(news, notifications, mailbox, pace));
-        ControlledObjects controlled = new ControlledObjects(world);
+        ControlledObjects controlled = new ControlledObjects(world, "controls");
+        ControlledObjects corrected = new ControlledObjects(world, "corrects");
         world.addListener(news);
         world.addListener(controlled);
+        world.addListener(corrected);
         SimulationLoop loop =
                 new SimulationLoop(world, mailbox, notifications, pace, feedback, running, until);
         Requests requests =
-                new Requests(world, notifications, controlled, feedback, loop, serverName);
+                new Requests(
+                        world, notifications, controlled, corrected, feedback, loop, serverName);
         RootDecoder decoder = RootDecoder.strict(messages, limits);
         Clients clients = new Clients(mailbox, requests, decoder, writer, limits);
         return new Simulator(world, loop, mailbox, clients, transports).start();

@@ -1,6 +1,7 @@
 package org.auvsim.cli;
 
 import org.auvsim.cli.demo.Demonstration;
+import org.auvsim.cli.report.UserError;
 import org.auvsim.server.net.TransportException;
 
 import picocli.CommandLine.Command;

@@ -66,7 +66,7 @@ public final class Demonstration {
             throws IOException, TransportException {
         Track track = new Track(name);
         table.begin(track);
-        int refused = new Flight(scenario(), handler, track, table).fly();
+        int refused = new Flight(scenario(), handler, track, table, FlightPlan.DURATION).fly();
         if (refused > 0) {
             out.printf("  %d corrections came too late for their step and were refused%n", refused);
         }

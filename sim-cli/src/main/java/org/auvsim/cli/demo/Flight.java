@@ -4,6 +4,7 @@ import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
+import org.auvsim.auvsml.message.control.ShutdownSimulatorCommand;
 import org.auvsim.server.feedback.SimpleFixedTimeFeedbackTimestepper;
 import org.auvsim.server.net.TcpTransport;
 import org.auvsim.server.net.TransportException;
@@ -22,13 +23,26 @@ final class Flight {
     private final Optional<String> handler;
     private final Track track;
     private final LiveTable table;
+    private final double duration;
     private final FlightPlan plan = new FlightPlan();
 
-    Flight(Scenario scenario, Optional<String> handler, Track track, LiveTable table) {
+    /**
+     * A flight that is still to begin.
+     *
+     * @param handler the feedback processor that the robot names; empty: it sends no feedback
+     * @param duration how much of the plan is flown (s)
+     */
+    Flight(
+            Scenario scenario,
+            Optional<String> handler,
+            Track track,
+            LiveTable table,
+            double duration) {
         this.scenario = scenario;
         this.handler = handler;
         this.track = track;
         this.table = table;
+        this.duration = duration;
     }
 
     private Simulator serve(TcpTransport transport) throws TransportException {
@@ -43,7 +57,7 @@ final class Flight {
     /** Flies the plan; returns how many corrections the server refused. */
     int fly() throws IOException, TransportException {
         TcpTransport transport = TcpTransport.onLoopback(0);
-        try (Simulator simulator = serve(transport);
+        try (Simulator _ = serve(transport);
                 AuvsmlClient pilotLink = AuvsmlClient.connect("127.0.0.1", transport.port());
                 AuvsmlClient robotLink = AuvsmlClient.connect("127.0.0.1", transport.port())) {
             Pilot pilot = new Pilot(pilotLink, plan, scenario.timeStep().delta());
@@ -54,8 +68,8 @@ final class Flight {
             FutureTask<Integer> flying = new FutureTask<>(pilot::fly);
             Thread.startVirtualThread(flying);
             pilotLink.send(new ResumeSimulatorCommand());
-            robot.live();
-            simulator.close();
+            robot.live(duration);
+            robotLink.send(new ShutdownSimulatorCommand());
             requireFlown(flying);
             return robot.refused();
         }

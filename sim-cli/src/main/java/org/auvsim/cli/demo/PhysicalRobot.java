@@ -66,10 +66,10 @@ final class PhysicalRobot {
                         EventType.FEEDBACK_APPLIED));
     }
 
-    /** Moves and answers until the plan is flown. */
-    void live() throws IOException {
+    /** Moves and answers until a world time (s). */
+    void live(double until) throws IOException {
         double time = 0;
-        while (time < FlightPlan.DURATION) {
+        while (time < until) {
             Received received = link.next().orElseThrow(PhysicalRobot::gone);
             for (Message message : received.messages()) {
                 time = Math.max(time, hear(message));

@@ -1,0 +1,42 @@
+package org.auvsim.cli.demo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.auvsml.document.ScenarioLoader;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/** The whole way: a server, two clients over real sockets, feedback, the picture. */
+class FlightTest {
+    private static final double DURATION = 6;
+
+    @Test
+    void feedbackBringsTheSimulationToTheRobot(@TempDir Path folder) throws Exception {
+        Track free = fly("free", Optional.empty());
+        Track corrected = fly("corrected", Optional.of("DirectPositionChangeFeedbackHandler"));
+
+        assertThat(free.corrections()).isZero();
+        assertThat(corrected.corrections()).isPositive();
+        assertThat(corrected.rmsError()).isLessThan(free.rmsError() / 2);
+        assertThat(DemoReport.write(folder, List.of(free, corrected))).isNotEmptyFile();
+        assertThat(folder.resolve("demo.png")).isNotEmptyFile();
+    }
+
+    private static Track fly(String name, Optional<String> handler) throws Exception {
+        Scenario scenario =
+                ScenarioLoader.load(FlightTest.class.getClassLoader())
+                        .load(Path.of("../examples/scenarios/demo.xml"));
+        Track track = new Track(name);
+        LiveTable table = new LiveTable(new PrintWriter(new StringWriter()));
+        table.begin(track);
+        new Flight(scenario, handler, track, table, DURATION).fly();
+        return track;
+    }
+}

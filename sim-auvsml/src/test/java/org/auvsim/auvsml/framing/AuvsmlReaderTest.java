@@ -170,9 +170,9 @@ class AuvsmlReaderTest {
     void aLenientReaderPassesOverWhatItDoesNotKnow() throws IOException {
         String text =
                 "<auvsml version='2'><pause-simulator-command"
-                    + " since='3'><a/>b</pause-simulator-command>"
-                    + "<sonar-message/></auvsml><auvsml><sonar-message/></auvsml>"
-                    + "<auvsml><remove-force-command/></auvsml>";
+                        + " since='3'><a/>b</pause-simulator-command>"
+                        + "<sonar-message/></auvsml><auvsml><sonar-message/></auvsml>"
+                        + "<auvsml><remove-force-command/></auvsml>";
         AuvsmlReader reader =
                 new AuvsmlReader(
                         new ByteArrayInputStream(text.getBytes(UTF_8)),

@@ -206,7 +206,7 @@ class AuvsmlMapperTest {
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage(
                         "<vec3> cannot be written: its y is wrong: expected a finite number, but it"
-                            + " is NaN");
+                                + " is NaN");
         assertThatThrownBy(() -> mapper.encode(new GPSFix("a\u0000")))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("XML cannot hold the character U+0000");

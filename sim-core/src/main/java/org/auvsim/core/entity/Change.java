@@ -21,8 +21,13 @@ public sealed interface Change {
     /** Adds a world object. */
     record AddObject(WorldObjectDefinition definition) implements Change {}
 
-    /** Replaces an entity that is no rigid body by its changed self, of the same id. */
-    record Replace(Entity changed) implements Change {}
+    /**
+     * Replaces an entity that is no rigid body by its changed self, of the same id and name. The
+     * update gets the entity as it then is: of two responses at one instant none is lost. Nothing
+     * happens if it has left.
+     */
+    record Update<E extends Entity>(long entityId, Class<E> type, UnaryOperator<E> update)
+            implements Change {}
 
     /** Removes an entity; nothing happens if it has left already. */
     record Remove(long entityId) implements Change {}

@@ -4,7 +4,7 @@ package org.auvsim.core.entity;
  * Anything that is in a world (thesis, section 6.1).
  *
  * <p>Rigid bodies are live views; every other entity is an immutable value, so that worlds can
- * share it; one that changes is replaced by its changed self ({@link Change.Replace}).
+ * share it; one that changes is replaced by its changed self ({@link Change.Update}).
  */
 public interface Entity {
     /** A positive number, unique in its world and never used again there. */

@@ -16,7 +16,6 @@ public final class WorldObject extends RigidBody {
     WorldObject(long id, WorldObjectDefinition definition, BodyState state) {
         super(id, definition, state);
         components = new ArrayList<>(definition.component());
-        components.forEach(this::requireNeeds);
         sort();
         resultantChanged();
     }

@@ -75,7 +75,18 @@ public record WorldObjectDefinition(
         component = List.copyOf(component);
         refuseTwins(name, "force", force.stream().map(NamedForce::name).toList());
         refuseTwins(name, "component", component.stream().map(Component::name).toList());
+        for (Component c : component) {
+            requireNeeds(name, c, component);
+        }
         massProperties(mass, volume, inertia);
+    }
+
+    private static void requireNeeds(String object, Component c, List<Component> among) {
+        if (c.needs().isPresent() && among.stream().noneMatch(c.needs().get()::isInstance)) {
+            throw new IllegalArgumentException(
+                    "component '%s' of '%s' needs a %s; add one"
+                            .formatted(c.name(), object, c.needs().get().getSimpleName()));
+        }
     }
 
     private static void refuseTwins(String object, String kind, List<String> names) {

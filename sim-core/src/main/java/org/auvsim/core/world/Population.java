@@ -11,9 +11,11 @@ import java.util.Collection;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 
 /** Who is in a world: entities by id and by name, both unique, ids never used again. */
@@ -21,6 +23,7 @@ final class Population {
     private final Bodies bodies;
     private final TreeMap<Long, Entity> byId;
     private final Map<String, Long> idsByName;
+    private final Set<Long> left;
     private Optional<List<WorldObject>> objects = Optional.empty();
     private long nextId;
 
@@ -28,6 +31,7 @@ final class Population {
         bodies = new Bodies();
         byId = new TreeMap<>();
         idsByName = new HashMap<>();
+        left = new HashSet<>();
         nextId = 1;
     }
 
@@ -37,6 +41,7 @@ final class Population {
         byId = new TreeMap<>(original.byId);
         bodies.objects().forEach(object -> byId.put(object.id(), object));
         idsByName = new HashMap<>(original.idsByName);
+        left = new HashSet<>(original.left);
         nextId = original.nextId;
     }
 
@@ -118,6 +123,11 @@ final class Population {
                     "the id %d of '%s' is taken by '%s'; ids are unique in a world"
                             .formatted(id, name, holder.name()));
         }
+        if (left.contains(id)) {
+            throw new WorldException(
+                    "the id %d of '%s' was that of an entity that has left; ids are not used again"
+                            .formatted(id, name));
+        }
         Long namesake = idsByName.get(name);
         if (namesake != null) {
             throw new WorldException(
@@ -132,25 +142,26 @@ final class Population {
             throw new WorldException("no entity has the id %d".formatted(id));
         }
         idsByName.remove(entity.name());
+        left.add(id);
         if (entity instanceof WorldObject object) {
             bodies.remove(object);
         }
         objects = Optional.empty();
     }
 
-    /** Puts an entity in the place of its former self; false if that has left or is a body. */
-    boolean replace(Entity changed) {
-        Entity before = byId.get(changed.id());
-        if (before == null || before instanceof RigidBody) {
-            return false;
-        }
-        if (!before.name().equals(changed.name())) {
+    /** Puts an entity that is no body in the place of its former self. */
+    void replace(Entity before, Entity changed) {
+        if (before instanceof RigidBody) {
             throw new WorldException(
-                    "entity %d cannot change its name from '%s' to '%s'"
-                            .formatted(changed.id(), before.name(), changed.name()));
+                    "'%s' is a body, which changes by its momenta and components, not as a whole"
+                            .formatted(before.name()));
+        }
+        if (before.id() != changed.id() || !before.name().equals(changed.name())) {
+            throw new WorldException(
+                    "entity %d '%s' cannot turn into %d '%s': id and name stay"
+                            .formatted(before.id(), before.name(), changed.id(), changed.name()));
         }
         byId.put(changed.id(), changed);
-        return true;
     }
 
     private WorldException unknown(String what) {

@@ -38,7 +38,7 @@ public final class World {
     private final CollisionResponse response;
     private final PairQueries queries;
     private final Population population;
-    private final List<WorldListener> listeners = new ArrayList<>();
+    private final Announcements announcements = new Announcements();
     private final Clock clock;
     private final double timeStep;
     private int stepsAtOneInstant;
@@ -142,7 +142,7 @@ public final class World {
     public WorldObject add(WorldObjectDefinition definition) {
         WorldObject object = population.add(definition);
         entered(object.id());
-        publish(new WorldEvent.ObjectAdded(time(), object.id(), object.position()));
+        announcements.announce(new WorldEvent.ObjectAdded(time(), object.id(), object.position()));
         return object;
     }
 
@@ -158,7 +158,7 @@ public final class World {
 
     private void entered(long id) {
         structureChanged();
-        publish(new WorldEvent.EntityAdded(time(), id));
+        announcements.announce(new WorldEvent.EntityAdded(time(), id));
     }
 
     /**
@@ -169,7 +169,7 @@ public final class World {
     public void remove(long id) {
         population.remove(id);
         structureChanged();
-        publish(new WorldEvent.EntityRemoved(time(), id));
+        announcements.announce(new WorldEvent.EntityRemoved(time(), id));
     }
 
     private void structureChanged() {
@@ -179,18 +179,12 @@ public final class World {
 
     /** Adds a listener, which hears of everything from now on. */
     public void addListener(WorldListener listener) {
-        listeners.add(listener);
+        announcements.add(listener);
     }
 
     /** Removes a listener. */
     public void removeListener(WorldListener listener) {
-        listeners.remove(listener);
-    }
-
-    private void publish(WorldEvent event) {
-        for (WorldListener listener : List.copyOf(listeners)) {
-            listener.happened(event);
-        }
+        announcements.remove(listener);
     }
 
     /**
@@ -218,6 +212,15 @@ public final class World {
      */
     public double continueTimestep(double wanted) {
         requireTimeStep(wanted);
+        announcements.hold();
+        try {
+            return step(wanted);
+        } finally {
+            announcements.release();
+        }
+    }
+
+    private double step(double wanted) {
         Motion path = motion();
         path.begin(time());
         StepResult result = stepper.advance(path, wanted);
@@ -227,7 +230,7 @@ public final class World {
         result.changes().forEach(this::apply);
         removeWhatIsOver();
         publishMovements();
-        publish(new WorldEvent.StepAdvanced(time(), result.elapsed()));
+        announcements.announce(new WorldEvent.StepAdvanced(time(), result.elapsed()));
         return result.elapsed();
     }
 
@@ -290,13 +293,13 @@ public final class World {
             case Change.Momentum m -> addMomentum(m);
             case Change.AddEntity added -> add(added.made().apply(population.nextId()));
             case Change.AddObject added -> add(added.definition());
-            case Change.Replace replaced -> replace(replaced.changed());
+            case Change.Update<?> updated -> update(updated);
             case Change.Remove removed -> {
                 if (find(removed.entityId()).isPresent()) {
                     remove(removed.entityId());
                 }
             }
-            case Change.UpdateComponents<?> updated -> update(updated);
+            case Change.UpdateComponents<?> updated -> updateComponents(updated);
         }
     }
 
@@ -310,13 +313,16 @@ public final class World {
                         });
     }
 
-    private void replace(Entity changed) {
-        if (population.replace(changed)) {
+    private <E extends Entity> void update(Change.Update<E> updated) {
+        Optional<Entity> before = find(updated.entityId());
+        if (before.isPresent() && updated.type().isInstance(before.get())) {
+            E entity = updated.type().cast(before.get());
+            population.replace(entity, updated.update().apply(entity));
             motion = Optional.empty();
         }
     }
 
-    private <C extends Component> void update(Change.UpdateComponents<C> updated) {
+    private <C extends Component> void updateComponents(Change.UpdateComponents<C> updated) {
         Optional<WorldObject> object = population.findObject(updated.objectId());
         if (object.isPresent()) {
             for (C component : object.get().components(updated.type())) {
@@ -337,16 +343,19 @@ public final class World {
 
     private void publishCollisions(StepResult result) {
         result.collisions()
-                .forEach(collision -> publish(new WorldEvent.Collided(time(), collision)));
+                .forEach(
+                        collision ->
+                                announcements.announce(new WorldEvent.Collided(time(), collision)));
     }
 
     private void publishMovements() {
-        if (listeners.isEmpty()) {
+        if (announcements.isUnheard()) {
             return;
         }
         for (WorldObject object : objects()) {
             if (!object.isFixed()) {
-                publish(new WorldEvent.Moved(time(), object.id(), object.movementState()));
+                announcements.announce(
+                        new WorldEvent.Moved(time(), object.id(), object.movementState()));
             }
         }
     }

@@ -74,7 +74,9 @@ public final class AppliedForces {
                 addBodyForce(slot, force.vector(), force.point());
             } else {
                 add(WORLD_FORCE, slot, force.vector());
-                addMoment(slot, force.point(), force.vector());
+                if (!force.point().equals(Vec3.ZERO)) {
+                    addMoment(slot, force.point(), force.vector());
+                }
             }
         }
         for (Propulsor propulsor : propulsors) {

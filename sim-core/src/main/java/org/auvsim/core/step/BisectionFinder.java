@@ -11,7 +11,7 @@ import org.auvsim.core.description.Default;
  * pair that overlaps at the snapshot itself collides at once if it approaches; if it parts, the
  * search begins when it is apart (as printed, the world would stand still after every response).
  */
-public record BisectionFinder(@Default("10") int indices, @Default("40") int maximumIterations)
+public record BisectionFinder(@Default("5") int indices, @Default("32") int maximumIterations)
         implements CollisionFinder {
     /**
      * With limits.
@@ -26,9 +26,13 @@ public record BisectionFinder(@Default("10") int indices, @Default("40") int max
         }
     }
 
-    /** 10 indices, 40 iterations: the thesis leaves both to the user. */
+    /**
+     * 5 indices, 32 iterations (the thesis leaves both to the user). Behind a {@link
+     * RadiusDistanceRestricter}, two equal balls come at most 0.4 radii closer between two
+     * instants: a contact that is missed is at most 1 % of the radius deep.
+     */
     public static BisectionFinder standard() {
-        return new BisectionFinder(10, 40);
+        return new BisectionFinder(5, 32);
     }
 
     @Override

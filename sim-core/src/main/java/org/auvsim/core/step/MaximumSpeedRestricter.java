@@ -9,6 +9,9 @@ import org.auvsim.core.description.Unit;
  * @param speed (m/s) above 0
  */
 public record MaximumSpeedRestricter(@Unit("m/s") double speed) implements TimeStepRestricter {
+    /** Who moves at just the stated speed exceeds it by rounding (relative). */
+    private static final double ROUNDING = 1e-6;
+
     /**
      * For a stated speed.
      *
@@ -30,7 +33,7 @@ public record MaximumSpeedRestricter(@Unit("m/s") double speed) implements TimeS
             }
         }
         for (int i = 0; i < motion.size(); i++) {
-            if (motion.displacement(i, dt) > speed * dt) {
+            if (motion.displacement(i, dt) > speed * dt * (1 + ROUNDING)) {
                 throw new StepException(
                         "'%s' (id %d) is faster at %s s than the maximum speed of %s m/s: it moves"
                                         .formatted(

@@ -118,19 +118,22 @@ public final class Motion {
 
     /** Position (m, world) at an offset. */
     public Vec3 position(int i, double offset) {
-        pose(i, projection(offset), offset, poseA);
+        pose(i, offset, poseA);
         return poseA.position();
     }
 
     /** How far (m) it is from where it is now, at an offset. */
     public double displacement(int i, double offset) {
-        allAt(offset);
+        turnEndTo(offset);
+        if (slots[i] >= 0) {
+            end.integrateAhead(slots[i]);
+        }
         return displacement(i, offset, poseA, poseB);
     }
 
     private double displacement(int i, double offset, Pose from, Pose to) {
         present(i, from);
-        pose(i, projection(offset), offset, to);
+        pose(i, offset, to);
         double dx = to.x - from.x;
         double dy = to.y - from.y;
         double dz = to.z - from.z;
@@ -180,9 +183,8 @@ public final class Motion {
 
     /** Whether the two volumes share a point at an offset. */
     public boolean overlap(int i, int j, double offset) {
-        Projection at = projection(offset);
-        pose(i, at, offset, poseA);
-        pose(j, at, offset, poseB);
+        pose(i, offset, poseA);
+        pose(j, offset, poseB);
         return queries.overlap(volume(i, offset), poseA, volume(j, offset), poseB);
     }
 
@@ -194,35 +196,40 @@ public final class Motion {
         if (slots[i] < 0 || slots[j] < 0) {
             return true;
         }
-        Projection at = projection(offset);
-        pose(i, at, offset, poseA);
-        pose(j, at, offset, poseB);
+        pose(i, offset, poseA);
+        pose(j, offset, poseB);
         ContactPoint contact = queries.contact(volume(i, offset), poseA, volume(j, offset), poseB);
         Vec3 relative =
-                velocityAt(i, at, contact.point()).minus(velocityAt(j, at, contact.point()));
+                velocityAt(i, offset, contact.point())
+                        .minus(velocityAt(j, offset, contact.point()));
         return contact.normal().dot(relative) < -APPROACH_TOLERANCE;
     }
 
-    private Vec3 velocityAt(int i, Projection at, Vec3 point) {
+    private Vec3 velocityAt(int i, double offset, Vec3 point) {
         int slot = slots[i];
-        Vec3 p = vector(at, BodyState.PX, slot);
-        Vec3 l = vector(at, BodyState.LX, slot);
-        Vec3 r = point.minus(vector(at, BodyState.X, slot));
+        Vec3 p = vector(offset, BodyState.PX, slot);
+        Vec3 l = vector(offset, BodyState.LX, slot);
+        Vec3 r = point.minus(vector(offset, BodyState.X, slot));
+        Quat turn =
+                new Quat(
+                        column(offset, BodyState.QW)[slot],
+                        column(offset, BodyState.QX)[slot],
+                        column(offset, BodyState.QY)[slot],
+                        column(offset, BodyState.QZ)[slot]);
         RigidBody body = (RigidBody) collidables.get(i);
-        return body.velocityOf(p).plus(body.angularVelocityOf(l, orientation(at, slot)).cross(r));
+        return body.velocityOf(p).plus(body.angularVelocityOf(l, turn).cross(r));
     }
 
-    private static Vec3 vector(Projection at, int column, int slot) {
+    private Vec3 vector(double offset, int column, int slot) {
         return new Vec3(
-                at.column(column)[slot], at.column(column + 1)[slot], at.column(column + 2)[slot]);
+                column(offset, column)[slot],
+                column(offset, column + 1)[slot],
+                column(offset, column + 2)[slot]);
     }
 
-    private static Quat orientation(Projection at, int slot) {
-        return new Quat(
-                at.column(BodyState.QW)[slot],
-                at.column(BodyState.QX)[slot],
-                at.column(BodyState.QY)[slot],
-                at.column(BodyState.QZ)[slot]);
+    /** A column of the state at an offset; of bodies whose pose there has been asked for. */
+    private double[] column(double offset, int column) {
+        return offset == 0 ? bodies.column(column) : projection(offset).column(column);
     }
 
     /**
@@ -305,9 +312,11 @@ public final class Motion {
         to.qz = bodies.column(BodyState.QZ)[slot];
     }
 
-    private void pose(int i, Projection at, double offset, Pose to) {
-        if (slots[i] >= 0) {
-            at.pose(slots[i], to);
+    private void pose(int i, double offset, Pose to) {
+        if (offset == 0) {
+            present(i, to);
+        } else if (slots[i] >= 0) {
+            projection(offset).pose(slots[i], to);
         } else {
             Collidable c = collidables.get(i);
             to.set(c.positionAt(time + offset), c.orientationAt(time + offset));
@@ -327,10 +336,14 @@ public final class Motion {
         return probe;
     }
 
-    private Projection allAt(double offset) {
+    private void turnEndTo(double offset) {
         if (offset != end.offset()) {
             end.turnTo(time, offset);
         }
+    }
+
+    private Projection allAt(double offset) {
+        turnEndTo(offset);
         end.integrateAll();
         return end;
     }

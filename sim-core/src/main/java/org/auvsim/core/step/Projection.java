@@ -8,9 +8,12 @@ import org.auvsim.core.volume.Pose;
 
 /**
  * The bodies as they will be at one instant, if nothing collides before: integrated from the
- * present snapshot, body by body on demand or all at once in blocks.
+ * present snapshot on demand, body by body or with their neighbours.
  */
 final class Projection {
+    /** So many bodies are integrated ahead at first, and four times as many each time after. */
+    private static final int FIRST_AHEAD = 8;
+
     private final BodyState bodies;
     private final EquationsOfMotion equations;
     private final Integrator integrator;
@@ -18,6 +21,7 @@ final class Projection {
     private final double[][] columns;
     private final int[] known;
     private int round;
+    private int ahead;
     private boolean complete;
     private double now;
     private double offset = Double.NaN;
@@ -41,6 +45,7 @@ final class Projection {
         this.now = time;
         this.offset = offset;
         round++;
+        ahead = FIRST_AHEAD;
         complete = false;
     }
 
@@ -52,11 +57,26 @@ final class Projection {
     /** Integrates every body, blockwise. */
     void integrateAll() {
         if (!complete) {
-            for (int first = 0; first < known.length; first += Block.SIZE) {
-                integrate(first, Math.min(Block.SIZE, known.length - first));
+            int first = 0;
+            while (first < known.length) {
+                int count = unknownFrom(first);
+                if (count > 0) {
+                    integrate(first, count);
+                }
+                first += Math.max(1, count);
             }
             complete = true;
         }
+    }
+
+    /** How many bodies from a slot on are unknown, up to a full block. */
+    private int unknownFrom(int first) {
+        int slot = first;
+        int end = Math.min(first + Block.SIZE, known.length);
+        while (slot < end && known[slot] != round) {
+            slot++;
+        }
+        return slot - first;
     }
 
     /** One column of the state; valid for bodies that have been integrated. */
@@ -68,6 +88,17 @@ final class Projection {
     void integrate(int slot) {
         if (known[slot] != round) {
             integrate(slot, 1);
+        }
+    }
+
+    /**
+     * Integrates the body in a slot, unless it is known, and some behind it: for one who asks in
+     * turn and may turn to another instant soon.
+     */
+    void integrateAhead(int slot) {
+        if (known[slot] != round) {
+            integrate(slot, Math.min(ahead, known.length - slot));
+            ahead = Math.min(4 * ahead, Block.SIZE);
         }
     }
 

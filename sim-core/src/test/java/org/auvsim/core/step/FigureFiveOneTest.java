@@ -33,8 +33,8 @@ class FigureFiveOneTest {
     void theStepEndsAtTheContact() {
         World world = crossing().build();
 
-        assertThat(world.advanceTimestep()).isEqualTo(CONTACT, within(1e-12));
-        assertThat(world.time()).isEqualTo(CONTACT, within(1e-12));
+        assertThat(world.advanceTimestep()).isEqualTo(CONTACT, within(1e-10));
+        assertThat(world.time()).isEqualTo(CONTACT, within(1e-10));
     }
 
     @Test

@@ -24,6 +24,7 @@ import java.nio.file.Path;
         footer = "%nA command explains itself with: auvsim <command> --help",
         subcommands = {
             Demo.class,
+            Serve.class,
             Run.class,
             Validate.class,
             Watch.class,

@@ -53,8 +53,7 @@ final class EventLines {
                             "was corrected by %s, error %.4g m before, %.4g m after"
                                     .formatted(f.handlerName(), f.errorBefore(), f.errorAfter()));
             case LaggingNotification l ->
-                    Optional.of(
-                            "(%d movements left out: too fast for here)".formatted(l.skipped()));
+                    Optional.of("(too slow: %d left out)".formatted(l.skipped()));
             case DisconnectedNotification d -> Optional.of("the simulator ends: " + d.reason());
             case ErrorResponse e -> Optional.of("the simulator refuses: " + e.text());
             default -> Optional.empty();
@@ -82,7 +81,7 @@ final class EventLines {
                 p.y(),
                 p.z(),
                 Math.toDegrees(Math.atan2(r.zy(), r.zz())),
-                Math.toDegrees(Math.asin(Math.clamp(-r.zx(), -1, 1))),
+                Math.toDegrees(Math.asin(Math.clamp(0 - r.zx(), -1, 1))),
                 Math.toDegrees(Math.atan2(r.yx(), r.xx())));
     }
 }

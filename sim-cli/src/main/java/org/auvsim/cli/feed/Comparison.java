@@ -19,22 +19,27 @@ final class Comparison {
     }
 
     /**
-     * The simulated object has come here; between two calls its way is taken as straight. Rows
-     * before the first call are left out.
+     * The simulated object has made a step. Within it, its way is taken as straight; rows before
+     * the end of the first step are left out.
+     *
+     * @param arrival where the step brought it, before a correction of the position that came after
+     *     the step: the way there must not know of that
+     * @param departure where it went on from
      */
-    void reached(MeasuredLog.Row here) {
-        while (next < rows.size() && rows.get(next).time() <= here.time() + MeasuredLog.SAME_TIME) {
-            compare(rows.get(next), here);
+    void stepped(MeasuredLog.Row arrival, MeasuredLog.Row departure) {
+        double end = departure.time();
+        while (next < rows.size() && rows.get(next).time() <= end + MeasuredLog.SAME_TIME) {
+            compare(rows.get(next), arrival, departure);
             next++;
         }
-        before = Optional.of(here);
+        before = Optional.of(departure);
     }
 
-    private void compare(MeasuredLog.Row row, MeasuredLog.Row here) {
-        if (Math.abs(row.time() - here.time()) <= MeasuredLog.SAME_TIME) {
-            add(here.position().minus(row.position()));
+    private void compare(MeasuredLog.Row row, MeasuredLog.Row arrival, MeasuredLog.Row departure) {
+        if (Math.abs(row.time() - departure.time()) <= MeasuredLog.SAME_TIME) {
+            add(departure.position().minus(row.position()));
         } else if (before.isPresent()) {
-            Vec3 simulated = MeasuredLog.between(before.get(), here, row.time());
+            Vec3 simulated = MeasuredLog.between(before.get(), arrival, row.time());
             add(simulated.minus(row.position()));
         }
     }

@@ -31,8 +31,9 @@ public final class LogPlayer {
     private final int heldBack;
     private final double end;
     private final Comparison comparison;
-    private Optional<MovementStateChangeMessage> projected = Optional.empty();
-    private Optional<MovementStateChangeMessage> actual = Optional.empty();
+    private boolean announced;
+    private Optional<MovementStateChangeMessage> arrival = Optional.empty();
+    private Optional<MovementStateChangeMessage> departure = Optional.empty();
     private Vec3 lastTold;
     private int rowsUsed;
     private int sent;
@@ -116,23 +117,29 @@ public final class LogPlayer {
 
     private void moved(MovementStateChangeMessage movement) throws ConnectionException {
         if (movement.isProjectedState()) {
-            projected = Optional.of(movement);
+            announced = true;
             answer(movement);
         } else {
-            actual = Optional.of(movement);
+            arrival = arrival.or(() -> Optional.of(movement));
+            departure = Optional.of(movement);
         }
     }
 
-    /** A step is done: what it says of the object last, holds. */
+    /** A step is done: what was said of the object last, holds. */
     private void stepped() throws ConnectionException {
-        if (actual.isEmpty()) {
+        if (departure.isEmpty()) {
             return;
         }
-        MovementStateChangeMessage movement = actual.get();
-        comparison.reached(new MeasuredLog.Row(movement.timestamp(), movement.position()));
-        if (projected.isEmpty()) {
-            answer(movement);
+        MovementStateChangeMessage here = departure.get();
+        comparison.stepped(row(arrival.orElse(here)), row(here));
+        arrival = Optional.empty();
+        if (!announced) {
+            answer(here);
         }
+    }
+
+    private static MeasuredLog.Row row(MovementStateChangeMessage movement) {
+        return new MeasuredLog.Row(movement.timestamp(), movement.position());
     }
 
     private void answer(MovementStateChangeMessage movement) throws ConnectionException {

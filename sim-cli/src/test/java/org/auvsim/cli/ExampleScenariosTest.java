@@ -1,0 +1,119 @@
+package org.auvsim.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.core.entity.WorldObject;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.core.world.World;
+import org.auvsim.core.world.WorldEvent;
+import org.junit.jupiter.api.Test;
+
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.Set;
+
+/** The shipped scenarios do what their comments say. */
+class ExampleScenariosTest {
+    private static World world(String name) throws DocumentException {
+        Path file = CommandLineHarness.EXAMPLES.resolve("scenarios").resolve(name);
+        return ScenarioLoader.load(ExampleScenariosTest.class.getClassLoader()).load(file).world();
+    }
+
+    private static void run(World world, double until) {
+        while (world.time() < until - 1e-9) {
+            world.advanceTimestep();
+        }
+    }
+
+    @Test
+    void theTankKeepsEverythingInside() throws DocumentException {
+        World world = world("tank.xml");
+        Set<Long> collided = new HashSet<>();
+        world.addListener(
+                event -> {
+                    if (event instanceof WorldEvent.Collided hit) {
+                        collided.add(hit.collision().contact().self().id());
+                        collided.add(hit.collision().contact().other().id());
+                    }
+                });
+        run(world, 60);
+
+        assertThat(collided).hasSizeGreaterThan(5);
+        for (WorldObject object : world.objects()) {
+            if (!object.isFixed()) {
+                Vec3 p = object.position();
+                assertThat(Math.abs(p.x())).as(object.name()).isLessThan(10);
+                assertThat(Math.abs(p.y())).as(object.name()).isLessThan(5);
+                assertThat(p.z()).as(object.name()).isBetween(-5.0, 0.0);
+            }
+        }
+    }
+
+    @Test
+    void thrustersThatDifferTurnTheAuvAndEqualOnesDoNot() throws DocumentException {
+        World straight = world("tank.xml");
+        straight.object("AUV-1701").setPropulsorLevel("Port Thruster", 0.5);
+        straight.object("AUV-1701").setPropulsorLevel("Starboard Thruster", 0.5);
+        run(straight, 2);
+        assertThat(straight.object("AUV-1701").position().x()).isGreaterThan(-5.5);
+        assertThat(straight.object("AUV-1701").angularVelocity().norm()).isZero();
+
+        World turning = world("tank.xml");
+        turning.object("AUV-1701").setPropulsorLevel("Starboard Thruster", 0.5);
+        run(turning, 2);
+        assertThat(turning.object("AUV-1701").angularVelocity().z()).isGreaterThan(0.1);
+
+        World rising = world("tank.xml");
+        rising.object("AUV-1701").setPropulsorLevel("Ventral Thruster", 0.5);
+        run(rising, 2);
+        assertThat(rising.object("AUV-1701").position().z()).isGreaterThan(-1.9);
+    }
+
+    @Test
+    void backAndForthGoesFartherOverTime() throws DocumentException {
+        World world = world("back-and-forth.xml");
+        double early = 0;
+        double late = 0;
+        while (world.time() < 1000) {
+            world.advanceTimestep();
+            double out = Math.abs(world.object(1).position().y());
+            early = world.time() < 10 ? Math.max(early, out) : early;
+            late = world.time() > 950 ? Math.max(late, out) : late;
+        }
+        assertThat(early).isCloseTo(2.5, within(0.1));
+        assertThat(late).isCloseTo(23.4, within(0.5));
+    }
+
+    @Test
+    void crossingSpheresMeetWhereFigure51HasThem() throws DocumentException {
+        World world = world("crossing.xml");
+        assertThat(world.advanceTimestep()).isCloseTo((1 - Math.sqrt(0.5)) / 2, within(1e-9));
+        assertThat(world.object("A").position().distance(world.object("B").position()))
+                .isCloseTo(1, within(1e-9));
+    }
+
+    @Test
+    void theSwarmMeetsAtItsTargets() throws DocumentException {
+        World world = world("swarm.xml");
+        int[] collisions = {0};
+        world.addListener(event -> collisions[0] += event instanceof WorldEvent.Collided ? 1 : 0);
+        run(world, 40);
+        assertThat(world.objects()).hasSize(27);
+        assertThat(collisions[0]).isGreaterThan(20);
+        assertThat(world.objects().stream().mapToDouble(o -> o.velocity().norm()).max().orElse(0))
+                .isGreaterThan(1);
+    }
+
+    @Test
+    void aDrifterEndsUpWithTheWater() throws DocumentException {
+        World world = world("drift.xml");
+        run(world, 40);
+        assertThat(world.object("Drifter").velocity().distance(new Vec3(0.3, 0.1, 0)))
+                .isLessThan(1e-9);
+        assertThat(world.object("Sinking Chest").position().z()).isLessThan(-2.5);
+        assertThat(world.object("Surveyor").orientation().z()).isGreaterThan(0.1);
+    }
+}

@@ -1,0 +1,199 @@
+package org.auvsim.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
+
+class RunTest {
+    private static final String HEADER = "t,object,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz";
+    private static final Path SCENARIOS = CommandLineHarness.EXAMPLES.resolve("scenarios");
+
+    @TempDir private Path folder;
+    private CommandLineHarness auvsim;
+
+    @BeforeEach
+    void begin() {
+        auvsim = new CommandLineHarness(folder);
+    }
+
+    /** Thesis, Figure 5.1: both move until they touch at (1 - 1/sqrt 2)/2 s. */
+    @Test
+    void writesEachObjectAtTheStartAndAfterEachStep() throws IOException {
+        Path csv = folder.resolve("run.csv");
+
+        assertThat(
+                        auvsim.run(
+                                "run",
+                                SCENARIOS.resolve("crossing.xml"),
+                                "--until",
+                                0.2,
+                                "--out",
+                                csv))
+                .isZero();
+
+        List<String> lines = Files.readAllLines(csv, UTF_8);
+        assertThat(lines.get(0)).isEqualTo(HEADER);
+        assertThat(lines.get(1))
+                .isEqualTo("0.0,A,-1.0,0.0,0.0,1.0,0.0,0.0,0.0,2.0,0.0,0.0,0.0,0.0,0.0");
+        assertThat(lines.get(2))
+                .isEqualTo("0.0,B,0.0,-1.0,0.0,1.0,0.0,0.0,0.0,0.0,2.0,0.0,0.0,0.0,0.0");
+        double contact = (1 - Math.sqrt(0.5)) / 2;
+        assertThat(number(lines.get(3), 0)).isCloseTo(contact, within(1e-9));
+        assertThat(number(lines.get(3), 2)).isCloseTo(-1 + 2 * contact, within(1e-9));
+        assertThat(auvsim.out()).contains("1 collisions").contains("rows written to " + csv);
+        assertThat(auvsim.err()).isEmpty();
+    }
+
+    @Test
+    void writesCsvAloneToTheStandardOutput() {
+        assertThat(
+                        auvsim.run(
+                                "run",
+                                SCENARIOS.resolve("crossing.xml"),
+                                "--until",
+                                0.1,
+                                "--out",
+                                "-"))
+                .isZero();
+
+        assertThat(auvsim.out().lines()).first().isEqualTo(HEADER);
+        assertThat(auvsim.out().lines().skip(1))
+                .isNotEmpty()
+                .allMatch(l -> l.split(",").length == 15);
+        assertThat(auvsim.err()).contains("of world time");
+    }
+
+    @Test
+    void leavesOutWhatIsFixed() {
+        assertThat(auvsim.run("run", SCENARIOS.resolve("tank.xml"), "--until", 0.2, "--out", "-"))
+                .isZero();
+        assertThat(auvsim.out()).contains(",AUV-1701,").doesNotContain("Wall");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "-1, '--until must be after the scenario''s start at 0.0 s, but is -1.0 s.'",
+        "soon, 'Invalid value for option ''--until'': ''soon'' is not a double'",
+    })
+    void wrongEndsAreExplained(String until, String sentence) {
+        assertThat(auvsim.run("run", SCENARIOS.resolve("tank.xml"), "--until", until)).isEqualTo(2);
+        assertThat(auvsim.err().lines()).first().isEqualTo(sentence);
+    }
+
+    @Test
+    void aMissingScenarioIsExplained() {
+        Path missing = folder.resolve("none.xml");
+        assertThat(auvsim.run("run", missing)).isEqualTo(2);
+        assertThat(auvsim.err()).isEqualTo(missing + ": there is no such file\n");
+    }
+
+    @Test
+    void aWrongScenarioIsExplainedWithItsPlace() throws IOException {
+        Path file =
+                auvsim.file(
+                        "a.xml",
+                        "<scenario>\n  <world-object name='A' mass='-3'>"
+                                + "<sphere radius='1'/></world-object>\n</scenario>");
+        assertThat(auvsim.run("run", file)).isEqualTo(2);
+        assertThat(auvsim.err())
+                .startsWith(file + ", line 2, column ")
+                .contains("-3.0 kg")
+                .hasLineCount(1);
+    }
+
+    @Test
+    void aFolderThatIsMissingIsExplained() {
+        Path csv = folder.resolve("none").resolve("run.csv");
+        assertThat(auvsim.run("run", SCENARIOS.resolve("tank.xml"), "--out", csv)).isEqualTo(2);
+        assertThat(auvsim.err())
+                .isEqualTo("Cannot write " + csv + ": its folder does not exist.\n");
+    }
+
+    @Test
+    void aStepThatCannotBeMadeIsExplained() throws IOException {
+        Path file =
+                auvsim.file(
+                        "fast.xml",
+                        """
+                        <scenario>
+                          <snapshot-stepper><maximum-speed-restricter speed="1"/></snapshot-stepper>
+                          <world-object name="Bolt" mass="1"><sphere radius="1"/>
+                            <velocity x="2" y="0" z="0"/></world-object>
+                        </scenario>
+                        """);
+        assertThat(auvsim.run("run", file)).isEqualTo(2);
+        assertThat(auvsim.err())
+                .startsWith("The run ends at 0.0 s: ")
+                .contains("Bolt")
+                .hasLineCount(1);
+    }
+
+    @Test
+    void progressIsToldEveryTwoSecondsAndNotBefore() {
+        StringWriter text = new StringWriter();
+        AtomicLong nanos = new AtomicLong(5_000_000_000L);
+        Progress progress = new Progress(10, 110, new PrintWriter(text), nanos::get);
+
+        progress.at(11);
+        nanos.addAndGet(1_900_000_000L);
+        progress.at(20);
+        assertThat(text.toString()).isEmpty();
+        nanos.addAndGet(100_000_000L);
+        progress.at(30);
+        progress.at(31);
+
+        assertThat(text.toString().lines())
+                .containsExactly("at 30.0 s of 110.0 s (20 %), 10.0 times real time");
+    }
+
+    /** What Ctrl-C does is asked of a process of its own. */
+    @Test
+    @Timeout(60)
+    void anInterruptedRunLeavesAWholeCsv() throws Exception {
+        Path csv = folder.resolve("run.csv");
+        Process process =
+                new ProcessBuilder(
+                                ProcessHandle.current().info().command().orElseThrow(),
+                                "-cp",
+                                System.getProperty("java.class.path"),
+                                Auvsim.class.getName(),
+                                "run",
+                                SCENARIOS.resolve("back-and-forth.xml").toString(),
+                                "--until",
+                                "1e9",
+                                "--out",
+                                csv.toString())
+                        .start();
+        try (BufferedReader progress = process.errorReader(UTF_8)) {
+            assertThat(progress.readLine()).startsWith("at ");
+            process.toHandle().destroy(); // and leave its output open
+            process.waitFor();
+        }
+        String text = Files.readString(csv, UTF_8);
+        assertThat(text).endsWith("\n");
+        assertThat(text.lines()).allMatch(line -> line.split(",").length == 15);
+        long rows = text.lines().count() - 1;
+        assertThat(process.inputReader(UTF_8).readAllAsString()).contains(rows + " rows written");
+    }
+
+    private static double number(String line, int column) {
+        return Double.parseDouble(List.of(line.split(",")).get(column));
+    }
+}

@@ -30,6 +30,15 @@ import java.util.concurrent.Callable;
             "Example: auvsim watch --object AUV-1701"
         })
 final class Watch implements Callable<Integer> {
+    private static final List<EventType> SHOWN =
+            List.of(
+                    EventType.PROJECTED_MOVEMENT,
+                    EventType.MOVEMENT_STATE_CHANGE,
+                    EventType.COLLISION,
+                    EventType.ENTITY_ADDED,
+                    EventType.ENTITY_REMOVED,
+                    EventType.FEEDBACK_APPLIED);
+
     @Spec private CommandSpec spec;
 
     @Parameters(
@@ -67,15 +76,6 @@ final class Watch implements Callable<Integer> {
         }
         return 0;
     }
-
-    private static final List<EventType> SHOWN =
-            List.of(
-                    EventType.PROJECTED_MOVEMENT,
-                    EventType.MOVEMENT_STATE_CHANGE,
-                    EventType.COLLISION,
-                    EventType.ENTITY_ADDED,
-                    EventType.ENTITY_REMOVED,
-                    EventType.FEEDBACK_APPLIED);
 
     private void printText(AuvsmlClient client) throws ConnectionException {
         PrintWriter out = spec.commandLine().getOut();

@@ -83,8 +83,7 @@ public final class CorrectedStep {
      * @param clients the wait ends early when each of these, by name, has answered; none: never
      */
     public void awaitFeedback(Duration wait, List<String> clients) {
-        audience.bringFeedback(
-                wait, () -> !clients.isEmpty() && answered.containsAll(Set.copyOf(clients)));
+        audience.bringFeedback(wait, () -> !clients.isEmpty() && answered.containsAll(clients));
     }
 
     void answered(String client) {

@@ -27,9 +27,13 @@ public final class FeedbackProcessors {
         byName.put(processor.name(), processor);
     }
 
-    /** Lets a processor do all corrections, whichever the messages name. */
-    public void override(FeedbackProcessor processor) {
-        override = Optional.of(processor);
+    /**
+     * Lets one processor do all corrections, whichever the messages name.
+     *
+     * @throws RefusedException if there is none of this name
+     */
+    public void override(String name) {
+        override = Optional.of(named(name));
     }
 
     /**

@@ -3,7 +3,6 @@ package org.auvsim.server.feedback;
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
-import org.auvsim.core.description.Default;
 import org.auvsim.core.entity.MovementState;
 import org.auvsim.core.math.Vec3;
 
@@ -21,8 +20,7 @@ import java.util.Optional;
  *
  * @param momentum what becomes of the momentum
  */
-public record VectorAdjustmentFeedbackHandler(@Default("PROJECTED") MomentumRule momentum)
-        implements FeedbackProcessor {
+public record VectorAdjustmentFeedbackHandler(MomentumRule momentum) implements FeedbackProcessor {
     /** Keeps the projected momentum. */
     public VectorAdjustmentFeedbackHandler() {
         this(MomentumRule.PROJECTED);

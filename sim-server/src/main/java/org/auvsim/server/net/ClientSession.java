@@ -5,6 +5,7 @@ import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.ListenedObject;
 import org.auvsim.auvsml.message.session.DisconnectedNotification;
 import org.auvsim.auvsml.message.session.LaggingNotification;
+import org.auvsim.auvsml.message.session.LaggingSide;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -24,7 +25,6 @@ public final class ClientSession {
     private final Outbox outbox = new Outbox(MOST_STATES, MOST_CONTROL);
     private final Registrations registrations = new Registrations();
     private final List<Delivery> pending = new ArrayList<>();
-    private String name;
 
     /**
      * A session that has just begun.
@@ -36,7 +36,6 @@ public final class ClientSession {
         this.id = id;
         this.peer = peer;
         this.writer = writer;
-        this.name = "client " + id;
     }
 
     /** Its number, unique among all sessions of a simulator. */
@@ -54,14 +53,9 @@ public final class ClientSession {
         return Role.ADMIN;
     }
 
-    /** The client's name: "client 3" until it states its own. */
+    /** What others may call the client, as {@code client 3}. */
     public String name() {
-        return name;
-    }
-
-    /** Takes the name that the client states. */
-    public void rename(String name) {
-        this.name = name;
+        return "client " + id;
     }
 
     /** Begins to send the events of an object. */
@@ -143,7 +137,8 @@ public final class ClientSession {
     private byte[] join(Outbox.Packet packet) {
         List<byte[]> messages = new ArrayList<>(packet.messages());
         if (packet.skipped() > 0) {
-            messages.addFirst(writer.write(new LaggingNotification(packet.skipped())));
+            messages.addFirst(
+                    writer.write(new LaggingNotification(LaggingSide.CLIENT, packet.skipped())));
         }
         byte[] joined = new byte[messages.stream().mapToInt(m -> m.length).sum()];
         int end = 0;
@@ -156,6 +151,6 @@ public final class ClientSession {
 
     @Override
     public String toString() {
-        return name + " (" + peer + ")";
+        return name() + " (" + peer + ")";
     }
 }

@@ -120,6 +120,7 @@ final class TcpConnection {
     void closeIfStalled(long nanos) {
         if (waitsForClient && System.nanoTime() - waitsSince > nanos) {
             LOG.info("{} has not read for {} ms and is cut off", peer, nanos / 1_000_000);
+            waitsForClient = false;
             close();
         }
     }

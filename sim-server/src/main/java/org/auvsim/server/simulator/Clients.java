@@ -82,8 +82,13 @@ final class Clients implements Reception {
 
     @Override
     public void left(ClientSession session) throws InterruptedException {
-        open.remove(session.id());
-        if (!mailbox.postRequest(() -> requests.end(session))) {
+        boolean isSeen =
+                mailbox.postRequest(
+                        () -> {
+                            open.remove(session.id());
+                            requests.end(session);
+                        });
+        if (!isSeen) {
             session.close();
         }
     }

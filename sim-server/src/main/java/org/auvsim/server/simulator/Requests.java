@@ -23,9 +23,11 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.function.Supplier;
 
 /** Carries out what clients ask for, and answers. Belongs to the simulation thread. */
@@ -40,6 +42,9 @@ final class Requests {
     private final CorrectiveFeedbackSystem feedback;
     private final SimulatorControl simulator;
     private final String serverName;
+
+    /** Those who asked to leave, until they have got their answers. */
+    private final Set<ClientSession> leaving = new HashSet<>();
 
     Requests(
             World world,
@@ -82,14 +87,21 @@ final class Requests {
     void carryOut(ClientSession session, Incoming.Request request) {
         List<Message> answers = new ArrayList<>();
         for (Message message : request.messages()) {
-            if (notifications.sessions().contains(session)) {
+            if (isOpen(session)) {
                 answer(session, message, request.requestId().isPresent()).ifPresent(answers::add);
             }
         }
         if (!answers.isEmpty()) {
             session.send(request.requestId(), answers);
         }
+        if (leaving.remove(session)) {
+            end(session);
+        }
         notifications.flush();
+    }
+
+    private boolean isOpen(ClientSession session) {
+        return notifications.sessions().contains(session) && !leaving.contains(session);
     }
 
     private Optional<Message> answer(ClientSession session, Message message, boolean always) {
@@ -137,7 +149,11 @@ final class Requests {
             case ClientCommand c ->
                     c.execute(
                             new SessionPort(
-                                    session, world, controlled, corrected, () -> end(session)));
+                                    session,
+                                    world,
+                                    controlled,
+                                    corrected,
+                                    () -> leaving.add(session)));
             case SimulatorCommand c -> c.execute(simulator);
             case WorldCommand c -> c.execute(new WorldPort(world));
             case WorldObjectCommand c ->

@@ -6,6 +6,7 @@ import org.auvsim.auvsml.message.command.SimulatorControl;
 import org.auvsim.auvsml.message.command.SimulatorState;
 import org.auvsim.auvsml.message.session.ErrorResponse;
 import org.auvsim.auvsml.message.session.LaggingNotification;
+import org.auvsim.auvsml.message.session.LaggingSide;
 import org.auvsim.core.world.World;
 import org.auvsim.server.feedback.CorrectiveFeedbackSystem;
 import org.auvsim.server.net.Notifications;
@@ -110,7 +111,8 @@ final class SimulationLoop implements SimulatorControl {
         OptionalLong skipped = running ? lag.skippedSteps(world.time()) : OptionalLong.empty();
         if (skipped.isPresent()) {
             LOG.warn("too slow for rate {}: {} steps skipped", pace.rate(), skipped.getAsLong());
-            notifications.toAll(new LaggingNotification(skipped.getAsLong()));
+            notifications.toAll(
+                    new LaggingNotification(LaggingSide.SIMULATOR, skipped.getAsLong()));
         }
     }
 
@@ -139,11 +141,21 @@ final class SimulationLoop implements SimulatorControl {
 
     @Override
     public void step(int count) {
+        requirePaused();
+        stepsAsked += count;
+    }
+
+    /** Makes one step at once, while paused. */
+    void stepNow() {
+        requirePaused();
+        advanceTimestep();
+    }
+
+    private void requirePaused() {
         if (running) {
             throw new RefusedException(
                     ErrorCode.REFUSED, "steps are made one by one only while paused; pause first");
         }
-        stepsAsked += count;
     }
 
     @Override

@@ -1,6 +1,6 @@
 package org.auvsim.server.simulator;
 
-import org.auvsim.auvsml.message.command.SimulatorControl;
+import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.message.command.SimulatorState;
 import org.auvsim.core.world.World;
 import org.auvsim.server.net.Transport;
@@ -11,6 +11,7 @@ import org.slf4j.LoggerFactory;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -47,6 +48,16 @@ public final class Simulator implements AutoCloseable {
     /** Starts to build a simulator of a world, which belongs to the simulator from its start on. */
     public static SimulatorBuilder of(World world) {
         return new SimulatorBuilder(world);
+    }
+
+    /**
+     * Starts to build a simulator of a scenario's world, with the feedback it asks for.
+     *
+     * @throws org.auvsim.core.world.WorldException if an id or a name is used twice
+     * @throws IllegalArgumentException if its feedback time-stepper is none of a server
+     */
+    public static SimulatorBuilder of(Scenario scenario) {
+        return ScenarioSettings.builder(scenario);
     }
 
     /**
@@ -107,11 +118,19 @@ public final class Simulator implements AutoCloseable {
             Thread.currentThread().interrupt();
             throw new IllegalStateException("interrupted before the simulator could answer", e);
         }
-        CompletableFuture.anyOf(answer, ended).join();
-        return answer.isDone() ? answer.join() : question.get();
+        CompletableFuture.anyOf(answer, ended).handle((_, _) -> true).join();
+        return answer.isDone() ? outcome(answer) : question.get();
     }
 
-    private void control(Consumer<SimulatorControl> command) {
+    private static <T> T outcome(CompletableFuture<T> answer) {
+        try {
+            return answer.join();
+        } catch (CompletionException e) {
+            throw e.getCause() instanceof RuntimeException cause ? cause : e;
+        }
+    }
+
+    private void control(Consumer<SimulationLoop> command) {
         onSimulationThread(
                 () -> {
                     command.accept(loop);
@@ -126,12 +145,22 @@ public final class Simulator implements AutoCloseable {
 
     /** Stands still after the step that is under way. */
     public void pause() {
-        control(SimulatorControl::pause);
+        control(SimulationLoop::pause);
     }
 
     /** Goes on. */
     public void resume() {
-        control(SimulatorControl::resume);
+        control(SimulationLoop::resume);
+    }
+
+    /**
+     * Makes one step while the simulation is paused (thesis, section 7.2), with feedback as its
+     * time-stepper has it.
+     *
+     * @throws org.auvsim.auvsml.message.command.RefusedException if the simulation is running
+     */
+    public void advanceTimestep() {
+        control(SimulationLoop::stepNow);
     }
 
     /** World seconds a second from now on; empty: as fast as possible. */

@@ -3,6 +3,7 @@ package org.auvsim.server.simulator;
 import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.framing.RootDecoder;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
+import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.xml.Limits;
 import org.auvsim.core.world.World;
 import org.auvsim.server.feedback.CorrectiveFeedbackSystem;
@@ -31,6 +32,7 @@ public final class SimulatorBuilder {
     private FeedbackTimestepper timestepper = new NoFeedbackTimestepper();
     private OptionalDouble rate = OptionalDouble.of(1);
     private OptionalDouble until = OptionalDouble.empty();
+    private Optional<String> override = Optional.empty();
     private boolean running = true;
     private Optional<MessageCatalogue> catalogue = Optional.empty();
     private Limits limits = Limits.MESSAGE;
@@ -65,9 +67,9 @@ public final class SimulatorBuilder {
         return this;
     }
 
-    /** Lets a processor do all corrections, whichever the messages name. */
-    public SimulatorBuilder overrideProcessors(FeedbackProcessor processor) {
-        processors.override(processor);
+    /** Lets the processor of this name do all corrections, whichever the messages name. */
+    public SimulatorBuilder overrideProcessors(String name) {
+        override = Optional.of(name);
         return this;
     }
 
@@ -111,9 +113,11 @@ public final class SimulatorBuilder {
      * Builds the simulator, lets clients in and time go on.
      *
      * @throws TransportException if a transport cannot be opened
-     * @throws IllegalArgumentException if the rate is not positive
+     * @throws IllegalArgumentException if the rate is not positive, or no processor has the name of
+     *     that which overrides the others
      */
     public Simulator start() {
+        override.ifPresent(this::override);
         MessageCatalogue messages =
                 catalogue.orElseGet(
                         () -> MessageCatalogue.load(SimulatorBuilder.class.getClassLoader()));
@@ -141,5 +145,13 @@ public final class SimulatorBuilder {
         RootDecoder decoder = RootDecoder.strict(messages, limits);
         Clients clients = new Clients(mailbox, requests, decoder, writer, limits);
         return new Simulator(world, loop, mailbox, clients, transports).start();
+    }
+
+    private void override(String name) {
+        try {
+            processors.override(name);
+        } catch (RefusedException e) {
+            throw new IllegalArgumentException(e.getMessage(), e);
+        }
     }
 }

@@ -5,6 +5,7 @@ import org.auvsim.auvsml.message.entity.EntityAddedMessage;
 import org.auvsim.auvsml.message.entity.EntityRemovedMessage;
 import org.auvsim.auvsml.message.entity.WorldObjectAddedMessage;
 import org.auvsim.auvsml.message.feedback.FeedbackAppliedNotification;
+import org.auvsim.auvsml.message.feedback.OverlappedEntity;
 import org.auvsim.auvsml.message.movement.CollisionNotification;
 import org.auvsim.auvsml.message.movement.KinematicStateMessage;
 import org.auvsim.auvsml.message.movement.MovementStateChangeMessage;
@@ -173,7 +174,8 @@ final class WorldNews implements WorldListener {
                                 applied.time(),
                                 applied.processor(),
                                 applied.errorBefore(),
-                                applied.errorAfter()));
+                                applied.errorAfter(),
+                                applied.overlaps().stream().map(OverlappedEntity::new).toList()));
     }
 
     /** Tells that the step is over. */

@@ -14,8 +14,8 @@
  * <p>{@code start()} throws {@link org.auvsim.server.net.TransportException} with one clear
  * sentence if the port cannot be had. Corrective feedback is asked for with {@code
  * timestepper(SimpleFixedTimeFeedbackTimestepper.waiting(Duration.ofMillis(20)))}; by default
- * feedback is ignored. Other threads reach the world through {@link
- * org.auvsim.server.simulator.Simulator#ask}.
+ * feedback is ignored; {@code Simulator.of(scenario)} does what a scenario asks for. Other threads
+ * reach the world through {@link org.auvsim.server.simulator.Simulator#ask}.
  */
 @NullMarked
 package org.auvsim.server.simulator;

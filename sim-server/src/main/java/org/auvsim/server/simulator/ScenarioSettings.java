@@ -1,0 +1,46 @@
+package org.auvsim.server.simulator;
+
+import org.auvsim.auvsml.document.FeedbackProcessorChoice;
+import org.auvsim.auvsml.document.FeedbackTimestepping;
+import org.auvsim.auvsml.document.FeedbackTimestepping.AwaitedClient;
+import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.server.feedback.AsynchronousFeedbackTimestepper;
+import org.auvsim.server.feedback.FeedbackTimestepper;
+import org.auvsim.server.feedback.NoFeedbackTimestepper;
+import org.auvsim.server.feedback.SimpleFixedTimeFeedbackTimestepper;
+
+import java.time.Duration;
+
+/** What a scenario says of how its world is to be served. */
+final class ScenarioSettings {
+    private ScenarioSettings() {}
+
+    static SimulatorBuilder builder(Scenario scenario) {
+        SimulatorBuilder builder =
+                new SimulatorBuilder(scenario.world())
+                        .timestepper(timestepper(scenario.feedbackTimestepping()));
+        scenario.feedbackProcessor()
+                .map(FeedbackProcessorChoice::override)
+                .ifPresent(builder::overrideProcessors);
+        return builder;
+    }
+
+    private static FeedbackTimestepper timestepper(FeedbackTimestepping choice) {
+        return switch (choice) {
+            case FeedbackTimestepper own -> own;
+            case FeedbackTimestepping.NoFeedbackTimestepper _ -> new NoFeedbackTimestepper();
+            case FeedbackTimestepping.AsynchronousFeedbackTimestepper _ ->
+                    new AsynchronousFeedbackTimestepper();
+            case FeedbackTimestepping.SimpleFixedTimeFeedbackTimestepper simple ->
+                    new SimpleFixedTimeFeedbackTimestepper(
+                            Duration.ofNanos((long) (simple.waiting() * 1e9)),
+                            simple.client().stream().map(AwaitedClient::name).toList());
+            default ->
+                    throw new IllegalArgumentException(
+                            "%s is no time-stepper of this server: its record must be a %s too"
+                                    .formatted(
+                                            choice.getClass().getSimpleName(),
+                                            FeedbackTimestepper.class.getSimpleName()));
+        };
+    }
+}

@@ -101,6 +101,12 @@ public final class RawClient implements AutoCloseable {
         socket.shutdownOutput();
     }
 
+    /** Breaks the connection off, as a machine that fails does. */
+    public void reset() throws IOException {
+        socket.setSoLinger(true, 0);
+        socket.close();
+    }
+
     /** An attribute's value in a text. */
     public static String attribute(String text, String name) {
         Matcher matcher = Pattern.compile("\\b" + name + "=\"([^\"]*)\"").matcher(text);

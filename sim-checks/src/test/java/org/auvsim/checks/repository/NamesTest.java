@@ -1,0 +1,36 @@
+package org.auvsim.checks.repository;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.auvsim.checks.Repository;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class NamesTest {
+    private static final Path ROOT = Repository.root();
+
+    @ParameterizedTest
+    @ValueSource(strings = {"docs/thesis.md", "docs/extending.md"})
+    void everyNameOnThePageExists(String page) throws Exception {
+        Names names = new Names(ROOT, TrackedFiles.of(ROOT));
+
+        assertThat(names.unknown(ROOT.resolve(page))).isEmpty();
+    }
+
+    @Test
+    void namesThatAreNotThereAreFound(@TempDir Path folder) throws Exception {
+        Path page = folder.resolve("page.md");
+        Files.writeString(
+                page,
+                "`World` `World.fly` `Worlds` `pause-simulator-command` `pause-command` `no.xml`"
+                        + " `PROJECTED` `PROJECTOR`");
+
+        assertThat(new Names(ROOT, TrackedFiles.of(ROOT)).unknown(page))
+                .map(sentence -> sentence.split("`", -1)[1])
+                .containsExactly("World.fly", "Worlds", "pause-command", "no.xml", "PROJECTOR");
+    }
+}

@@ -53,20 +53,29 @@ public final class EquationsOfMotion {
 
     /** Copies state and constants of {@code count} bodies from slot {@code first} on. */
     public void load(Block block, int first, int count, double time) {
-        block.first = first;
-        block.count = count;
+        block.take(first, count);
+        load(block, time);
+    }
+
+    /** Copies state and constants of the bodies in the first {@code count} of these slots. */
+    public void load(Block block, int[] slots, int count, double time) {
+        block.take(slots, count);
+        load(block, time);
+    }
+
+    private void load(Block block, double time) {
         block.time = time;
         for (int c = 0; c < BodyState.COLUMNS; c++) {
-            System.arraycopy(bodies.column(c), first, block.state[c], 0, count);
+            block.gather(bodies.column(c), block.state[c]);
         }
         for (int e = 0; e < BodyState.ELEMENTS; e++) {
-            System.arraycopy(bodies.inverseInertia(e), first, block.inverseInertia[e], 0, count);
+            block.gather(bodies.inverseInertia(e), block.inverseInertia[e]);
         }
-        System.arraycopy(bodies.mass(), first, block.mass, 0, count);
-        System.arraycopy(bodies.inverseMass(), first, block.inverseMass, 0, count);
+        block.gather(bodies.mass(), block.mass);
+        block.gather(bodies.inverseMass(), block.inverseMass);
         bodies.applied().load(block);
         block.hasFixed = false;
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < block.count; i++) {
             block.hasFixed |= block.inverseMass[i] == 0;
         }
     }

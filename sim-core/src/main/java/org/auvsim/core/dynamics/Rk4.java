@@ -13,6 +13,7 @@ public record Rk4() implements Integrator {
      */
     private static final double[] NODE = {0, 0.5, 0.5, 1};
 
+    private static final int LAST = NODE.length - 1;
     private static final double[] WEIGHT = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
 
     @Override
@@ -25,28 +26,50 @@ public record Rk4() implements Integrator {
             System.arraycopy(block.state[c], 0, start[c], 0, block.count);
             System.arraycopy(block.state[c], 0, sum[c], 0, block.count);
         }
-        for (int stage = 0; stage < 3; stage++) {
+        for (int stage = 0; stage < LAST; stage++) {
             equations.evaluate(block);
-            double next = NODE[stage + 1] * dt;
-            for (int c = 0; c < BodyState.COLUMNS; c++) {
-                addScaled(sum[c], sum[c], WEIGHT[stage] * dt, block.rate[c], block.count);
-                addScaled(block.state[c], start[c], next, block.rate[c], block.count);
-            }
-            block.time = begin + next;
+            block.time = begin + NODE[stage + 1] * dt;
+            goOn(block, start, NODE[stage + 1] * dt, sum, WEIGHT[stage] * dt);
         }
         equations.evaluate(block);
-        for (int c = 0; c < BodyState.COLUMNS; c++) {
-            addScaled(block.state[c], sum[c], WEIGHT[3] * dt, block.rate[c], block.count);
-        }
+        finish(block, sum, WEIGHT[LAST] * dt);
         block.time = begin + dt;
         equations.normalizeOrientations(block);
     }
 
-    /** to = base + factor * rate. */
-    private static void addScaled(
-            double[] to, double[] base, double factor, double[] rate, int count) {
+    /** Goes to the next stage, start + step * rate, and adds weight * rate to the sum. */
+    private static void goOn(
+            Block block, double[][] start, double step, double[][] sum, double weight) {
+        for (int c = 0; c < BodyState.COLUMNS; c++) {
+            goOn(block.state[c], start[c], step, sum[c], weight, block.rate[c], block.count);
+        }
+    }
+
+    private static void goOn(
+            double[] state,
+            double[] start,
+            double step,
+            double[] sum,
+            double weight,
+            double[] rate,
+            int count) {
         for (int i = 0; i < count; i++) {
-            to[i] = base[i] + factor * rate[i];
+            state[i] = start[i] + step * rate[i];
+            sum[i] += weight * rate[i];
+        }
+    }
+
+    /** The step's end: the sum of all stages. */
+    private static void finish(Block block, double[][] sum, double weight) {
+        for (int c = 0; c < BodyState.COLUMNS; c++) {
+            finish(block.state[c], sum[c], weight, block.rate[c], block.count);
+        }
+    }
+
+    private static void finish(
+            double[] state, double[] sum, double weight, double[] rate, int count) {
+        for (int i = 0; i < count; i++) {
+            state[i] = sum[i] + weight * rate[i];
         }
     }
 }

@@ -57,7 +57,7 @@ final class DampingBlock implements BlockEffect {
 
     private boolean touches(Block b) {
         for (int i = 0; i < b.count; i++) {
-            if (damped[b.first + i]) {
+            if (damped[b.slot(i)]) {
                 return true;
             }
         }
@@ -75,8 +75,8 @@ final class DampingBlock implements BlockEffect {
         double[] a = b.scratch[6];
         double[] k = b.scratch[7];
         for (int axis = 0; axis < 3; axis++) {
-            System.arraycopy(linear[column + axis], b.first, a, 0, b.count);
-            System.arraycopy(quadratic[column + axis], b.first, k, 0, b.count);
+            b.gather(linear[column + axis], a);
+            b.gather(quadratic[column + axis], k);
             damp(b, b.scratch[axis], a, k);
         }
     }

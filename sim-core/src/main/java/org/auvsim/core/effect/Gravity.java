@@ -25,7 +25,7 @@ public record Gravity(@Unit("m/s^2") @Default("9.80665") double acceleration) im
             double[] mass = block.mass;
             double[] acceleration = block.scratch[0];
             double[] fz = block.fz;
-            System.arraycopy(downward, block.first, acceleration, 0, block.count);
+            block.gather(downward, acceleration);
             for (int i = 0; i < block.count; i++) {
                 fz[i] -= mass[i] * acceleration[i];
             }

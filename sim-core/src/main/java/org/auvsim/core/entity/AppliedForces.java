@@ -2,6 +2,7 @@ package org.auvsim.core.entity;
 
 import org.auvsim.core.math.Vec3;
 
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -21,19 +22,22 @@ public final class AppliedForces {
     static final int COLUMNS = 18;
 
     private final double[][] columns;
-    private int slotsWithMoment;
+    private final double[] sum = new double[COLUMNS];
+    /** How many bodies have something in the group of columns that begins at an index. */
+    private final int[] users = new int[COLUMNS];
 
     AppliedForces(int capacity) {
-        this(new double[COLUMNS][capacity], 0);
+        this(new double[COLUMNS][capacity]);
     }
 
-    private AppliedForces(double[][] columns, int slotsWithMoment) {
+    private AppliedForces(double[][] columns) {
         this.columns = columns;
-        this.slotsWithMoment = slotsWithMoment;
     }
 
     AppliedForces copy() {
-        return new AppliedForces(BodyState.clones(columns), slotsWithMoment);
+        AppliedForces copy = new AppliedForces(BodyState.clones(columns));
+        System.arraycopy(users, 0, copy.users, 0, COLUMNS);
+        return copy;
     }
 
     void grow(int capacity) {
@@ -41,12 +45,7 @@ public final class AppliedForces {
     }
 
     void clear(int slot) {
-        if (hasMoment(slot)) {
-            slotsWithMoment--;
-        }
-        for (double[] column : columns) {
-            column[slot] = 0;
-        }
+        set(slot, List.of(), List.of());
     }
 
     void remove(int slot, int count) {
@@ -57,69 +56,81 @@ public final class AppliedForces {
         }
     }
 
-    private boolean hasMoment(int slot) {
-        for (int c = MOMENT; c < COLUMNS; c++) {
-            if (columns[c][slot] != 0) {
-                return true;
-            }
-        }
-        return false;
-    }
-
     /** Replaces the resultants of a body by those of these forces and propulsors, in this order. */
     void set(int slot, Iterable<NamedForce> forces, List<Propulsor> propulsors) {
-        clear(slot);
+        Arrays.fill(sum, 0);
         for (NamedForce force : forces) {
             if (force.frame() == Frame.BODY) {
-                addBodyForce(slot, force.vector(), force.point());
+                addBodyForce(force.vector(), force.point());
             } else {
-                add(WORLD_FORCE, slot, force.vector());
-                if (!force.point().equals(Vec3.ZERO)) {
-                    addMoment(slot, force.point(), force.vector());
-                }
+                add(WORLD_FORCE, 1, force.vector());
+                add(MOMENT, force.point().x(), force.vector());
+                add(MOMENT + 3, force.point().y(), force.vector());
+                add(MOMENT + 6, force.point().z(), force.vector());
             }
         }
         for (Propulsor propulsor : propulsors) {
-            addBodyForce(slot, propulsor.thrust(), propulsor.position());
+            addBodyForce(propulsor.thrust(), propulsor.position());
         }
-        if (hasMoment(slot)) {
-            slotsWithMoment++;
+        store(slot);
+    }
+
+    private void addBodyForce(Vec3 force, Vec3 point) {
+        add(BODY_FORCE, 1, force);
+        add(BODY_TORQUE, 1, point.cross(force));
+    }
+
+    private void add(int column, double factor, Vec3 v) {
+        sum[column] += factor * v.x();
+        sum[column + 1] += factor * v.y();
+        sum[column + 2] += factor * v.z();
+    }
+
+    private void store(int slot) {
+        store(slot, WORLD_FORCE, BODY_FORCE);
+        store(slot, BODY_FORCE, BODY_TORQUE);
+        store(slot, BODY_TORQUE, MOMENT);
+        store(slot, MOMENT, COLUMNS);
+    }
+
+    private void store(int slot, int begin, int end) {
+        boolean had = false;
+        boolean has = false;
+        for (int c = begin; c < end; c++) {
+            had |= columns[c][slot] != 0;
+            has |= sum[c] != 0;
+            columns[c][slot] = sum[c];
         }
+        users[begin] += (has ? 1 : 0) - (had ? 1 : 0);
     }
 
-    private void addBodyForce(int slot, Vec3 force, Vec3 point) {
-        add(BODY_FORCE, slot, force);
-        add(BODY_TORQUE, slot, point.cross(force));
-    }
-
-    private void addMoment(int slot, Vec3 r, Vec3 f) {
-        add(MOMENT, slot, f.times(r.x()));
-        add(MOMENT + 3, slot, f.times(r.y()));
-        add(MOMENT + 6, slot, f.times(r.z()));
-    }
-
-    private void add(int column, int slot, Vec3 v) {
-        columns[column][slot] += v.x();
-        columns[column + 1][slot] += v.y();
-        columns[column + 2][slot] += v.z();
-    }
-
-    /** Copies the resultants of the block's bodies into it. */
+    /** Copies the resultants of the block's bodies into it; what no body has is left out. */
     public void load(Block b) {
-        for (int c = 0; c < (slotsWithMoment > 0 ? COLUMNS : MOMENT); c++) {
-            System.arraycopy(columns[c], b.first, b.applied[c], 0, b.count);
+        load(b, WORLD_FORCE, BODY_FORCE);
+        load(b, BODY_FORCE, BODY_TORQUE);
+        load(b, BODY_TORQUE, MOMENT);
+        load(b, MOMENT, COLUMNS);
+    }
+
+    private void load(Block b, int begin, int end) {
+        for (int c = begin; users[begin] > 0 && c < end; c++) {
+            b.gather(columns[c], b.applied[c]);
         }
     }
 
     /** Sets force and torque of every body of the block to the resultants loaded there. */
     public void write(Block b) {
         double[][] a = b.applied;
-        for (int axis = 0; axis < 3; axis++) {
-            System.arraycopy(a[WORLD_FORCE + axis], 0, b.rate[BodyState.PX + axis], 0, b.count);
+        writeWorldForce(b);
+        if (users[BODY_FORCE] > 0) {
+            b.addToWorld(b.fx, b.fy, b.fz, a[BODY_FORCE], a[BODY_FORCE + 1], a[BODY_FORCE + 2]);
         }
-        b.addToWorld(b.fx, b.fy, b.fz, a[BODY_FORCE], a[BODY_FORCE + 1], a[BODY_FORCE + 2]);
-        b.toWorld(b.tx, b.ty, b.tz, a[BODY_TORQUE], a[BODY_TORQUE + 1], a[BODY_TORQUE + 2]);
-        if (slotsWithMoment > 0) {
+        if (users[BODY_TORQUE] > 0) {
+            b.toWorld(b.tx, b.ty, b.tz, a[BODY_TORQUE], a[BODY_TORQUE + 1], a[BODY_TORQUE + 2]);
+        } else {
+            clear(b, BodyState.LX);
+        }
+        if (users[MOMENT] > 0) {
             // (R A)_yz - (R A)_zy and so on.
             addMoment(b, b.tx, b.ryx, b.ryy, b.ryz, 2, 1);
             addMoment(b, b.tx, b.rzx, b.rzy, b.rzz, 1, -1);
@@ -127,6 +138,23 @@ public final class AppliedForces {
             addMoment(b, b.ty, b.rxx, b.rxy, b.rxz, 2, -1);
             addMoment(b, b.tz, b.rxx, b.rxy, b.rxz, 1, 1);
             addMoment(b, b.tz, b.ryx, b.ryy, b.ryz, 0, -1);
+        }
+    }
+
+    private void writeWorldForce(Block b) {
+        if (users[WORLD_FORCE] == 0) {
+            clear(b, BodyState.PX);
+            return;
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            double[] force = b.applied[WORLD_FORCE + axis];
+            System.arraycopy(force, 0, b.rate[BodyState.PX + axis], 0, b.count);
+        }
+    }
+
+    private static void clear(Block b, int column) {
+        for (int axis = 0; axis < 3; axis++) {
+            Arrays.fill(b.rate[column + axis], 0, b.count, 0);
         }
     }
 

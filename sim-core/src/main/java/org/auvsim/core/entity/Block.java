@@ -3,8 +3,8 @@ package org.auvsim.core.entity;
 import org.auvsim.core.math.Vec3;
 
 /**
- * Up to {@value #SIZE} neighbouring bodies while they are integrated: one array a quantity, index
- * {@code i} for the body in slot {@code first + i}, for {@code i < count}.
+ * Up to {@value #SIZE} bodies while they are integrated: one array a quantity, index {@code i} for
+ * the body in slot {@code slot(i)}, for {@code i < count}.
  *
  * <p>The fields are open on purpose: loops over plain arrays are what the compiler vectorises.
  * Effects read all of them and write {@code fx} to {@code tz} alone.
@@ -12,9 +12,6 @@ import org.auvsim.core.math.Vec3;
 public final class Block {
     /** The number of bodies that fit: small enough for the first-level cache. */
     public static final int SIZE = 64;
-
-    /** Slot of the first body. */
-    public int first;
 
     /** Number of bodies in use. */
     public int count;
@@ -88,7 +85,52 @@ public final class Block {
     /** Resultants of named forces and propulsors, as {@link AppliedForces} lays them out. */
     final double[][] applied = new double[AppliedForces.COLUMNS][SIZE];
 
+    private final int[] slots = new int[SIZE];
+    private boolean neighbours = true;
     private double[][][] work = new double[0][][];
+
+    /** Takes {@code count} bodies, from a slot on. */
+    public void take(int firstSlot, int count) {
+        this.count = count;
+        neighbours = true;
+        for (int i = 0; i < count; i++) {
+            slots[i] = firstSlot + i;
+        }
+    }
+
+    /** Takes the bodies in the first {@code count} of these slots. */
+    public void take(int[] ofSlots, int count) {
+        this.count = count;
+        neighbours = false;
+        System.arraycopy(ofSlots, 0, slots, 0, count);
+    }
+
+    /** Slot of body {@code i}. */
+    public int slot(int i) {
+        return slots[i];
+    }
+
+    /** Copies a quantity of the block's bodies out of an array with a place for each slot. */
+    public void gather(double[] bySlot, double[] to) {
+        if (neighbours) {
+            System.arraycopy(bySlot, slots[0], to, 0, count);
+            return;
+        }
+        for (int i = 0; i < count; i++) {
+            to[i] = bySlot[slots[i]];
+        }
+    }
+
+    /** Copies a quantity of the block's bodies into an array with a place for each slot. */
+    public void scatter(double[] from, double[] bySlot) {
+        if (neighbours) {
+            System.arraycopy(from, 0, bySlot, slots[0], count);
+            return;
+        }
+        for (int i = 0; i < count; i++) {
+            bySlot[slots[i]] = from[i];
+        }
+    }
 
     /** Scratch copies of the state for an integrator, kept from call to call. */
     public double[][][] work(int copies) {

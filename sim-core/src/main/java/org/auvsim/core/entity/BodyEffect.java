@@ -21,7 +21,7 @@ public interface BodyEffect extends Effect {
         }
         return block -> {
             for (int i = 0; i < block.count; i++) {
-                for (BodyEffect effect : effects[block.first + i]) {
+                for (BodyEffect effect : effects[block.slot(i)]) {
                     effect.add(block, i);
                 }
             }

@@ -62,6 +62,7 @@ public record BisectionFinder(@Default("5") int indices, @Default("32") int maxi
     private double firstBetween(
             Motion motion, CollisionSets sets, int[] apart, double before, double here) {
         double earliest = Double.POSITIVE_INFINITY;
+        motion.lookAhead(sets, here);
         for (int k = 0; k < sets.pairCount(); k++) {
             int i = sets.first(k);
             int j = sets.second(k);

@@ -181,8 +181,33 @@ public final class Motion {
                 && collidables.get(j).meets(collidables.get(i));
     }
 
+    /**
+     * Integrates the bodies of all pairs to an offset, together: cheaper than one after the other,
+     * as {@link #overlap} would.
+     */
+    public void lookAhead(CollisionSets pairs, double offset) {
+        Projection there = projection(offset);
+        for (int k = 0; k < pairs.pairCount(); k++) {
+            want(pairs.first(k), there);
+            want(pairs.second(k), there);
+        }
+        there.integrateWanted();
+    }
+
+    private void want(int i, Projection there) {
+        if (slots[i] >= 0) {
+            there.want(slots[i]);
+        }
+    }
+
     /** Whether the two volumes share a point at an offset. */
     public boolean overlap(int i, int j, double offset) {
+        if (offset != 0) {
+            Projection there = projection(offset);
+            want(i, there);
+            want(j, there);
+            there.integrateWanted();
+        }
         pose(i, offset, poseA);
         pose(j, offset, poseB);
         return queries.overlap(volume(i, offset), poseA, volume(j, offset), poseB);
@@ -240,7 +265,7 @@ public final class Motion {
     public void commit(double offset) {
         if (offset > 0) {
             Projection there = allAt(offset);
-            requireFinite(there.firstNotFinite(), offset);
+            requireFinite(there.anyNotFinite(), offset);
             there.commit();
             begin(time + offset);
         }

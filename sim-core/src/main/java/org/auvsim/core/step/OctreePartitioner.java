@@ -79,33 +79,61 @@ public record OctreePartitioner(
             return;
         }
         double quarter = half / 2;
+        int[] members = sets.scratch(2 * end);
+        for (int k = begin; k < end; k++) {
+            members[end + k - begin] = octants(sets.spheres(), 4 * members[k], x, y, z, quarter);
+        }
+        int free = end + (end - begin);
         for (int octant = 0; octant < 8; octant++) {
+            int childEnd = collect(sets, begin, end, octant);
             double cx = (octant & 1) == 0 ? x - quarter : x + quarter;
             double cy = (octant & 2) == 0 ? y - quarter : y + quarter;
             double cz = (octant & 4) == 0 ? z - quarter : z + quarter;
-            int childEnd = collect(sets, begin, end, cx, cy, cz, quarter);
-            visit(sets, end, childEnd, depth + 1, cx, cy, cz, quarter);
+            visit(sets, free, childEnd, depth + 1, cx, cy, cz, quarter);
         }
     }
 
-    /** Copies the objects that touch a child's cube behind those of the node. */
-    private static int collect(
-            CollisionSets sets, int begin, int end, double x, double y, double z, double half) {
-        int[] members = sets.scratch(end + (end - begin));
-        int to = end;
+    /** Which of the eight children a swept sphere touches, a bit each. */
+    private static int octants(
+            double[] spheres, int at, double x, double y, double z, double quarter) {
+        double lowX = beyond(spheres[at], x - quarter, quarter);
+        double highX = beyond(spheres[at], x + quarter, quarter);
+        double lowY = beyond(spheres[at + 1], y - quarter, quarter);
+        double highY = beyond(spheres[at + 1], y + quarter, quarter);
+        double lowZ = beyond(spheres[at + 2], z - quarter, quarter);
+        double highZ = beyond(spheres[at + 2], z + quarter, quarter);
+        double reach = spheres[at + 3] * spheres[at + 3];
+        int bits = 0;
+        bits |= lowX + lowY + lowZ <= reach ? 1 : 0;
+        bits |= highX + lowY + lowZ <= reach ? 2 : 0;
+        bits |= lowX + highY + lowZ <= reach ? 4 : 0;
+        bits |= highX + highY + lowZ <= reach ? 8 : 0;
+        bits |= lowX + lowY + highZ <= reach ? 16 : 0;
+        bits |= highX + lowY + highZ <= reach ? 32 : 0;
+        bits |= lowX + highY + highZ <= reach ? 64 : 0;
+        bits |= highX + highY + highZ <= reach ? 128 : 0;
+        return bits;
+    }
+
+    /** Square of the distance of a coordinate from an interval about {@code middle}. */
+    private static double beyond(double coordinate, double middle, double half) {
+        double distance = Math.max(0, Math.abs(coordinate - middle) - half);
+        return distance * distance;
+    }
+
+    /**
+     * Copies the objects of a node that touch a child behind the node's objects and their bits;
+     * returns where they end.
+     */
+    private static int collect(CollisionSets sets, int begin, int end, int octant) {
+        int size = end - begin;
+        int[] members = sets.scratch(end + 2 * size);
+        int to = end + size;
         for (int k = begin; k < end; k++) {
-            if (touches(sets.spheres(), 4 * members[k], x, y, z, half)) {
+            if ((members[end + k - begin] >> octant & 1) != 0) {
                 members[to++] = members[k];
             }
         }
         return to;
-    }
-
-    private static boolean touches(
-            double[] spheres, int at, double x, double y, double z, double half) {
-        double dx = Math.max(0, Math.abs(spheres[at] - x) - half);
-        double dy = Math.max(0, Math.abs(spheres[at + 1] - y) - half);
-        double dz = Math.max(0, Math.abs(spheres[at + 2] - z) - half);
-        return dx * dx + dy * dy + dz * dz <= spheres[at + 3] * spheres[at + 3];
     }
 }

@@ -20,6 +20,8 @@ final class Projection {
     private final Block block;
     private final double[][] columns;
     private final int[] known;
+    private final int[] wanted = new int[Block.SIZE];
+    private int wantedCount;
     private int round;
     private int ahead;
     private boolean complete;
@@ -113,33 +115,65 @@ final class Projection {
         to.qz = columns[BodyState.QZ][slot];
     }
 
+    /** Notes that the body in a slot is wanted; {@link #integrateWanted} integrates it. */
+    void want(int slot) {
+        if (known[slot] != round) {
+            known[slot] = round;
+            wanted[wantedCount++] = slot;
+            if (wantedCount == Block.SIZE) {
+                integrateWanted();
+            }
+        }
+    }
+
+    /** Integrates the wanted bodies together, which is cheaper than one after the other. */
+    void integrateWanted() {
+        if (wantedCount > 0) {
+            equations.load(block, wanted, wantedCount, now);
+            wantedCount = 0;
+            integrateBlock();
+        }
+    }
+
     private void integrate(int first, int count) {
         equations.load(block, first, count, now);
+        integrateBlock();
+    }
+
+    private void integrateBlock() {
         if (offset != 0) {
             integrator.advance(equations, block, offset);
         }
         for (int c = 0; c < BodyState.COLUMNS; c++) {
-            System.arraycopy(block.state[c], 0, columns[c], first, count);
+            block.scatter(block.state[c], columns[c]);
         }
-        for (int slot = first; slot < first + count; slot++) {
-            known[slot] = round;
+        for (int i = 0; i < block.count; i++) {
+            known[block.slot(i)] = round;
         }
     }
 
-    /** The lowest slot whose body has a number that is not finite, -1 if none has. */
-    int firstNotFinite() {
+    /** The slot of a body that has a number which is not finite, -1 if none has. */
+    int anyNotFinite() {
         integrateAll();
-        for (int slot = 0; slot < known.length; slot++) {
+        for (double[] column : columns) {
             double sum = 0;
-            for (double[] column : columns) {
+            for (int slot = 0; slot < known.length; slot++) {
                 sum += 0 * column[slot];
             }
             // 0 times infinity is NaN, and NaN stays.
             if (Double.isNaN(sum)) {
-                return slot;
+                return firstNotFinite(column);
             }
         }
         return -1;
+    }
+
+    private int firstNotFinite(double[] column) {
+        int slot = 0;
+        while (Double.isFinite(column[slot])) {
+            slot++;
+        }
+        return slot;
     }
 
     /** Makes this the present state of all bodies. */

@@ -110,7 +110,7 @@ class EffectTest {
     @Test
     void aBlockWithoutTheEffectIsLeftAsItIs() {
         Block none = new Block();
-        none.count = 10;
+        none.take(0, 10);
         Arrays.fill(none.vx, 1);
         Arrays.fill(none.rxx, 1);
         List<List<Effect>> bySlot = new ArrayList<>();
@@ -119,7 +119,7 @@ class EffectTest {
         }
         DAMPING.layOut(bySlot).add(none);
         assertThat(none.fx).containsOnly(0);
-        none.first = 1;
+        none.take(1, 10);
         DAMPING.layOut(bySlot).add(none);
         assertThat(none.fx[9]).isEqualTo(-5);
         assertThat(Arrays.copyOf(none.fx, 9)).containsOnly(0);

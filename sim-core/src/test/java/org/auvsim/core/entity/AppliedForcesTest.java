@@ -80,8 +80,7 @@ class AppliedForcesTest {
 
     private static void assertResultants(Bodies bodies) {
         Block block = new Block();
-        block.count = bodies.count() - 3;
-        block.first = 3;
+        block.take(3, bodies.count() - 3);
         for (int i = 0; i < block.count; i++) {
             setRotation(block, i, bodies.objects().get(3 + i).orientation().toMatrix());
         }

@@ -39,7 +39,11 @@ final class Names {
         Matcher quoted = QUOTED.matcher(BLOCK.matcher(Files.readString(page)).replaceAll(""));
         while (quoted.find()) {
             if (!isKnown(quoted.group(1))) {
-                unknown.add(page.getFileName() + " names `" + quoted.group(1) + "`, which is not there");
+                unknown.add(
+                        page.getFileName()
+                                + " names `"
+                                + quoted.group(1)
+                                + "`, which is not there");
             }
         }
         return unknown;

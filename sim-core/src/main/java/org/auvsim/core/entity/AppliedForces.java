@@ -23,6 +23,7 @@ public final class AppliedForces {
 
     private final double[][] columns;
     private final double[] sum = new double[COLUMNS];
+
     /** How many bodies have something in the group of columns that begins at an index. */
     private final int[] users = new int[COLUMNS];
 
@@ -64,15 +65,21 @@ public final class AppliedForces {
                 addBodyForce(force.vector(), force.point());
             } else {
                 add(WORLD_FORCE, 1, force.vector());
-                add(MOMENT, force.point().x(), force.vector());
-                add(MOMENT + 3, force.point().y(), force.vector());
-                add(MOMENT + 6, force.point().z(), force.vector());
+                addMoment(force.point(), force.vector());
             }
         }
         for (Propulsor propulsor : propulsors) {
             addBodyForce(propulsor.thrust(), propulsor.position());
         }
         store(slot);
+    }
+
+    private void addMoment(Vec3 r, Vec3 f) {
+        if (r.x() != 0 || r.y() != 0 || r.z() != 0) {
+            add(MOMENT, r.x(), f);
+            add(MOMENT + 3, r.y(), f);
+            add(MOMENT + 6, r.z(), f);
+        }
     }
 
     private void addBodyForce(Vec3 force, Vec3 point) {
@@ -153,8 +160,13 @@ public final class AppliedForces {
     }
 
     private static void clear(Block b, int column) {
-        for (int axis = 0; axis < 3; axis++) {
-            Arrays.fill(b.rate[column + axis], 0, b.count, 0);
+        double[] x = b.rate[column];
+        double[] y = b.rate[column + 1];
+        double[] z = b.rate[column + 2];
+        for (int i = 0; i < b.count; i++) {
+            x[i] = 0;
+            y[i] = 0;
+            z[i] = 0;
         }
     }
 

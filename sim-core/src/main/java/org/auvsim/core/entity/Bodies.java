@@ -46,8 +46,8 @@ public final class Bodies {
     /**
      * Makes a live object of a definition.
      *
-     * @throws IllegalArgumentException if a component lacks another one that it needs, or a
-     *     momentum is too large for a number; nothing has changed then
+     * @throws IllegalArgumentException if a momentum is too large for a number; nothing has changed
+     *     then
      */
     public WorldObject add(long id, WorldObjectDefinition definition) {
         try {

@@ -3,12 +3,9 @@ package org.auvsim.core.entity;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
-import org.auvsim.core.behavior.GoToPoint;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Sphere;
 import org.junit.jupiter.api.Test;
-
-import java.util.Optional;
 
 class BodiesTest {
     private final Bodies bodies = new Bodies();
@@ -67,23 +64,6 @@ class BodiesTest {
 
     @Test
     void anObjectThatCannotBeMadeLeavesNothingBehind() {
-        record Wired() implements Component {
-            @Override
-            public String name() {
-                return "wire";
-            }
-
-            @Override
-            public Optional<Class<? extends Component>> needs() {
-                return Optional.of(GoToPoint.class);
-            }
-        }
-        WorldObjectDefinition lacking =
-                WorldObjectDefinition.named("lacking")
-                        .volume(new Sphere(1))
-                        .mass(1)
-                        .component(new Wired())
-                        .build();
         WorldObjectDefinition tooFast =
                 WorldObjectDefinition.named("too fast")
                         .volume(new Sphere(1))
@@ -91,9 +71,6 @@ class BodiesTest {
                         .velocity(1e250, 0, 0)
                         .build();
         add("first", 1);
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> bodies.add(2, lacking))
-                .withMessage("component 'wire' of 'lacking' needs a GoToPoint; add one first");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> bodies.add(2, tooFast))
                 .withMessageStartingWith("linear momentum of 'too fast' must be finite, but is");

@@ -34,7 +34,7 @@ final class ServerProcess implements AutoCloseable {
         PipedWriter out = new PipedWriter();
         BufferedReader said = new BufferedReader(new PipedReader(out));
         CommandLine line =
-                Auvsim.commandLine(scenario.toAbsolutePath().getParent())
+                Auvsim.commandLine(Path.of(System.getProperty("java.io.tmpdir")))
                         .setOut(new PrintWriter(out))
                         .setErr(new PrintWriter(err));
         code = CompletableFuture.supplyAsync(() -> line.execute(arguments.toArray(String[]::new)));

@@ -5,13 +5,11 @@ import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
 import org.auvsim.auvsml.message.control.ShutdownSimulatorCommand;
-import org.auvsim.server.feedback.SimpleFixedTimeFeedbackTimestepper;
 import org.auvsim.server.net.TcpTransport;
 import org.auvsim.server.net.TransportException;
 import org.auvsim.server.simulator.Simulator;
 
 import java.io.IOException;
-import java.time.Duration;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.ExecutionException;
@@ -46,8 +44,7 @@ final class Flight {
     }
 
     private Simulator serve(TcpTransport transport) throws TransportException {
-        return Simulator.of(scenario.world())
-                .timestepper(SimpleFixedTimeFeedbackTimestepper.waiting(Duration.ofMillis(10)))
+        return Simulator.of(scenario)
                 .transport(transport)
                 .rate(OptionalDouble.empty())
                 .paused()

@@ -1,8 +1,12 @@
 package org.auvsim.cli;
 
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
+
 import org.auvsim.cli.demo.Demonstration;
 import org.auvsim.cli.report.UserError;
 import org.auvsim.server.net.TransportException;
+import org.slf4j.LoggerFactory;
 
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -34,11 +38,13 @@ final class Demo implements Callable<Integer> {
     private Path folder = Path.of("auvsim-demo");
 
     @Override
-    public Integer call() throws TransportException {
+    public Integer call() {
+        // Clients that come and go would interrupt the table.
+        ((Logger) LoggerFactory.getLogger("org.auvsim.server")).setLevel(Level.WARN);
         try {
             new Demonstration(spec.commandLine().getOut()).run(folder);
             return ExitCode.OK;
-        } catch (IOException e) {
+        } catch (IOException | TransportException e) {
             throw new UserError("The demonstration ended early: " + e.getMessage(), e);
         }
     }

@@ -20,6 +20,7 @@ final class Names {
     private static final Pattern TYPE = Pattern.compile("[A-Z][a-z][A-Za-z]*");
     private static final Pattern MEMBER = Pattern.compile("([A-Z][a-z][A-Za-z]*)\\.([a-z]\\w*)");
     private static final Pattern ELEMENT = Pattern.compile("[a-z]+(-[a-z]+)+");
+    private static final Pattern COMMAND = Pattern.compile("auvsim ([a-z]+)");
     private static final Pattern FILE = Pattern.compile("[\\w./-]+\\.(xml|py|md|sh|xsd)");
 
     private final Map<String, Path> filesByName = new HashMap<>();
@@ -65,7 +66,16 @@ final class Names {
         if (ELEMENT.matcher(name).matches()) {
             return source(pascal(name)).isPresent();
         }
+        Matcher command = COMMAND.matcher(name);
+        if (command.matches()) {
+            return isSubcommand(command.group(1));
+        }
         return isWordOfSources(name);
+    }
+
+    private boolean isSubcommand(String name) {
+        String type = Character.toUpperCase(name.charAt(0)) + name.substring(1);
+        return source("Auvsim").filter(text -> text.contains(" " + type + ".class")).isPresent();
     }
 
     private Optional<String> source(String type) {

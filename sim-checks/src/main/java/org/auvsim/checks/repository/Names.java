@@ -17,8 +17,8 @@ import java.util.regex.Pattern;
 final class Names {
     private static final Pattern BLOCK = Pattern.compile("(?ms)^ *```.*?^ *```");
     private static final Pattern QUOTED = Pattern.compile("`([^`\n]+)`");
-    private static final Pattern TYPE = Pattern.compile("[A-Z][a-z][A-Za-z]*");
-    private static final Pattern MEMBER = Pattern.compile("([A-Z][a-z][A-Za-z]*)\\.([a-z]\\w*)");
+    private static final Pattern TYPE = Pattern.compile("[A-Z][a-z][A-Za-z0-9]*");
+    private static final Pattern MEMBER = Pattern.compile("([A-Z][a-z][A-Za-z0-9]*)\\.([a-z]\\w*)");
     private static final Pattern ELEMENT = Pattern.compile("[a-z]+(-[a-z]+)+");
     private static final Pattern COMMAND = Pattern.compile("auvsim ([a-z]+)");
     private static final Pattern FILE = Pattern.compile("[\\w./-]+\\.(xml|py|md|sh|xsd)");

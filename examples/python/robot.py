@@ -50,7 +50,8 @@ while time < float(seconds) and (data := link.recv(65536)):
                  '</different-position-feedback-message>')
             old = f'<old-position x="{x}" y="{y}" z="{z}"/>'
             corrections += 1
-            print(f"\r{time:8.2f} s   x {x:8.3f}   y {y:8.3f}   z {z:8.3f} m", end="")
+            if sys.stdout.isatty():
+                print(f"\r{time:8.2f} s   x {x:8.3f}   y {y:8.3f}   z {z:8.3f} m", end="")
 
 print()
 if len(errors) < corrections / 2 or max(after for _, after in errors or [(1, 1)]) > 1e-6:

@@ -20,6 +20,10 @@ final class DemoPlot {
     private static final Color[] SIMULATED = {
         new Color(0xD1495B), new Color(0x00798C), new Color(0xEDAE49)
     };
+
+    /** What lies below another one is broader, so that it can still be seen. */
+    private static final float[] BREADTH = {1.6f, 3.6f, 1.4f};
+
     private static final int WIDTH = 900;
     private static final int HEIGHT = 420;
 
@@ -82,7 +86,7 @@ final class DemoPlot {
             Track track,
             ToDoubleFunction<Track.Sample> x,
             ToDoubleFunction<Track.Sample> y) {
-        style(chart.addSeries("true path", values(track, x), values(track, y)), TRUTH, 3.5f);
+        style(chart.addSeries("true path", values(track, x), values(track, y)), TRUTH, 5f);
     }
 
     private static void add(
@@ -94,7 +98,7 @@ final class DemoPlot {
         style(
                 chart.addSeries(track.name(), values(track, x), values(track, y)),
                 SIMULATED[index],
-                1.6f);
+                BREADTH[index]);
     }
 
     private static void style(XYSeries series, Color color, float width) {

@@ -110,7 +110,10 @@ final class SimulationLoop implements SimulatorControl {
     private void tellLag() {
         OptionalLong skipped = running ? lag.skippedSteps(world.time()) : OptionalLong.empty();
         if (skipped.isPresent()) {
-            LOG.warn("too slow for rate {}: {} steps skipped", pace.rate(), skipped.getAsLong());
+            LOG.warn(
+                    "too slow for {} times real time: {} steps skipped",
+                    pace.rate().orElse(Double.POSITIVE_INFINITY),
+                    skipped.getAsLong());
             notifications.toAll(
                     new LaggingNotification(LaggingSide.SIMULATOR, skipped.getAsLong()));
         }

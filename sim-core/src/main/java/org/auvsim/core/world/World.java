@@ -236,8 +236,10 @@ public final class World {
 
     private void letBehaviorsAct() {
         for (WorldObject object : objects()) {
-            for (Behavior behavior : object.behaviors()) {
-                behavior.act(time(), object);
+            // By index: an iterator an object would be garbage an object a step.
+            List<Behavior> behaviors = object.behaviors();
+            for (int i = 0; i < behaviors.size(); i++) {
+                behaviors.get(i).act(time(), object);
             }
         }
     }

@@ -168,6 +168,37 @@ class SimulatorTest {
                         within(1e-9));
     }
 
+    private static final String MOST_STEPS = "<step-command count=\"" + Integer.MAX_VALUE + "\"/>";
+
+    @Test
+    void pauseCallsOffTheStepsThatAreLeft() throws IOException {
+        start(Simulator.of(Tank.world()).paused());
+        RawClient client = client();
+        client.ask("1", MOST_STEPS + "<pause-simulator-command/>");
+        assertThat(RawClient.attribute(client.ask("2", STATE), "step")).isEqualTo("0");
+    }
+
+    @Test
+    void resumeCallsOffTheStepsThatAreLeftAndHoldsTheRate() throws IOException {
+        Simulator simulator = start(Simulator.of(Tank.world()).paused());
+        simulator.setRate(OptionalDouble.of(1e-6));
+        RawClient client = client();
+        client.ask("1", MOST_STEPS + "<resume-simulator-command/>");
+        client.ask("2", STATE);
+        assertThat(RawClient.attribute(client.ask("3", STATE), "step")).isEqualTo("1");
+    }
+
+    @Test
+    void stepsAskedForTwiceAreMoreStepsNotFewer() throws IOException {
+        start(Simulator.of(Tank.world()).paused());
+        RawClient client = client();
+        client.ask("1", listen("1", "TimestepAdvanced"));
+        client.ask("2", MOST_STEPS + MOST_STEPS);
+        client.next("timestep-advanced-notification");
+        client.next("timestep-advanced-notification");
+        client.ask("3", "<pause-simulator-command/>");
+    }
+
     @Test
     void shutdownEndsAllSessionsWithAReason() throws IOException {
         Simulator simulator = start(Simulator.of(Tank.world()));

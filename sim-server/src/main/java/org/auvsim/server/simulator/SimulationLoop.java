@@ -122,12 +122,14 @@ final class SimulationLoop implements SimulatorControl {
     @Override
     public void pause() {
         running = false;
+        stepsAsked = 0;
     }
 
     @Override
     public void resume() {
         if (!running) {
             running = true;
+            stepsAsked = 0;
             pace.start(world.time());
         }
     }
@@ -145,7 +147,7 @@ final class SimulationLoop implements SimulatorControl {
     @Override
     public void step(int count) {
         requirePaused();
-        stepsAsked += count;
+        stepsAsked = (int) Math.min(Integer.MAX_VALUE, (long) stepsAsked + count);
     }
 
     /** Makes one step at once, while paused. */

@@ -18,11 +18,13 @@ import java.util.Optional;
 public final class ClientSession {
     private static final int MOST_STATES = 4096;
     private static final int MOST_CONTROL = 4096;
+    private static final int MOST_CONTROL_MIB = 16;
 
     private final long id;
     private final String peer;
     private final AuvsmlWriter writer;
-    private final Outbox outbox = new Outbox(MOST_STATES, MOST_CONTROL);
+    private final Outbox outbox =
+            new Outbox(MOST_STATES, MOST_CONTROL, (long) MOST_CONTROL_MIB << 20);
     private final Registrations registrations = new Registrations();
     private final List<Delivery> pending = new ArrayList<>();
 
@@ -56,6 +58,11 @@ public final class ClientSession {
     /** What others may call the client, as {@code client 3}. */
     public String name() {
         return "client " + id;
+    }
+
+    /** Whether it has ended; what is sent to it then goes nowhere, and is not worth making. */
+    public boolean isClosed() {
+        return outbox.isClosed();
     }
 
     /** Begins to send the events of an object. */
@@ -103,8 +110,8 @@ public final class ClientSession {
         if (!outbox.offer(batch)) {
             outbox.abort(
                     farewell(
-                            "more than %d messages wait for this client; read them faster"
-                                    .formatted(MOST_CONTROL)));
+                            "more than %d messages, or %d MiB of them, wait for this client; read them faster"
+                                    .formatted(MOST_CONTROL, MOST_CONTROL_MIB)));
         }
     }
 

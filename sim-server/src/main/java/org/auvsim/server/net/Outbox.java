@@ -24,8 +24,10 @@ public final class Outbox {
 
     private final int mostStates;
     private final int mostControl;
+    private final long mostControlBytes;
     private Deque<Delivery> queue = new ArrayDeque<>();
     private int control;
+    private long controlBytes;
     private int compactAt;
     private long skipped;
     private boolean closed;
@@ -35,10 +37,12 @@ public final class Outbox {
      *
      * @param mostStates so many states may wait before older ones on the same topic are left out
      * @param mostControl so many responses, errors and events may wait
+     * @param mostControlBytes so many bytes of them may wait
      */
-    Outbox(int mostStates, int mostControl) {
+    Outbox(int mostStates, int mostControl, long mostControlBytes) {
         this.mostStates = mostStates;
         this.mostControl = mostControl;
+        this.mostControlBytes = mostControlBytes;
         this.compactAt = mostStates;
     }
 
@@ -52,16 +56,24 @@ public final class Outbox {
             return true;
         }
         int added = (int) batch.stream().filter(Delivery::isControl).count();
-        if (added > 0 && control + added > mostControl) {
+        long addedBytes = batch.stream().mapToLong(Outbox::controlBytes).sum();
+        boolean isTooMuch =
+                control + added > mostControl || controlBytes + addedBytes > mostControlBytes;
+        if (added > 0 && isTooMuch) {
             return false;
         }
         control += added;
+        controlBytes += addedBytes;
         queue.addAll(batch);
         if (queue.size() - control > compactAt) {
             compact();
         }
         notifyAll();
         return true;
+    }
+
+    private static long controlBytes(Delivery delivery) {
+        return delivery.isControl() ? delivery.bytes().length : 0;
     }
 
     /** Leaves out every state that a newer one on its topic follows. */
@@ -84,6 +96,7 @@ public final class Outbox {
     synchronized void abort(byte[] lastMessage) {
         queue.clear();
         control = 0;
+        controlBytes = 0;
         skipped = 0;
         queue.add(Delivery.control(lastMessage));
         close();
@@ -93,6 +106,11 @@ public final class Outbox {
     synchronized void close() {
         closed = true;
         notifyAll();
+    }
+
+    /** Whether it takes nothing in any more. */
+    synchronized boolean isClosed() {
+        return closed;
     }
 
     /**
@@ -112,6 +130,7 @@ public final class Outbox {
         do {
             Delivery next = queue.remove();
             control -= next.isControl() ? 1 : 0;
+            controlBytes -= controlBytes(next);
             size += next.bytes().length;
             messages.add(next.bytes());
         } while (!queue.isEmpty() && size + queue.element().bytes().length <= LARGEST_PACKET);

@@ -6,13 +6,11 @@ import org.auvsim.auvsml.framing.Incoming;
 import org.auvsim.auvsml.framing.RootDecoder;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.auvsml.message.session.DisconnectedNotification;
-import org.auvsim.auvsml.message.session.ErrorResponse;
 import org.auvsim.auvsml.xml.Limits;
 import org.auvsim.server.net.ClientSession;
 import org.auvsim.server.net.Reception;
 
 import java.io.InputStream;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
@@ -62,11 +60,7 @@ final class Clients implements Reception {
         switch (incoming) {
             case Incoming.Request request -> received(session, request);
             case Incoming.Rejected rejected ->
-                    mailbox.postRequest(
-                            () ->
-                                    session.send(
-                                            rejected.requestId(),
-                                            List.of(ErrorResponse.of(rejected.fault()))));
+                    mailbox.postRequest(() -> requests.refuse(session, rejected));
             case Incoming.End _ -> left(session);
         }
     }

@@ -52,22 +52,31 @@ final class Mailbox {
         }
     }
 
-    /** Takes all that is there, after waiting at most so long (ns) for something to be there. */
-    List<Runnable> takeAll(long nanos) throws InterruptedException {
+    /**
+     * Takes what is there, after waiting at most so long (ns) for something to be there.
+     *
+     * @param most so many requests, and as many feedbacks, are taken; the others stay
+     */
+    List<Runnable> take(int most, long nanos) throws InterruptedException {
         lock.lockInterruptibly();
         try {
             long left = nanos;
             while (requests.isEmpty() && feedback.isEmpty() && !closed && left > 0) {
                 left = filled.awaitNanos(left);
             }
-            List<Runnable> all = new ArrayList<>(requests);
-            all.addAll(feedback);
-            requests.clear();
-            feedback.clear();
+            List<Runnable> taken = new ArrayList<>();
+            move(requests, most, taken);
+            move(feedback, most, taken);
             emptied.signalAll();
-            return all;
+            return taken;
         } finally {
             lock.unlock();
+        }
+    }
+
+    private static void move(Queue<Runnable> from, int most, List<Runnable> to) {
+        for (int left = Math.min(most, from.size()); left > 0; left--) {
+            to.add(from.remove());
         }
     }
 

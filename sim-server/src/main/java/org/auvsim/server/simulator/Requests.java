@@ -91,7 +91,7 @@ final class Requests {
                 answer(session, message, request.requestId().isPresent()).ifPresent(answers::add);
             }
         }
-        if (!answers.isEmpty()) {
+        if (!answers.isEmpty() && !session.isClosed()) {
             session.send(request.requestId(), answers);
         }
         if (leaving.remove(session)) {
@@ -100,8 +100,17 @@ final class Requests {
         notifications.flush();
     }
 
+    /** Answers what could not be read. */
+    void refuse(ClientSession session, Incoming.Rejected rejected) {
+        if (isOpen(session)) {
+            session.send(rejected.requestId(), List.of(ErrorResponse.of(rejected.fault())));
+        }
+    }
+
     private boolean isOpen(ClientSession session) {
-        return notifications.sessions().contains(session) && !leaving.contains(session);
+        return notifications.sessions().contains(session)
+                && !leaving.contains(session)
+                && !session.isClosed();
     }
 
     private Optional<Message> answer(ClientSession session, Message message, boolean always) {

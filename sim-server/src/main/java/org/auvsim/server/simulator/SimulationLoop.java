@@ -23,6 +23,9 @@ final class SimulationLoop implements SimulatorControl {
     private static final Logger LOG = LoggerFactory.getLogger(SimulationLoop.class);
     private static final double ROUNDING = 1e-9;
 
+    /** So many requests are carried out before time may go on: no flood of them holds it still. */
+    private static final int MOST_REQUESTS = 256;
+
     private final World world;
     private final Mailbox mailbox;
     private final Notifications notifications;
@@ -56,7 +59,7 @@ final class SimulationLoop implements SimulatorControl {
     void run() throws InterruptedException {
         pace.start(world.time());
         while (!mailbox.isClosed()) {
-            carryOut(mailbox.takeAll(nanosUntilStep()));
+            carryOut(mailbox.take(MOST_REQUESTS, nanosUntilStep()));
             if (!mailbox.isClosed() && nanosUntilStep() <= 0) {
                 advanceTimestep();
                 tellLag();

@@ -13,8 +13,9 @@ import java.util.Optional;
 class OutboxTest {
     private static final int MOST_STATES = 4;
     private static final int MOST_CONTROL = 3;
+    private static final int MOST_CONTROL_BYTES = 100_000;
 
-    private final Outbox outbox = new Outbox(MOST_STATES, MOST_CONTROL);
+    private final Outbox outbox = new Outbox(MOST_STATES, MOST_CONTROL, MOST_CONTROL_BYTES);
 
     private static Delivery state(long object, String text) {
         return Delivery.state(
@@ -79,6 +80,16 @@ class OutboxTest {
         assertThat(outbox.offer(List.of(control("1"), control("2")))).isTrue();
         assertThat(outbox.offer(List.of(control("3"), control("4")))).isFalse();
         assertThat(takeAll()).containsExactly("1", "2");
+    }
+
+    @Test
+    void tooManyBytesOfControlAreRefusedUntilSomeAreTaken() throws InterruptedException {
+        String half = "x".repeat(MOST_CONTROL_BYTES / 2);
+        assertThat(outbox.offer(List.of(control(half), control(half)))).isTrue();
+        assertThat(outbox.offer(List.of(control("y")))).isFalse();
+        outbox.take();
+        assertThat(outbox.offer(List.of(control("y")))).isTrue();
+        assertThat(outbox.offer(List.of(state(1, half + half)))).isTrue();
     }
 
     @Test

@@ -26,7 +26,7 @@ class MailboxTest {
         mailbox.postFeedback(task("feedback"));
         mailbox.takeFeedback(0).orElseThrow().run();
         assertThat(mailbox.takeFeedback(0)).isEmpty();
-        mailbox.takeAll(0).forEach(Runnable::run);
+        mailbox.take(2, 0).forEach(Runnable::run);
         assertThat(done).containsExactly("feedback", "request");
     }
 
@@ -44,17 +44,28 @@ class MailboxTest {
         Thread.ofVirtual().start(third);
         begun.await();
         assertThat(third.isDone()).isFalse();
-        mailbox.takeAll(0).forEach(Runnable::run);
+        mailbox.take(2, 0).forEach(Runnable::run);
         assertThat(third.get()).isTrue();
-        mailbox.takeAll(Long.MAX_VALUE).forEach(Runnable::run);
+        mailbox.take(2, Long.MAX_VALUE).forEach(Runnable::run);
         assertThat(done).containsExactly("1", "2", "3");
+    }
+
+    @Test
+    void noMoreIsTakenThanAskedForAndTheRestStaysInOrder() throws InterruptedException {
+        mailbox.postRequest(task("1"));
+        mailbox.postRequest(task("2"));
+        mailbox.postFeedback(task("feedback"));
+        mailbox.take(1, 0).forEach(Runnable::run);
+        assertThat(done).containsExactly("1", "feedback");
+        mailbox.take(1, 0).forEach(Runnable::run);
+        assertThat(done).containsExactly("1", "feedback", "2");
     }
 
     @Test
     void aClosedMailboxWakesWhoWaitsAndTakesNothing()
             throws InterruptedException, ExecutionException {
         FutureTask<List<Runnable>> waiting =
-                new FutureTask<>(() -> mailbox.takeAll(Long.MAX_VALUE));
+                new FutureTask<>(() -> mailbox.take(2, Long.MAX_VALUE));
         Thread.ofVirtual().start(waiting);
         mailbox.close();
         assertThat(waiting.get()).isEmpty();

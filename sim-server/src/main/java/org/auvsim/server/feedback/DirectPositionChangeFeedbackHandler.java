@@ -1,5 +1,7 @@
 package org.auvsim.server.feedback;
 
+import org.auvsim.auvsml.ErrorCode;
+import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
 
 /**
@@ -15,6 +17,12 @@ public record DirectPositionChangeFeedbackHandler() implements FeedbackProcessor
 
     @Override
     public void process(DifferentPositionFeedbackMessage feedback, Correction correction) {
+        if (correction.object().isFixed()) {
+            throw new RefusedException(
+                    ErrorCode.REFUSED,
+                    "'%s' is fixed, and stays where it is whatever is measured"
+                            .formatted(correction.object().name()));
+        }
         correction.object().setPosition(correction.target());
     }
 }

@@ -36,8 +36,7 @@ public record VectorAdjustmentFeedbackHandler(MomentumRule momentum) implements 
         if (correction.object().isFixed()) {
             throw new RefusedException(
                     ErrorCode.REFUSED,
-                    "no force moves '%s', which is fixed; name another handler"
-                            .formatted(correction.object().name()));
+                    "no force moves '%s', which is fixed".formatted(correction.object().name()));
         }
         Problem problem = new Problem(correction, momentum);
         problem.push(SecantSolver.solve(problem::miss, problem.unknowns()));

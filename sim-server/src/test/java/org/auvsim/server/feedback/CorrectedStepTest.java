@@ -207,6 +207,25 @@ class CorrectedStepTest {
     }
 
     @Test
+    void directAlterationLeavesAFixedObjectWhereItIs() {
+        world.add(
+                WorldObjectDefinition.named("pier")
+                        .id(9)
+                        .fixed()
+                        .volume(new Sphere(1))
+                        .position(30, 0, 0)
+                        .build());
+        StepRecord step = new StepRecord(world, waiting());
+        step.robot(p -> step.send(9, p.time(), DIRECT, Vec3.ZERO));
+        step.advanceTimestep();
+        assertThat(world.object(9).position()).isEqualTo(new Vec3(30, 0, 0));
+        assertThat(step.applied).isEmpty();
+        assertThat(step.refused)
+                .extracting(Throwable::getMessage)
+                .containsExactly("'pier' is fixed, and stays where it is whatever is measured");
+    }
+
+    @Test
     void feedbackForAnObjectThatHasLeftIsRefused() {
         StepRecord step = new StepRecord(world, waiting());
         step.robot(

@@ -160,7 +160,7 @@ class VectorAdjustmentTest {
         assertThat(step.applied).isEmpty();
         assertThat(step.refused)
                 .extracting(Throwable::getMessage)
-                .containsExactly("no force moves 'pier', which is fixed; name another handler");
+                .containsExactly("no force moves 'pier', which is fixed");
     }
 
     @Test

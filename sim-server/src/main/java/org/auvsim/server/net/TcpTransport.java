@@ -41,10 +41,19 @@ public final class TcpTransport implements Transport {
      * @param address to listen at; port 0 for any free one
      */
     public TcpTransport(InetSocketAddress address, TcpLimits limits) {
+        this(address, limits, unbound());
+    }
+
+    /** A transport that listens with a socket which is not bound yet. */
+    TcpTransport(InetSocketAddress address, TcpLimits limits, ServerSocket server) {
         this.address = address;
         this.limits = limits;
+        this.server = server;
+    }
+
+    private static ServerSocket unbound() {
         try {
-            server = new ServerSocket();
+            return new ServerSocket();
         } catch (IOException e) {
             throw new TransportException("this machine gives no sockets: " + e.getMessage(), e);
         }
@@ -84,9 +93,9 @@ public final class TcpTransport implements Transport {
             try {
                 Socket socket = server.accept();
                 Thread.ofVirtual().start(() -> serve(socket, reception));
-            } catch (IOException e) {
+            } catch (IOException | RuntimeException e) {
                 if (!closed) {
-                    LOG.warn("a client could not come in: {}", e.getMessage());
+                    LOG.warn("a client could not come in: {}", String.valueOf(e.getMessage()));
                     rest();
                 }
             }

@@ -101,10 +101,11 @@ final class SimulationLoop implements SimulatorControl {
     private void standStill(RuntimeException why) {
         running = false;
         stepsAsked = 0;
-        LOG.error("the step at {} s failed; the simulation is paused", world.time(), why);
         String text =
                 "the step at %s s failed and the simulation is paused: %s"
                         .formatted(world.time(), why.getMessage());
+        LOG.error(text);
+        LOG.debug("the step failed here", why);
         notifications.toAll(
                 new ErrorResponse(
                         ErrorCode.STEP_FAILED, text, OptionalInt.empty(), OptionalInt.empty()));

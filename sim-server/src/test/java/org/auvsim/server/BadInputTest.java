@@ -88,14 +88,36 @@ class BadInputTest {
 
     @Test
     void oneUnknownIdInARegistrationRegistersNothing() throws IOException {
-        String answer =
-                answerTo(
-                        "<auvsml><listener-registration-request-command register=\"1\">"
-                                + "<world-object id=\"1\"><listener type=\"*ALL*\"/></world-object>"
-                                + "<world-object id=\"9\"><listener type=\"*ALL*\"/></world-object>"
-                                + "</listener-registration-request-command></auvsml>",
-                        "UNKNOWN_ENTITY");
-        assertThat(answer).contains("no entity has the id 9; nothing of this request was done");
+        simulator.pause();
+        try (RawClient client = RawClient.welcomed(tcp.port())) {
+            client.send("<auvsml>" + register("1", "9") + "</auvsml>");
+            assertThat(client.next())
+                    .contains("code=\"UNKNOWN_ENTITY\"")
+                    .contains("no entity has the id 9; nothing of this request was done");
+            simulator.advanceTimestep();
+            client.send(LIST);
+            assertThat(client.next()).contains("world-object-list-response"); // and no event
+            client.send("<auvsml>" + register("1") + "</auvsml>");
+            simulatorHasHeard(client);
+            simulator.advanceTimestep();
+            assertThat(client.next()).contains("movement-state-change-message");
+        }
+    }
+
+    private static void simulatorHasHeard(RawClient client) throws IOException {
+        assertThat(client.ask("heard", "<get-simulator-state-request/>")).contains("running");
+    }
+
+    private static String register(String... ids) {
+        StringBuilder objects = new StringBuilder();
+        for (String id : ids) {
+            objects.append("<world-object id=\"")
+                    .append(id)
+                    .append("\"><listener type=\"*ALL*\"/></world-object>");
+        }
+        return "<listener-registration-request-command register=\"1\">"
+                + objects
+                + "</listener-registration-request-command>";
     }
 
     @Test

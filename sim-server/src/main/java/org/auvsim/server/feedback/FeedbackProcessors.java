@@ -5,6 +5,8 @@ import org.auvsim.auvsml.message.command.RefusedException;
 
 import java.util.Map;
 import java.util.Optional;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
 import java.util.TreeMap;
 
 /** The feedback processors of a simulator, by name. */
@@ -12,11 +14,29 @@ public final class FeedbackProcessors {
     private final Map<String, FeedbackProcessor> byName = new TreeMap<>();
     private Optional<FeedbackProcessor> override = Optional.empty();
 
-    /** Direct alteration and vector adjustment, as the thesis names them. */
+    /**
+     * Direct alteration and vector adjustment, as the thesis names them, and those that provider
+     * files name, {@code META-INF/services/org.auvsim.server.feedback.FeedbackProcessor}.
+     *
+     * @throws IllegalArgumentException if one of the latter cannot be had
+     */
     public static FeedbackProcessors standard() {
+        return standard(FeedbackProcessors.class.getClassLoader());
+    }
+
+    static FeedbackProcessors standard(ClassLoader classes) {
         FeedbackProcessors processors = new FeedbackProcessors();
         processors.add(new DirectPositionChangeFeedbackHandler());
         processors.add(new VectorAdjustmentFeedbackHandler());
+        try {
+            ServiceLoader.load(FeedbackProcessor.class, classes).forEach(processors::add);
+        } catch (ServiceConfigurationError e) {
+            throw new IllegalArgumentException(
+                    "a feedback processor that a provider file names cannot be had (%s); it must be"
+                                    .formatted(e.getMessage())
+                            + " a public class with a public constructor without parameters",
+                    e);
+        }
         return processors;
     }
 

@@ -3,7 +3,8 @@
  *
  * <p>A {@link org.auvsim.server.feedback.FeedbackTimestepper} puts the parts of a step in order, a
  * {@link org.auvsim.server.feedback.FeedbackProcessor} makes one correction. Both can be a user's
- * own: they are given to {@code SimulatorBuilder}, or named in provider files.
+ * own, given to {@code SimulatorBuilder}; a processor can also be named in a provider file, {@code
+ * META-INF/services/org.auvsim.server.feedback.FeedbackProcessor}.
  */
 @NullMarked
 package org.auvsim.server.feedback;

@@ -43,6 +43,7 @@ public final class Motion {
     private final CollisionSets sets;
     private final Projection end;
     private final Projection probe;
+    private final Snapshot kept;
     private final Pose poseA = new Pose();
     private final Pose poseB = new Pose();
     private double time;
@@ -75,6 +76,7 @@ public final class Motion {
         Block block = new Block();
         end = new Projection(this.bodies, equations, integrator, block);
         probe = new Projection(this.bodies, equations, integrator, block);
+        kept = new Snapshot(this.bodies);
     }
 
     /** Begins a step from the bodies' present state, at the world's {@code time} (s). */
@@ -269,6 +271,16 @@ public final class Motion {
             there.commit();
             begin(time + offset);
         }
+    }
+
+    /** Keeps the present snapshot for {@link #goBack}. */
+    void keep() {
+        kept.take(time);
+    }
+
+    /** Undoes what has happened to the bodies since {@link #keep}. */
+    void goBack() {
+        begin(kept.restore());
     }
 
     private void requireFinite(int slot, double offset) {

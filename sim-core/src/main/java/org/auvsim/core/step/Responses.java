@@ -1,6 +1,7 @@
 package org.auvsim.core.step;
 
 import org.auvsim.core.entity.Change;
+import org.auvsim.core.entity.Collidable;
 import org.auvsim.core.entity.Contact;
 import org.auvsim.core.entity.RigidBody;
 import org.auvsim.core.math.Vec3;
@@ -16,11 +17,16 @@ import java.util.TreeMap;
  * before any of them; then they are applied in order of the ids of those who responded.
  */
 final class Responses {
-    private record Response(long responder, List<Change> changes) {}
+    private record Response(Collidable responder, Collidable other, List<Change> changes) {}
 
     private Responses() {}
 
-    /** Responds to all pairs of the sets that touch and approach now. */
+    /**
+     * Responds to all pairs of the sets that touch and approach now.
+     *
+     * @throws StepException if a response fails, or what it changes is impossible; some momenta may
+     *     have changed then
+     */
     static StepResult to(Motion motion, CollisionSets sets, double elapsed) {
         List<Collision> collisions = new ArrayList<>();
         List<Response> responses = new ArrayList<>();
@@ -34,18 +40,38 @@ final class Responses {
                 collectBody(motion, j, bodies);
             }
         }
-        responses.sort(Comparator.comparingLong(Response::responder));
-        return new StepResult(elapsed, collisions, apply(responses, bodies));
+        responses.sort(Comparator.comparingLong(r -> r.responder().id()));
+        return new StepResult(elapsed, collisions, apply(responses, bodies, motion.time()));
     }
 
     private static Collision respond(Motion motion, int i, int j, List<Response> responses) {
-        Contact contact = motion.contact(i, j);
-        List<Change> mine = motion.response(i).respond(contact);
-        List<Change> its = motion.response(j).respond(contact.flipped());
-        responses.add(new Response(contact.self().id(), mine));
-        responses.add(new Response(contact.other().id(), its));
-        Vec3 impulse = received(mine, contact.self().id()).plus(received(its, contact.self().id()));
-        return new Collision(contact, impulse);
+        Collidable self = motion.collidable(i);
+        Collidable other = motion.collidable(j);
+        try {
+            Contact contact = motion.contact(i, j);
+            List<Change> mine = List.copyOf(motion.response(i).respond(contact));
+            List<Change> its = List.copyOf(motion.response(j).respond(contact.flipped()));
+            responses.add(new Response(self, other, mine));
+            responses.add(new Response(other, self, its));
+            return new Collision(contact, received(mine, self.id()).plus(received(its, self.id())));
+        } catch (RuntimeException e) {
+            throw failed(self, other, motion.time(), e);
+        }
+    }
+
+    private static StepException failed(
+            Collidable self, Collidable other, double time, RuntimeException cause) {
+        return new StepException(
+                "the collision of '%s' (id %d) and '%s' (id %d) at %s s has no response: %s;"
+                                .formatted(
+                                        self.name(),
+                                        self.id(),
+                                        other.name(),
+                                        other.id(),
+                                        time,
+                                        cause)
+                        + " check their collision responses",
+                cause);
     }
 
     private static Vec3 received(List<Change> changes, long id) {
@@ -65,18 +91,28 @@ final class Responses {
     }
 
     /** Applies changes of momentum; returns the others, which are for the world. */
-    private static List<Change> apply(List<Response> responses, Map<Long, RigidBody> bodies) {
+    private static List<Change> apply(
+            List<Response> responses, Map<Long, RigidBody> bodies, double time) {
         List<Change> rest = new ArrayList<>();
         for (Response response : responses) {
-            for (Change change : response.changes()) {
-                if (change instanceof Change.Momentum m && bodies.get(m.objectId()) != null) {
-                    addMomentum(bodies.get(m.objectId()), m);
-                } else {
-                    rest.add(change);
-                }
+            try {
+                apply(response.changes(), bodies, rest);
+            } catch (RuntimeException e) {
+                throw failed(response.responder(), response.other(), time, e);
             }
         }
         return rest;
+    }
+
+    private static void apply(
+            List<Change> changes, Map<Long, RigidBody> bodies, List<Change> rest) {
+        for (Change change : changes) {
+            if (change instanceof Change.Momentum m && bodies.get(m.objectId()) != null) {
+                addMomentum(bodies.get(m.objectId()), m);
+            } else {
+                rest.add(change);
+            }
+        }
     }
 
     private static void addMomentum(RigidBody body, Change.Momentum m) {

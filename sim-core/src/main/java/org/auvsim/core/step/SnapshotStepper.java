@@ -27,10 +27,22 @@ public record SnapshotStepper(
         partitioner.partition(motion, dt, sets);
         sets.close();
         double collision = finder.earliest(motion, sets, dt);
-        double elapsed = Math.min(collision, dt);
-        motion.commit(elapsed);
-        return collision <= dt
-                ? Responses.to(motion, sets, elapsed)
-                : StepResult.withoutCollision(elapsed);
+        if (collision <= dt) {
+            return collide(motion, sets, collision);
+        }
+        motion.commit(dt);
+        return StepResult.withoutCollision(dt);
+    }
+
+    /** To the instant of a collision, and through it; all of it or nothing. */
+    private static StepResult collide(Motion motion, CollisionSets sets, double elapsed) {
+        motion.keep();
+        try {
+            motion.commit(elapsed);
+            return Responses.to(motion, sets, elapsed);
+        } catch (RuntimeException e) {
+            motion.goBack();
+            throw e;
+        }
     }
 }

@@ -8,4 +8,9 @@ public final class StepException extends RuntimeException {
     public StepException(String message) {
         super(message);
     }
+
+    /** With one clear sentence and what has led to it. */
+    public StepException(String message, Throwable cause) {
+        super(message, cause);
+    }
 }

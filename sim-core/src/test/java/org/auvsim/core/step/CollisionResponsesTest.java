@@ -1,6 +1,7 @@
 package org.auvsim.core.step;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.core.dynamics.ImpulseResponse;
@@ -115,6 +116,60 @@ class CollisionResponsesTest {
         assertThat(world.objects())
                 .extracting(WorldObject::name)
                 .containsExactly("Early", "Late", "Trace of Early", "Trace of Late");
+    }
+
+    /** Responds for one of the two; the other bounces. */
+    private record Faulty(String who, CollisionResponse fault) implements CollisionResponse {
+        @Override
+        public List<Change> respond(Contact contact) {
+            return (contact.self().name().equals(who) ? fault : new ImpulseResponse())
+                    .respond(contact);
+        }
+    }
+
+    private static List<Change> throwing(Contact contact) {
+        throw new IllegalStateException("no table for " + contact.other().name());
+    }
+
+    /** The first of its changes can be made, the second leads out of all numbers. */
+    private static List<Change> overflowing(Contact contact) {
+        Change most = new Change.Momentum(contact.self().id(), new Vec3(1.5e308, 0, 0), Vec3.ZERO);
+        return List.of(most, most);
+    }
+
+    @ParameterizedTest(name = "B''s response {0}")
+    @ValueSource(strings = {"throws", "overflows"})
+    void aResponseThatFailsLeavesTheWorldAsItWas(String how) {
+        CollisionResponse fault =
+                how.equals("throws")
+                        ? CollisionResponsesTest::throwing
+                        : CollisionResponsesTest::overflowing;
+        World world =
+                World.builder()
+                        .response(new Faulty("B", fault))
+                        .add(ball("A", -1.25, 1, 1))
+                        .add(ball("B", 0, 0, 1))
+                        .timeStep(0.5)
+                        .build();
+        List<WorldEvent> events = new ArrayList<>();
+        world.addListener(events::add);
+        long before = world.stateHash();
+
+        assertThatThrownBy(world::advanceTimestep)
+                .isInstanceOf(StepException.class)
+                .hasMessageContainingAll("the collision of", "'A' (id 1)", "'B' (id 2)", " at 0.2")
+                .hasMessageEndingWith("; check their collision responses")
+                .hasCauseInstanceOf(
+                        how.equals("throws")
+                                ? IllegalStateException.class
+                                : IllegalArgumentException.class);
+
+        assertThat(world.time()).isZero();
+        assertThat(world.stateHash()).isEqualTo(before);
+        assertThat(events).isEmpty();
+        // It can go on: up to the collision nothing is wrong.
+        world.advanceTimestep(0.125);
+        assertThat(world.object("A").position().x()).isEqualTo(-1.125, within(1e-12));
     }
 
     @Test

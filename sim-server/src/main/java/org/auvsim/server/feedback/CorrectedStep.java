@@ -26,12 +26,13 @@ public final class CorrectedStep {
     private final World world;
     private final FeedbackAudience audience;
     private final Map<Long, PendingFeedback> pending;
+    private final double start;
     private final double wanted;
     private final Set<String> answered = new HashSet<>();
     private final List<Pushed> pushed = new ArrayList<>();
     private StepForces forces = new StepForces();
     private Optional<ProjectedWorld> projection = Optional.empty();
-    private boolean announced;
+    private Optional<Double> announcedEnd = Optional.empty();
     private boolean made;
 
     /** A correction whose effect is seen when the step is made. */
@@ -41,6 +42,7 @@ public final class CorrectedStep {
         this.world = world;
         this.audience = audience;
         this.pending = pending;
+        this.start = world.time();
         this.wanted = wanted();
     }
 
@@ -60,7 +62,7 @@ public final class CorrectedStep {
 
     /** Makes the step on a copy of the world and shows the clients where it ends. */
     public void project() {
-        announced = true;
+        announcedEnd = Optional.of(projection().time());
         audience.projected(projection());
     }
 
@@ -73,7 +75,7 @@ public final class CorrectedStep {
 
     /** The end of the step (s) as the clients were shown it, while they can still correct it. */
     Optional<Double> projectedEnd() {
-        return announced && !made ? Optional.of(projection().time()) : Optional.empty();
+        return made ? Optional.empty() : announcedEnd;
     }
 
     /**
@@ -108,9 +110,8 @@ public final class CorrectedStep {
     }
 
     private void process(PendingFeedback feedback) {
-        ProjectedWorld end = projection();
         try {
-            requirePossible(feedback, end);
+            requirePossible(feedback);
             if (feedback.processor().phase() == Phase.BEFORE_STEP) {
                 correctBefore(feedback);
             } else {
@@ -121,14 +122,14 @@ public final class CorrectedStep {
         }
     }
 
-    private void requirePossible(PendingFeedback feedback, ProjectedWorld end) {
+    private void requirePossible(PendingFeedback feedback) {
         long id = feedback.message().worldObjectId();
         if (world.find(id).isEmpty()) {
             throw new RefusedException(
                     ErrorCode.UNKNOWN_ENTITY, "world object %d has left the world".formatted(id));
         }
-        boolean standsStill = end.time() <= world.time();
-        if (feedback.processor().phase() == Phase.BEFORE_STEP && standsStill) {
+        boolean isBeforeStep = feedback.processor().phase() == Phase.BEFORE_STEP;
+        if (isBeforeStep && projection().time() <= world.time()) {
             throw new RefusedException(
                     ErrorCode.REFUSED,
                     "nothing can push '%s' now: this step takes no time, it is a collision"
@@ -149,6 +150,8 @@ public final class CorrectedStep {
         feedback.processor().process(feedback.message(), correction);
         if (made) {
             audience.moved(correction.object().id());
+        } else {
+            projection = Optional.empty(); // the step begins elsewhere now
         }
         announce(feedback, correction.target(), before);
     }
@@ -207,20 +210,23 @@ public final class CorrectedStep {
         public Vec3 target() {
             Vec3 measured = feedback.message().actualPosition();
             boolean isBeforeStep = feedback.processor().phase() == Phase.BEFORE_STEP;
-            return isBeforeStep && !announced
+            return isBeforeStep && announcedEnd.isEmpty()
                     ? measured.plus(projected().position()).minus(object().position())
                     : measured;
         }
 
         @Override
         public MovementState projected() {
+            if (made && projection.isEmpty()) {
+                return object().movementState();
+            }
             return Optional.ofNullable(projection().states().get(id))
                     .orElseGet(() -> object().movementState());
         }
 
         @Override
         public double duration() {
-            return projection().time() - world.time();
+            return (made ? world.time() : projection().time()) - start;
         }
 
         @Override

@@ -5,8 +5,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.auvsml.message.command.RefusedException;
+import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
+import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
+import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Sphere;
@@ -14,6 +17,7 @@ import org.auvsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
 import java.time.Duration;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /** One step with feedback, as section 7.2 of the thesis has it. */
 class CorrectedStepTest {
@@ -152,6 +156,59 @@ class CorrectedStepTest {
                         "finished 0.1");
         // From (0, 3, 0) with 0.1 m/s at 0.05 s, pushed by 4 N / 2 kg for another 0.05 s.
         assertThat(world.object(1).position().distance(new Vec3(0.0075, 3, 0))).isLessThan(1e-12);
+    }
+
+    /** Counts how often it acts, in the world and in its copies. */
+    private record Counting(String name, AtomicInteger acts) implements Behavior {
+        @Override
+        public void act(double time, WorldObject self) {
+            acts.incrementAndGet();
+        }
+    }
+
+    @Test
+    void asynchronousDirectAlterationProjectsNothing() {
+        AtomicInteger acts = new AtomicInteger();
+        world.object(1).add(new Counting("counting", acts));
+        StepRecord step = new StepRecord(world, new AsynchronousFeedbackTimestepper());
+        step.advanceTimestep();
+        int once = acts.get();
+        assertThat(once).isPositive();
+        step.send(1, world.time(), DIRECT, new Vec3(0, 3, 0));
+        step.advanceTimestep();
+        assertThat(step.applied).hasSize(1);
+        assertThat(acts).hasValue(2 * once);
+    }
+
+    /** Looks where the step would end, and then moves the object. */
+    private record LooksFirst(String name) implements FeedbackProcessor {
+        @Override
+        public Phase phase() {
+            return Phase.AFTER_STEP;
+        }
+
+        @Override
+        public void process(DifferentPositionFeedbackMessage feedback, Correction correction) {
+            assertThat(correction.duration()).isLessThan(0.05);
+            correction.object().setPosition(correction.target());
+        }
+    }
+
+    /** The torpedo would hit the rock in this step, but the rock turns out to be elsewhere. */
+    @Test
+    void aCorrectionOfTheWorldIsSeenByTheNextProjection() {
+        world.add(ball(2, "rock", 50, 0));
+        world.add(ball(3, "torpedo", 47.9, 4));
+        StepRecord step =
+                new StepRecord(
+                        world, new AsynchronousFeedbackTimestepper(), new LooksFirst("looks"));
+        step.send(2, 0, "looks", new Vec3(50, 90, 0));
+        step.send(3, 0, VECTOR, new Vec3(47.9, 0.01, 0));
+        step.advanceTimestep();
+        assertThat(step.refused).isEmpty();
+        assertThat(world.time()).isEqualTo(0.05);
+        Vec3 free = new Vec3(47.9 + 4 * 0.05 + 0.05 * 0.05, 0.01, 0);
+        assertThat(world.object(3).position().distance(free)).isLessThan(1e-8);
     }
 
     @Test

@@ -2,15 +2,17 @@ package org.auvsim.core.behavior;
 
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.Behavior;
+import org.auvsim.core.entity.Need;
 import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.WorldObject;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Sets the level of one propulsor at given times; what a row sets holds until the next row.
  *
- * @param propulsor name of a propulsor of the same object; one that it lacks is left alone
+ * @param propulsor name of a propulsor of the same object; an object that lacks it is refused
  * @param timedLevel the rows, in order of time
  */
 public record PropulsorSchedule(String name, String propulsor, List<TimedLevel> timedLevel)
@@ -41,10 +43,13 @@ public record PropulsorSchedule(String name, String propulsor, List<TimedLevel> 
     }
 
     @Override
+    public Optional<Need> needs() {
+        return Optional.of(Need.named(Propulsor.class, propulsor));
+    }
+
+    @Override
     public void act(double time, WorldObject self) {
-        if (self.component(Propulsor.class, propulsor).isPresent()) {
-            Timetable.at(time, timedLevel, TimedLevel::at)
-                    .ifPresent(row -> self.setPropulsorLevel(propulsor, row.level()));
-        }
+        Timetable.at(time, timedLevel, TimedLevel::at)
+                .ifPresent(row -> self.setPropulsorLevel(propulsor, row.level()));
     }
 }

@@ -12,8 +12,8 @@ public interface Component {
     /** A name for people and commands, unique in its object. */
     String name();
 
-    /** The kind of component that this one cannot do without, if any. */
-    default Optional<Class<? extends Component>> needs() {
+    /** The other component that this one cannot do without, if any. */
+    default Optional<Need> needs() {
         return Optional.empty();
     }
 }

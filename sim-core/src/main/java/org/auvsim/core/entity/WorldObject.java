@@ -69,7 +69,7 @@ public final class WorldObject extends RigidBody {
                     "'%s' already has a component '%s'; remove it or choose another name"
                             .formatted(name(), component.name()));
         }
-        requireNeeds(component);
+        Need.require(name(), component, components);
         components.add(component);
         changed(component);
     }
@@ -77,7 +77,8 @@ public final class WorldObject extends RigidBody {
     /**
      * Puts a component in the place of the one with the same name, of the same class.
      *
-     * @throws IllegalArgumentException if there is none, or it is of another class
+     * @throws IllegalArgumentException if there is none, it is of another class, or the object
+     *     lacks what the new one needs
      */
     public void replace(Component component) {
         int index = existing(component.name());
@@ -91,6 +92,7 @@ public final class WorldObject extends RigidBody {
                                     before.getSimpleName(),
                                     component.getClass().getSimpleName()));
         }
+        Need.require(name(), component, components);
         components.set(index, component);
         changed(component);
     }
@@ -105,7 +107,7 @@ public final class WorldObject extends RigidBody {
         List<Component> left = new ArrayList<>(components);
         Component removed = left.remove(index);
         for (Component other : left) {
-            if (!hasNeeds(other, left)) {
+            if (!Need.isMet(other, left)) {
                 throw new IllegalArgumentException(
                         "component '%s' of '%s' cannot be removed: '%s' needs it"
                                 .formatted(componentName, name(), other.name()));
@@ -175,21 +177,5 @@ public final class WorldObject extends RigidBody {
                                     components.stream().map(Component::name).toList()));
         }
         return index;
-    }
-
-    private static boolean hasNeeds(Component component, List<Component> among) {
-        return component.needs().stream()
-                .allMatch(type -> among.stream().anyMatch(type::isInstance));
-    }
-
-    private void requireNeeds(Component component) {
-        if (!hasNeeds(component, components)) {
-            throw new IllegalArgumentException(
-                    "component '%s' of '%s' needs a %s; add one first"
-                            .formatted(
-                                    component.name(),
-                                    name(),
-                                    component.needs().orElseThrow().getSimpleName()));
-        }
     }
 }

@@ -47,7 +47,8 @@ public record WorldObjectDefinition(
      * A checked definition.
      *
      * @throws IllegalArgumentException naming what is wrong: an id below 1, a blank name, a mass
-     *     that is missing or not positive, a number that is not finite, a name used twice
+     *     that is missing or not positive, a number that is not finite, a name used twice, a
+     *     component that another one needs
      */
     public WorldObjectDefinition {
         if (id.isPresent() && id.getAsLong() < 1) {
@@ -76,17 +77,9 @@ public record WorldObjectDefinition(
         refuseTwins(name, "force", force.stream().map(NamedForce::name).toList());
         refuseTwins(name, "component", component.stream().map(Component::name).toList());
         for (Component c : component) {
-            requireNeeds(name, c, component);
+            Need.require(name, c, component);
         }
         massProperties(mass, volume, inertia);
-    }
-
-    private static void requireNeeds(String object, Component c, List<Component> among) {
-        if (c.needs().isPresent() && among.stream().noneMatch(c.needs().get()::isInstance)) {
-            throw new IllegalArgumentException(
-                    "component '%s' of '%s' needs a %s; add one"
-                            .formatted(c.name(), object, c.needs().get().getSimpleName()));
-        }
     }
 
     private static void refuseTwins(String object, String kind, List<String> names) {

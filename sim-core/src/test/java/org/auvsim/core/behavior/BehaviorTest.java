@@ -108,8 +108,6 @@ class BehaviorTest {
         assertThat(self.propulsors().getFirst().level()).isEqualTo(0.25);
         schedule.act(3, self);
         assertThat(self.propulsors().getFirst().level()).isEqualTo(-1);
-        new PropulsorSchedule("other", "rudder", List.of(new TimedLevel(0, 1))).act(5, self);
-        assertThat(self.propulsors().getFirst().level()).isEqualTo(-1);
     }
 
     @Test

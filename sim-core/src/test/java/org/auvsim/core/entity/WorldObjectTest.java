@@ -4,10 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import org.auvsim.core.behavior.BackAndForth;
+import org.auvsim.core.behavior.PropulsorSchedule;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Sphere;
 import org.junit.jupiter.api.Test;
 
+import java.util.List;
 import java.util.Optional;
 
 class WorldObjectTest {
@@ -26,8 +28,8 @@ class WorldObjectTest {
 
     private record Driver(String name) implements Component {
         @Override
-        public Optional<Class<? extends Component>> needs() {
-            return Optional.of(Propulsor.class);
+        public Optional<Need> needs() {
+            return Optional.of(Need.of(Propulsor.class));
         }
     }
 
@@ -59,7 +61,7 @@ class WorldObjectTest {
     void whatAComponentNeedsMustBeThereAndStays() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> object.add(DRIVER))
-                .withMessage("component 'driver' of 'auv' needs a Propulsor; add one first");
+                .withMessage("component 'driver' of 'auv' needs a Propulsor; add one");
         object.add(SCREW);
         object.add(DRIVER);
         assertThatIllegalArgumentException()
@@ -69,6 +71,37 @@ class WorldObjectTest {
         object.remove("driver");
         object.remove("screw");
         assertThat(object.components()).isEmpty();
+    }
+
+    @Test
+    void aScheduleNeedsThePropulsorThatItNames() {
+        Component rudderPlan = new PropulsorSchedule("plan", "rudder", List.of());
+        Component screwPlan = new PropulsorSchedule("plan", "screw", List.of());
+        String refusal =
+                "component 'plan' of 'auv' needs a Propulsor 'rudder', but there are [screw];"
+                        + " correct the name or add it";
+        assertThatIllegalArgumentException()
+                .isThrownBy(
+                        () ->
+                                WorldObjectDefinition.named("auv")
+                                        .volume(new Sphere(1))
+                                        .mass(1)
+                                        .component(rudderPlan)
+                                        .component(SCREW)
+                                        .build())
+                .withMessage(refusal);
+        object.add(SCREW);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> object.add(rudderPlan))
+                .withMessage(refusal);
+        object.add(screwPlan);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> object.replace(rudderPlan))
+                .withMessage(refusal);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> object.remove("screw"))
+                .withMessage("component 'screw' of 'auv' cannot be removed: 'plan' needs it");
+        assertThat(object.components()).containsExactly(SCREW, screwPlan);
     }
 
     @Test

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.auvsim.core.entity.Behavior;
-import org.auvsim.core.entity.Component;
+import org.auvsim.core.entity.Need;
 import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -132,8 +132,8 @@ class PopulationTest {
     /** A behavior that cannot do without a propulsor. */
     private record Cruise(String name) implements Behavior {
         @Override
-        public Optional<Class<? extends Component>> needs() {
-            return Optional.of(Propulsor.class);
+        public Optional<Need> needs() {
+            return Optional.of(Need.of(Propulsor.class));
         }
 
         @Override

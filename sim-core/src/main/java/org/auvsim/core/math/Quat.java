@@ -80,4 +80,9 @@ public record Quat(double w, double x, double y, double z) {
     public boolean isFinite() {
         return Double.isFinite(w) && Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(z);
     }
+
+    @Override
+    public String toString() {
+        return "(" + w + ", " + x + ", " + y + ", " + z + ")";
+    }
 }

@@ -95,4 +95,9 @@ class QuatTest {
         assertThat(new Quat(1, 0, 0, Double.NaN).isFinite()).isFalse();
         assertThat(new Quat(Double.NEGATIVE_INFINITY, 0, 0, 0).isFinite()).isFalse();
     }
+
+    @Test
+    void itsTextIsThatOfAVectorWithTheRealPartFirst() {
+        assertThat(new Quat(1, 0.5, 0, -2)).hasToString("(1.0, 0.5, 0.0, -2.0)");
+    }
 }

@@ -28,7 +28,7 @@ send('<listener-registration-request-command register="1"><world-object id="1">'
 send('<set-propulsor-command world-object-id="1" name="Port Thruster" level="0.2"/>')
 send('<set-propulsor-command world-object-id="1" name="Starboard Thruster" level="0.2"/>')
 
-old = "<old-position x='0.0' y='0.0' z='0.0'/>"
+old = ""
 time, corrections, errors = 0.0, 0, []
 while time < float(seconds) and (data := link.recv(65536)):
     parser.feed(data)
@@ -43,12 +43,13 @@ while time < float(seconds) and (data := link.recv(65536)):
             time = float(message.get("timestamp"))
             x, y, z = (float(message.find("position").get(axis)) for axis in "xyz")
             y += 0.005  # what the robot's own sensor says: the current carries it to the left
+            here = f'<old-position x="{x}" y="{y}" z="{z}"/>'  # for the answer after this one
             send(f'<different-position-feedback-message world-object-id="1" timestamp="{time}" '
                  'handler-name="DirectPositionChangeFeedbackHandler">'
                  f'<virtual-position x="{x}" y="{y - 0.005}" z="{z}"/>'
-                 f'<actual-position x="{x}" y="{y}" z="{z}"/>{old}'
+                 f'<actual-position x="{x}" y="{y}" z="{z}"/>{old or here}'
                  '</different-position-feedback-message>')
-            old = f'<old-position x="{x}" y="{y}" z="{z}"/>'
+            old = here
             corrections += 1
             if sys.stdout.isatty():
                 print(f"\r{time:8.2f} s   x {x:8.3f}   y {y:8.3f}   z {z:8.3f} m", end="")

@@ -29,6 +29,7 @@ import java.nio.file.Path;
             Validate.class,
             Watch.class,
             Feed.class,
+            CommandLine.HelpCommand.class,
             GenerateCompletion.class
         })
 public final class Auvsim implements Runnable {
@@ -56,9 +57,9 @@ public final class Auvsim implements Runnable {
 
     private static int explain(ParameterException e, String[] arguments) {
         PrintWriter err = e.getCommandLine().getErr();
-        err.printf(
-                "%s%nTry '%s --help'.%n",
-                e.getMessage(), e.getCommandLine().getCommandSpec().qualifiedName());
+        err.println(e.getMessage());
+        CommandLine.UnmatchedArgumentException.printSuggestions(e, err);
+        err.printf("Try '%s --help'.%n", e.getCommandLine().getCommandSpec().qualifiedName());
         err.flush();
         return CommandLine.ExitCode.USAGE;
     }

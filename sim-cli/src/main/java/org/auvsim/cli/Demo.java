@@ -15,6 +15,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 
@@ -44,6 +45,11 @@ final class Demo implements Callable<Integer> {
         try {
             new Demonstration(spec.commandLine().getOut()).run(folder);
             return ExitCode.OK;
+        } catch (FileSystemException e) {
+            throw new UserError(
+                    "Cannot write to the folder '%s': name another one with --out."
+                            .formatted(folder),
+                    e);
         } catch (IOException | TransportException e) {
             throw new UserError("The demonstration ended early: " + e.getMessage(), e);
         }

@@ -3,8 +3,9 @@ package org.auvsim.cli;
 import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.message.command.EventType;
+import org.auvsim.auvsml.message.control.GetSimulatorStateRequest;
 import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
-import org.auvsim.auvsml.message.control.TakeControlCommand;
+import org.auvsim.auvsml.message.control.SimulatorStateResponse;
 import org.auvsim.cli.feed.FeedTally;
 import org.auvsim.cli.feed.LogException;
 import org.auvsim.cli.feed.LogFrame;
@@ -120,13 +121,53 @@ final class Feed implements Callable<Integer> {
         try (AuvsmlClient client = AuvsmlClient.connect(address.host(), address.port());
                 Interruption _ = new Interruption(client::close)) {
             ServedObject fed = ServedObject.named(ServedObject.all(client), object);
+            double start = begin(client, log);
             prepare(client, fed);
-            FeedTally tally = new LogPlayer(client, fed.id(), handler, log, every).play();
+            FeedTally tally = new LogPlayer(client, fed.id(), handler, log, every, start).play();
             PrintWriter out = spec.commandLine().getOut();
             tally.report().forEach(out::println);
             out.flush();
+            requireUse(tally, fed);
         }
         return 0;
+    }
+
+    /** The simulator's time (s), which must be before the log's end. */
+    private double begin(AuvsmlClient client, MeasuredLog log) throws ConnectionException {
+        SimulatorStateResponse state =
+                Question.ask(client, new GetSimulatorStateRequest()).stream()
+                        .filter(SimulatorStateResponse.class::isInstance)
+                        .map(SimulatorStateResponse.class::cast)
+                        .findFirst()
+                        .orElseThrow(() -> new UserError("The simulator does not say its time."));
+        if (state.time() >= log.end()) {
+            throw new UserError(
+                    "The simulator is at %s s already, but the log ends at %s s: start it with"
+                                    .formatted(state.time(), log.end())
+                            + " 'serve --paused' and feed with --resume.");
+        }
+        if (!state.running() && !resume) {
+            PrintWriter err = spec.commandLine().getErr();
+            err.println(
+                    "the simulator is paused: waiting until a client resumes it (--resume does)");
+            err.flush();
+        }
+        return state.time();
+    }
+
+    private static void requireUse(FeedTally tally, ServedObject fed) {
+        if (!tally.moved()) {
+            throw new UserError(
+                    "The simulator said nothing of a movement of '%s': it is fixed, or has left."
+                            .formatted(fed.name()));
+        }
+        if (tally.sent() > 0 && tally.applied() == 0) {
+            throw new UserError(
+                    "None of the %d samples sent was applied%s."
+                            .formatted(
+                                    tally.sent(),
+                                    tally.refusal().map(text -> ": " + text).orElse("")));
+        }
     }
 
     private MeasuredLog read() {
@@ -140,9 +181,6 @@ final class Feed implements Callable<Integer> {
     }
 
     private void prepare(AuvsmlClient client, ServedObject fed) throws ConnectionException {
-        if (every > 0) {
-            Question.ask(client, new TakeControlCommand(fed.id()));
-        }
         Question.ask(
                 client,
                 Registration.of(

@@ -29,7 +29,7 @@ import java.util.concurrent.Callable;
         description =
                 "Serves a scenario to clients over TCP, until a client or Ctrl-C ends it or --until"
                         + " is reached.",
-        footer = {"", "Example: auvsim serve examples/scenarios/tank.xml --rate 2.5 --until 120"})
+        footer = {"", "Example: auvsim serve examples/scenarios/drift.xml --rate 2.5 --until 120"})
 final class Serve implements Callable<Integer> {
     @Spec private CommandSpec spec;
 

@@ -118,22 +118,42 @@ class FeedTest {
     void aSimulatorThatUsesNoFeedbackIsTold() throws IOException {
         Path scenario = ship("<no-feedback-timestepper/>");
         try (ServerProcess server = new ServerProcess(scenario, "--paused")) {
-            assertThat(feed(server, "--every", 1)).isZero();
+            assertThat(feed(server, "--every", 1)).isEqualTo(2);
         }
-        assertThat(auvsim.out())
-                .contains(" applied, ")
-                .contains("first refusal: ")
-                .contains("warning: ");
+        assertThat(auvsim.out()).contains("first refusal: ").contains("warning: ");
+        assertThat(auvsim.err()).startsWith("None of the ").contains("uses no feedback");
     }
 
     @Test
-    void anotherClientInControlIsTold() throws Exception {
-        try (ServerProcess server = new ServerProcess(ship(""), "--paused");
-                var pilot = AuvsmlClient.connect("127.0.0.1", server.port())) {
-            Question.ask(pilot, new TakeControlCommand(5));
+    void aHandlerThatIsNotThereIsExplained() throws IOException {
+        try (ServerProcess server = new ServerProcess(ship(""), "--paused", "--rate", "max")) {
+            assertThat(feed(server, "--handler", "Nope")).isEqualTo(2);
+        }
+        assertThat(auvsim.out()).doesNotContain("longer wait");
+        assertThat(auvsim.err()).contains("no feedback processor has the name 'Nope'");
+    }
+
+    @Test
+    void aLogThatIsOverBeforeTheSimulatorsTimeIsRefused() throws IOException {
+        Files.writeString(log, "time_s,north,east\n-2,0,0\n-1,1,0\n");
+        try (ServerProcess server = new ServerProcess(ship(""), "--paused")) {
             assertThat(feed(server)).isEqualTo(2);
         }
-        assertThat(auvsim.err()).startsWith("The simulator refuses: ").hasLineCount(1);
+        assertThat(auvsim.err())
+                .isEqualTo(
+                        "The simulator is at 0.0 s already, but the log ends at -1.0 s: start it"
+                                + " with 'serve --paused' and feed with --resume.\n");
+    }
+
+    @Test
+    void aPilotMayFlyTheObjectThatIsFed() throws Exception {
+        try (ServerProcess server =
+                        serve("<simple-fixed-time-feedback-timestepper wait=\"0.1\"/>");
+                var pilot = AuvsmlClient.connect("127.0.0.1", server.port())) {
+            Question.ask(pilot, new TakeControlCommand(5));
+            assertThat(feed(server)).isZero();
+        }
+        assertThat(auvsim.err()).isEmpty();
     }
 
     @Test

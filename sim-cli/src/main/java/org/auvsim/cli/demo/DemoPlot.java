@@ -11,6 +11,7 @@ import java.awt.Color;
 import java.awt.Font;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 
@@ -43,7 +44,30 @@ final class DemoPlot {
         for (int i = 0; i < tracks.size(); i++) {
             add(chart, tracks.get(i), i, s -> s.simulated().x(), s -> s.simulated().y());
         }
+        scaleEqually(chart, tracks);
         return chart;
+    }
+
+    /** Gives both axes the same scale: the area for the plot is about twice as wide as high. */
+    private static void scaleEqually(XYChart chart, List<Track> tracks) {
+        DoubleSummaryStatistics x = new DoubleSummaryStatistics();
+        DoubleSummaryStatistics y = new DoubleSummaryStatistics();
+        for (Track track : tracks) {
+            for (Track.Sample sample : track.samples()) {
+                x.accept(sample.truth().x());
+                x.accept(sample.simulated().x());
+                y.accept(sample.truth().y());
+                y.accept(sample.simulated().y());
+            }
+        }
+        double height = 1.1 * Math.max(y.getMax() - y.getMin(), (x.getMax() - x.getMin()) / 2);
+        double middleX = (x.getMin() + x.getMax()) / 2;
+        double middleY = (y.getMin() + y.getMax()) / 2;
+        chart.getStyler()
+                .setXAxisMin(middleX - height)
+                .setXAxisMax(middleX + height)
+                .setYAxisMin(middleY - height / 2)
+                .setYAxisMax(middleY + height / 2);
     }
 
     private static XYChart alongY(List<Track> tracks) {

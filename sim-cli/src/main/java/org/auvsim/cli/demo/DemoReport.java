@@ -1,6 +1,7 @@
 package org.auvsim.cli.demo;
 
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Base64;
@@ -13,9 +14,16 @@ import java.util.Locale;
 final class DemoReport {
     private DemoReport() {}
 
-    /** Writes both files into a folder, which is made if need be; returns the HTML's path. */
-    static Path write(Path folder, List<Track> tracks) throws IOException {
+    /** Makes the folder if need be, and sees that it can be written to. */
+    static void prepare(Path folder) throws IOException {
         Files.createDirectories(folder);
+        if (!Files.isWritable(folder)) {
+            throw new AccessDeniedException(folder.toString());
+        }
+    }
+
+    /** Writes both files into a folder; returns the HTML's path. */
+    static Path write(Path folder, List<Track> tracks) throws IOException {
         byte[] picture = DemoPlot.png(tracks);
         Files.write(folder.resolve("demo.png"), picture);
         Path html = folder.resolve("demo.html");

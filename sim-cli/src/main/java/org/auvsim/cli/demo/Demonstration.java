@@ -48,6 +48,7 @@ public final class Demonstration {
      * @throws IOException if a client loses the server, or the files cannot be written
      */
     public void run(Path folder) throws IOException, TransportException {
+        DemoReport.prepare(folder);
         out.printf(
                 "A robot flies a square by commands. The real one feels a drag and a current"
                     + " that%nthe scenario lacks; it measures its position with 5 mm of noise (seed"

@@ -3,7 +3,6 @@ package org.auvsim.cli.demo;
 import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.document.Scenario;
-import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
 import org.auvsim.auvsml.message.control.ShutdownSimulatorCommand;
 import org.auvsim.server.net.TcpTransport;
 import org.auvsim.server.net.TransportException;
@@ -57,14 +56,13 @@ final class Flight {
         try (Simulator _ = serve(transport);
                 AuvsmlClient pilotLink = AuvsmlClient.connect("127.0.0.1", transport.port());
                 AuvsmlClient robotLink = AuvsmlClient.connect("127.0.0.1", transport.port())) {
-            Pilot pilot = new Pilot(pilotLink, plan, scenario.timeStep().delta());
+            Pilot pilot = new Pilot(pilotLink, plan);
             PhysicalRobot robot =
                     new PhysicalRobot(robotLink, new TrueRobot(plan), handler, track, table);
             robot.prepare();
             pilot.prepare();
             FutureTask<Integer> flying = new FutureTask<>(pilot::fly);
             Thread.startVirtualThread(flying);
-            pilotLink.send(new ResumeSimulatorCommand());
             robot.live(duration);
             robotLink.send(new ShutdownSimulatorCommand());
             requireFlown(flying);

@@ -33,7 +33,7 @@ final class PhysicalRobot {
     private final LiveTable table;
     private final SplittableRandom noise = new SplittableRandom(Demonstration.SEED);
     private Vec3 simulated = Vec3.ZERO;
-    private Vec3 measuredBefore = Vec3.ZERO;
+    private Vec3 before = Vec3.ZERO;
     private double correctedAt = Double.NaN;
     private int steps;
     private int refused;
@@ -118,8 +118,7 @@ final class PhysicalRobot {
                         handler.get(),
                         projected.position(),
                         measured,
-                        measuredBefore));
-        measuredBefore = measured;
+                        before));
     }
 
     private Vec3 sensorNoise() {
@@ -129,6 +128,7 @@ final class PhysicalRobot {
 
     private void record(double time) {
         body.moveTo(time);
+        before = body.position();
         boolean corrected = correctedAt == time;
         Track.Sample sample = new Track.Sample(time, body.position(), simulated, corrected);
         track.add(sample);

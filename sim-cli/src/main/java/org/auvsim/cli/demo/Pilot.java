@@ -6,40 +6,41 @@ import org.auvsim.auvsml.client.Received;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.EventType;
 import org.auvsim.auvsml.message.control.SetPropulsorCommand;
+import org.auvsim.auvsml.message.control.StepCommand;
 import org.auvsim.auvsml.message.movement.StateType;
 import org.auvsim.auvsml.message.movement.TimestepAdvancedNotification;
 
 import java.util.List;
 import java.util.Optional;
 
-/** The client that flies the vehicle: it sends each setting of the plan when its time has come. */
+/**
+ * The client that flies the vehicle: it sends each setting of the plan when its time has come, and
+ * asks for one step after the other, so that every flight gets the same commands at the same times.
+ */
 final class Pilot {
     private final AuvsmlClient link;
     private final FlightPlan plan;
-    private final double timeStep;
     private int sent;
 
-    Pilot(AuvsmlClient link, FlightPlan plan, double timeStep) {
+    Pilot(AuvsmlClient link, FlightPlan plan) {
         this.link = link;
         this.plan = plan;
-        this.timeStep = timeStep;
     }
 
-    /** Sends what holds from the start, and asks to be told of each step. */
+    /** Asks to be told of each step. */
     void prepare() throws ConnectionException {
         link.send(Demonstration.register(EventType.TIMESTEP_ADVANCED));
-        sendUntil(0);
     }
 
     /** Flies until the simulator ends the connection; returns how many settings were sent. */
     int fly() throws ConnectionException {
+        stepFrom(0);
         Optional<Received> received = link.next();
         while (received.isPresent()) {
             for (Message message : received.get().messages()) {
                 if (message instanceof TimestepAdvancedNotification step
                         && step.stateType() == StateType.ACTUAL) {
-                    // What is sent now is done when the step that has begun is over.
-                    sendUntil(step.timestamp() + timeStep);
+                    stepFrom(step.timestamp());
                 }
             }
             received = link.next();
@@ -47,7 +48,8 @@ final class Pilot {
         return sent;
     }
 
-    private void sendUntil(double time) throws ConnectionException {
+    /** Sends the settings whose time has come, and then asks for a step. */
+    private void stepFrom(double time) throws ConnectionException {
         List<FlightPlan.Setting> settings = plan.settings();
         while (sent < settings.size() && settings.get(sent).at() <= time + 1e-9) {
             FlightPlan.Setting setting = settings.get(sent++);
@@ -56,6 +58,7 @@ final class Pilot {
                     set("Starboard Thruster", setting.starboard()),
                     set("Ventral Thruster", setting.ventral()));
         }
+        link.send(new StepCommand(1));
     }
 
     private static SetPropulsorCommand set(String propulsor, double level) {

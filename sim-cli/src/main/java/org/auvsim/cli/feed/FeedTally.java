@@ -14,6 +14,7 @@ import java.util.Optional;
  * @param refused by it, mostly because they came too late
  * @param refusal what it said the first time
  * @param skipped movements that it did not send since this side was slow
+ * @param moved whether the object moved at all
  * @param time world time (s) that was reached
  * @param end time (s) of the log's last sample
  * @param comparison held-back samples against the simulated path; empty: there were none
@@ -25,6 +26,7 @@ public record FeedTally(
         int refused,
         Optional<String> refusal,
         long skipped,
+        boolean moved,
         double time,
         double end,
         Optional<PathError> comparison) {
@@ -73,10 +75,10 @@ public record FeedTally(
             lines.add("warning: the simulator left out %d movements".formatted(skipped));
         }
         if (isDoubtful()) {
-            lines.add(
-                    "warning: %d of %d samples were not applied, mostly for coming too late; give"
-                                    .formatted(sent - applied, sent)
-                            + " the scenario's feedback time-stepper a longer wait");
+            lines.add("warning: %d of %d samples were not applied".formatted(sent - applied, sent));
+        }
+        if (isDoubtful() && refusal.filter(text -> text.contains("too late")).isPresent()) {
+            lines.add("give the scenario's feedback time-stepper a longer wait");
         }
         return lines;
     }

@@ -24,6 +24,9 @@ import java.util.Optional;
 public final class LogPlayer {
     private static final String REQUEST_ID = "feedback";
 
+    /** Who has not moved after so many steps never does: it is fixed. */
+    private static final int STEPS_WITHOUT_MOVEMENT = 20;
+
     private final AuvsmlClient client;
     private final long objectId;
     private final String handlerName;
@@ -34,21 +37,28 @@ public final class LogPlayer {
     private boolean announced;
     private Optional<MovementStateChangeMessage> arrival = Optional.empty();
     private Optional<MovementStateChangeMessage> departure = Optional.empty();
-    private Vec3 lastTold;
+    private int stepsSeen;
     private int rowsUsed;
     private int sent;
     private int applied;
     private int refused;
     private Optional<String> refusal = Optional.empty();
     private long skipped;
-    private double time = Double.NEGATIVE_INFINITY;
+    private double time;
 
     /**
      * A player of every {@code n}-th sample (0: none) for a world object, over a connection that is
      * registered for that object's projected and actual movements, time steps and used feedback.
+     *
+     * @param start the simulator's time (s); samples before it are passed over
      */
     public LogPlayer(
-            AuvsmlClient client, long objectId, String handlerName, MeasuredLog log, int n) {
+            AuvsmlClient client,
+            long objectId,
+            String handlerName,
+            MeasuredLog log,
+            int n,
+            double start) {
         this.client = client;
         this.objectId = objectId;
         this.handlerName = handlerName;
@@ -58,7 +68,8 @@ public final class LogPlayer {
         heldBack = toCompare.size();
         end = log.end();
         comparison = new Comparison(toCompare);
-        lastTold = log.row().getFirst().position();
+        time = start;
+        rowsUsed = told.map(rows -> rows.rowsUntil(start)).orElse(0);
     }
 
     /**
@@ -88,7 +99,9 @@ public final class LogPlayer {
                                         comparison.compared(),
                                         comparison.rms(),
                                         comparison.largest()));
-        return new FeedTally(heldBack, sent, applied, refused, refusal, skipped, time, end, error);
+        boolean moved = departure.isPresent() || stepsSeen < STEPS_WITHOUT_MOVEMENT;
+        return new FeedTally(
+                heldBack, sent, applied, refused, refusal, skipped, moved, time, end, error);
     }
 
     /** Uses one message; true when the log is over. */
@@ -99,7 +112,9 @@ public final class LogPlayer {
             case TimestepAdvancedNotification step when step.stateType() == StateType.ACTUAL -> {
                 stepped();
                 time = step.timestamp();
-                return time >= end - MeasuredLog.SAME_TIME;
+                stepsSeen++;
+                boolean neverMoves = departure.isEmpty() && stepsSeen >= STEPS_WITHOUT_MOVEMENT;
+                return neverMoves || time >= end - MeasuredLog.SAME_TIME;
             }
             case FeedbackAppliedNotification notice when notice.worldObjectId() == objectId ->
                     applied++;
@@ -149,12 +164,17 @@ public final class LogPlayer {
             return;
         }
         rowsUsed = rows;
-        Vec3 measured = told.orElseThrow().positionAt(at);
+        MeasuredLog log = told.orElseThrow();
+        Vec3 measured = log.positionAt(at);
         client.request(
                 REQUEST_ID,
                 new DifferentPositionFeedbackMessage(
-                        objectId, at, handlerName, movement.position(), measured, lastTold));
-        lastTold = measured;
+                        objectId,
+                        at,
+                        handlerName,
+                        movement.position(),
+                        measured,
+                        log.positionAt(time)));
         sent++;
     }
 }

@@ -12,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 
@@ -126,7 +127,8 @@ class FeedTest {
 
     @Test
     void aHandlerThatIsNotThereIsExplained() throws IOException {
-        try (ServerProcess server = new ServerProcess(ship(""), "--paused", "--rate", "max")) {
+        try (ServerProcess server =
+                serve("<simple-fixed-time-feedback-timestepper wait=\"0.1\"/>")) {
             assertThat(feed(server, "--handler", "Nope")).isEqualTo(2);
         }
         assertThat(auvsim.out()).doesNotContain("longer wait");

@@ -4,11 +4,14 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * A text that cannot be turned into a record; it has one fault or more, in order of their places.
+ * A text that cannot be turned into a record; it has one fault or more, in order of their places;
+ * but what is missing comes last, since it is often there under a name that is misspelt.
  */
 public final class AuvsmlException extends Exception {
     private static final Comparator<Fault> BY_PLACE =
-            Comparator.comparingInt(Fault::line).thenComparingInt(Fault::column);
+            Comparator.comparing((Fault fault) -> fault.code() == ErrorCode.MISSING_VALUE)
+                    .thenComparingInt(Fault::line)
+                    .thenComparingInt(Fault::column);
 
     private final transient List<Fault> faults;
 

@@ -45,7 +45,7 @@ public final class Validation {
     }
 
     /**
-     * All faults of a file, in order of their places; none if it is right.
+     * All faults of a file, in order of {@link AuvsmlException}; none if it is right.
      *
      * @throws DocumentException if the file cannot be read
      */
@@ -60,7 +60,7 @@ public final class Validation {
     }
 
     /**
-     * All faults of a text, in order of their places; none if it is right.
+     * All faults of a text, in order of {@link AuvsmlException}; none if it is right.
      *
      * @throws IOException if it cannot be read to its end
      */

@@ -184,7 +184,7 @@ class ScenarioLoaderTest {
                         e ->
                                 assertThat(e.faults())
                                         .extracting(fault -> fault.line() + ":" + fault.column())
-                                        .containsExactly("1:11", "2:3", "3:35", "4:3", "4:17"));
+                                        .containsExactly("1:11", "3:35", "4:17", "2:3", "4:3"));
     }
 
     @Test

@@ -70,21 +70,41 @@ class ValidationTest {
                 .containsExactly(
                         "line 2, column 14: expected a finite number, but found 'NaN' at"
                                 + " scenario/time-step@delta",
-                        "line 3, column 3: <uniform-current> needs an element <velocity> at"
-                                + " scenario/uniform-current",
                         "line 3, column 20: expected a whole number, but found 'a' at"
                                 + " scenario/uniform-current@id",
-                        "line 4, column 3: <world-object> needs an attribute 'name', a text at"
-                                + " scenario/world-object",
                         "line 4, column 17: <world-object> has no attribute 'nam'; the nearest"
                                 + " known name is 'name' at"
                                 + " scenario/world-object@nam",
                         "line 4, column 35: a sphere's radius must be above 0 m and finite, but"
                                 + " is 0.0 m at scenario/world-object/sphere",
-                        "line 5, column 5: <position> needs an attribute 'z', a finite number at"
-                                + " scenario/world-object/position",
                         "line 6, column 3: unknown element 'world-objekt'; the nearest known name"
-                                + " is 'world-object' at scenario/world-objekt");
+                                + " is 'world-object' at scenario/world-objekt",
+                        "line 3, column 3: <uniform-current> needs an element <velocity> at"
+                                + " scenario/uniform-current",
+                        "line 4, column 3: <world-object> needs an attribute 'name', a text at"
+                                + " scenario/world-object",
+                        "line 5, column 5: <position> needs an attribute 'z', a finite number at"
+                                + " scenario/world-object/position");
+    }
+
+    @Test
+    void aMisspeltNameIsToldBeforeWhatIsMissingForIt() throws IOException {
+        assertThat(faults("<auvsml><get-propulsor-list-request agentid='1'/></auvsml>"))
+                .containsExactly(
+                        "line 1, column 37: <get-propulsor-list-request> has no attribute"
+                                + " 'agentid'; the nearest known name is 'agent-id' at"
+                                + " auvsml/get-propulsor-list-request@agentid",
+                        "line 1, column 9: <get-propulsor-list-request> needs an attribute"
+                                + " 'agent-id', a whole number at"
+                                + " auvsml/get-propulsor-list-request");
+        assertThat(
+                        faults(
+                                "<scenario><world-object name='a' mass='1'><spere radius='1'/>"
+                                        + "</world-object></scenario>"))
+                .first()
+                .isEqualTo(
+                        "line 1, column 43: unknown element 'spere'; the nearest known name is"
+                                + " 'sphere' at scenario/world-object/spere");
     }
 
     @Test
@@ -104,8 +124,8 @@ class ValidationTest {
                 .containsExactly(
                         "line 1, column 9",
                         "line 2, column 41",
-                        "line 4, column 3",
                         "line 5, column 3",
+                        "line 4, column 3",
                         "line 6, column 11");
     }
 

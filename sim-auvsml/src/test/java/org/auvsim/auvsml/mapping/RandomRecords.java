@@ -156,6 +156,10 @@ final class RandomRecords {
     }
 
     private long whole() {
-        return random.nextBoolean() ? random.nextInt(1, 1000) : random.nextLong();
+        return switch (random.nextInt(3)) {
+            case 0 -> random.nextInt(10);
+            case 1 -> random.nextInt(1, 1000);
+            default -> random.nextLong();
+        };
     }
 }

@@ -90,6 +90,9 @@ public final class EquationsOfMotion {
         for (BlockEffect effect : effects) {
             effect.add(b);
         }
+        if (b.hasContactForces) {
+            b.addContactForces();
+        }
         quaternionRates(b);
         if (b.hasFixed) {
             holdFixed(b);

@@ -79,6 +79,21 @@ public final class Block {
     public final double[] ty = rate[BodyState.LY];
     public final double[] tz = rate[BodyState.LZ];
 
+    /**
+     * Forces (N, world) and torques about the origin (N m, world) of contacts: constant while the
+     * bodies are integrated, and added to what else acts on them if {@link #hasContactForces}.
+     */
+    public final double[] contactFx = new double[SIZE];
+
+    public final double[] contactFy = new double[SIZE];
+    public final double[] contactFz = new double[SIZE];
+    public final double[] contactTx = new double[SIZE];
+    public final double[] contactTy = new double[SIZE];
+    public final double[] contactTz = new double[SIZE];
+
+    /** Whether the forces and torques of contacts count; loading bodies turns it off. */
+    public boolean hasContactForces;
+
     /** Free for an effect's own use while it adds; what it left there is lost afterwards. */
     public final double[][] scratch = new double[8][SIZE];
 
@@ -92,6 +107,7 @@ public final class Block {
     /** Takes {@code count} bodies, from a slot on. */
     public void take(int firstSlot, int count) {
         this.count = count;
+        hasContactForces = false;
         neighbours = true;
         for (int i = 0; i < count; i++) {
             slots[i] = firstSlot + i;
@@ -101,6 +117,7 @@ public final class Block {
     /** Takes the bodies in the first {@code count} of these slots. */
     public void take(int[] ofSlots, int count) {
         this.count = count;
+        hasContactForces = false;
         neighbours = false;
         System.arraycopy(ofSlots, 0, slots, 0, count);
     }
@@ -188,6 +205,22 @@ public final class Block {
         tx[i] += torque.x();
         ty[i] += torque.y();
         tz[i] += torque.z();
+    }
+
+    /** Adds the forces and torques of contacts to the others. */
+    public void addContactForces() {
+        add(fx, contactFx);
+        add(fy, contactFy);
+        add(fz, contactFz);
+        add(tx, contactTx);
+        add(ty, contactTy);
+        add(tz, contactTz);
+    }
+
+    private void add(double[] to, double[] what) {
+        for (int i = 0; i < count; i++) {
+            to[i] += what[i];
+        }
     }
 
     /** Turns vectors, one a body, from the world's axes into the bodies', in other arrays. */

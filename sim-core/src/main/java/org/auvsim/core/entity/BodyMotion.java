@@ -12,6 +12,7 @@ import org.auvsim.core.math.Vec3;
  * @param inverseMass (1/kg); 0 for a fixed body
  * @param inverseInertia (1/(kg m^2), world axes); zeros for a fixed body
  * @param restitution share of the approach speed that is left after a bounce, 0 to 1
+ * @param friction coefficient of Coulomb friction, 0 or more
  */
 public record BodyMotion(
         MovementState state,
@@ -19,7 +20,8 @@ public record BodyMotion(
         Vec3 angularVelocity,
         double inverseMass,
         Mat3 inverseInertia,
-        double restitution) {
+        double restitution,
+        double friction) {
     /** Velocity (m/s, world) of the body's material at a point (m, world). */
     public Vec3 velocityAt(Vec3 point) {
         return velocity.plus(angularVelocity.cross(point.minus(state.position())));

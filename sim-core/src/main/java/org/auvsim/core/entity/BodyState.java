@@ -139,6 +139,49 @@ public final class BodyState {
         return applied;
     }
 
+    /**
+     * Writes the inverse of a body's 6x6 inertia about its origin in the world's axes: row by row
+     * the matrix that turns momenta (P, L) into velocities (v, w); zeros for a fixed body.
+     *
+     * @param to receives 36 numbers from {@code at} on
+     */
+    public void inverseInertia6(
+            int slot, double qw, double qx, double qy, double qz, double[] to, int at) {
+        Arrays.fill(to, at, at + 36, 0);
+        to[at] = inverseMass[slot];
+        to[at + 7] = inverseMass[slot];
+        to[at + 14] = inverseMass[slot];
+        double rxx = 1 - 2 * (qy * qy + qz * qz);
+        double rxy = 2 * (qx * qy - qw * qz);
+        double rxz = 2 * (qx * qz + qw * qy);
+        double ryx = 2 * (qx * qy + qw * qz);
+        double ryy = 1 - 2 * (qx * qx + qz * qz);
+        double ryz = 2 * (qy * qz - qw * qx);
+        double rzx = 2 * (qx * qz - qw * qy);
+        double rzy = 2 * (qy * qz + qw * qx);
+        double rzz = 1 - 2 * (qx * qx + qy * qy);
+        to[at + 21] = congruent(slot, rxx, rxy, rxz, rxx, rxy, rxz);
+        to[at + 28] = congruent(slot, ryx, ryy, ryz, ryx, ryy, ryz);
+        to[at + 35] = congruent(slot, rzx, rzy, rzz, rzx, rzy, rzz);
+        to[at + 22] = congruent(slot, rxx, rxy, rxz, ryx, ryy, ryz);
+        to[at + 23] = congruent(slot, rxx, rxy, rxz, rzx, rzy, rzz);
+        to[at + 29] = congruent(slot, ryx, ryy, ryz, rzx, rzy, rzz);
+        to[at + 27] = to[at + 22];
+        to[at + 33] = to[at + 23];
+        to[at + 34] = to[at + 29];
+    }
+
+    /** a . I^-1 b, one element of R I^-1 R^T for two rows of R. */
+    private double congruent(
+            int slot, double ax, double ay, double az, double bx, double by, double bz) {
+        double xy = inverseInertia[IXY][slot];
+        double xz = inverseInertia[IXZ][slot];
+        double yz = inverseInertia[IYZ][slot];
+        return ax * (inverseInertia[IXX][slot] * bx + xy * by + xz * bz)
+                + ay * (xy * bx + inverseInertia[IYY][slot] * by + yz * bz)
+                + az * (xz * bx + yz * by + inverseInertia[IZZ][slot] * bz);
+    }
+
     /** Appends a body at rest at the origin and returns its slot. */
     int add(WorldObjectDefinition definition) {
         if (count == mass.length) {

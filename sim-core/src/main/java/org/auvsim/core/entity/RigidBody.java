@@ -82,6 +82,22 @@ public class RigidBody implements Collidable {
         return state.mass()[slot];
     }
 
+    /** Its layer of collisions, 0 to {@value IgnoredLayer#LAST}. */
+    public final int layer() {
+        return definition.layer();
+    }
+
+    /** The layers that it passes through as bits: layer k is bit k. */
+    public final int ignoredLayers() {
+        return IgnoredLayer.mask(definition.ignores());
+    }
+
+    /** Whether neither of the two ignores the other's layer. */
+    public final boolean meetsLayerOf(RigidBody other) {
+        return (ignoredLayers() >>> other.layer() & 1) == 0
+                && (other.ignoredLayers() >>> layer() & 1) == 0;
+    }
+
     /** Its shape. */
     public final Volume volume() {
         return definition.volume();
@@ -257,7 +273,8 @@ public class RigidBody implements Collidable {
                 angularVelocity(),
                 state.inverseMass()[slot],
                 inverseInertia(),
-                definition.restitution());
+                definition.restitution(),
+                definition.friction());
     }
 
     /** The named forces on it, in the order in which they were first applied. */

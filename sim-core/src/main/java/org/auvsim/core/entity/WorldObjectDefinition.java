@@ -2,6 +2,7 @@ package org.auvsim.core.entity;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.math.Mat3;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Volume;
@@ -20,6 +21,10 @@ import java.util.OptionalLong;
  * @param fixed whether it never moves, whatever hits it
  * @param mass (kg); needed unless fixed
  * @param restitution share of the approach speed that is left after a bounce, 0 to 1
+ * @param friction coefficient of Coulomb friction, 0 or more; of two bodies the geometric mean
+ *     counts
+ * @param layer of collisions, 0 to 31
+ * @param ignores the layers whose objects it does not meet
  * @param inertia moments and products of inertia; empty: those of the volume with its mass
  * @param position of the origin, which is the centre of mass (m, world)
  * @param orientation body to world; normalised here
@@ -33,6 +38,9 @@ public record WorldObjectDefinition(
         @Default("0") boolean fixed,
         @Unit("kg") OptionalDouble mass,
         @Default("1.0") double restitution,
+        @Default("0.0") double friction,
+        @Default("0") int layer,
+        List<IgnoredLayer> ignores,
         Volume volume,
         Optional<Inertia> inertia,
         @Unit("m") @Default("0 0 0") Vec3 position,
@@ -47,8 +55,8 @@ public record WorldObjectDefinition(
      * A checked definition.
      *
      * @throws IllegalArgumentException naming what is wrong: an id below 1, a blank name, a mass
-     *     that is missing or not positive, a number that is not finite, a name used twice, a
-     *     component that another one needs
+     *     that is missing or not positive or on a volume that must be fixed, a number that is not
+     *     finite, a name used twice, a component that another one needs
      */
     public WorldObjectDefinition {
         if (id.isPresent() && id.getAsLong() < 1) {
@@ -64,6 +72,12 @@ public record WorldObjectDefinition(
         if (!(restitution >= 0 && restitution <= 1)) {
             throw new IllegalArgumentException("restitution must be 0 to 1, but is " + restitution);
         }
+        if (!(friction >= 0) || Double.isInfinite(friction)) {
+            throw new IllegalArgumentException(
+                    "friction must be 0 or more and finite, but is " + friction);
+        }
+        IgnoredLayer.requireLayer(layer);
+        ignores = List.copyOf(ignores);
         if (!(position.isFinite() && velocity.isFinite() && angularVelocity.isFinite())) {
             throw new IllegalArgumentException(
                     "position and velocities of '" + name + "' must be finite numbers");
@@ -97,10 +111,10 @@ public record WorldObjectDefinition(
         if (mass.isEmpty()) {
             return Optional.empty();
         }
-        double m = mass.getAsDouble();
+        Mat3 ofVolume = volume.inertia(mass.getAsDouble());
         return Optional.of(
                 new MassProperties(
-                        m, inertia.map(Inertia::toMatrix).orElseGet(() -> volume.inertia(m))));
+                        mass.getAsDouble(), inertia.map(Inertia::toMatrix).orElse(ofVolume)));
     }
 
     /** Mass and inertia; empty for a fixed object without a mass. */
@@ -116,6 +130,9 @@ public record WorldObjectDefinition(
                 fixed,
                 mass,
                 restitution,
+                friction,
+                layer,
+                ignores,
                 volume,
                 inertia,
                 position,
@@ -140,6 +157,9 @@ public record WorldObjectDefinition(
         private boolean fixed;
         private OptionalDouble mass = OptionalDouble.empty();
         private double restitution = 1;
+        private double friction;
+        private int layer;
+        private final List<IgnoredLayer> ignores = new ArrayList<>();
         private Optional<Volume> volume = Optional.empty();
         private Optional<Inertia> inertia = Optional.empty();
         private Vec3 position = Vec3.ZERO;
@@ -176,6 +196,24 @@ public record WorldObjectDefinition(
         /** Share of the approach speed that is left after a bounce, 0 to 1. */
         public Builder restitution(double restitution) {
             this.restitution = restitution;
+            return this;
+        }
+
+        /** Coefficient of Coulomb friction, 0 or more. */
+        public Builder friction(double friction) {
+            this.friction = friction;
+            return this;
+        }
+
+        /** Its layer of collisions, 0 to 31. */
+        public Builder layer(int layer) {
+            this.layer = layer;
+            return this;
+        }
+
+        /** Lets it pass through the objects of a layer, 0 to 31. */
+        public Builder ignores(int layer) {
+            ignores.add(new IgnoredLayer(layer));
             return this;
         }
 
@@ -256,6 +294,9 @@ public record WorldObjectDefinition(
                     fixed,
                     mass,
                     restitution,
+                    friction,
+                    layer,
+                    ignores,
                     volume.orElseThrow(
                             () ->
                                     new IllegalArgumentException(

@@ -55,6 +55,65 @@ class RigidBodyTest {
         assertThat(body.movementState()).isEqualTo(state);
     }
 
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = {1, 2, 3, 4})
+    void theInverseInertiaTurnsMomentaIntoVelocitiesInEveryOrientation(long seed) {
+        Draws draws = new Draws(seed);
+        Inertia inertia = new Inertia(2, 3, 4, 0.1, -0.2, 0.3);
+        WorldObject body = bodies.add(1, crate().mass(5).inertia(inertia).build());
+        Quat turn = draws.orientation();
+        body.setOrientation(turn);
+        body.setLinearMomentum(draws.vector(3));
+        body.setAngularMomentum(draws.vector(3));
+        double[] k = new double[40];
+        bodies.state().inverseInertia6(0, turn.w(), turn.x(), turn.y(), turn.z(), k, 2);
+        double[] momenta = new double[6];
+        put(momenta, 0, body.linearMomentum());
+        put(momenta, 3, body.angularMomentum());
+        double[] velocities = new double[6];
+        for (int row = 0; row < 6; row++) {
+            for (int column = 0; column < 6; column++) {
+                velocities[row] += k[2 + 6 * row + column] * momenta[column];
+            }
+        }
+        assertNear(new Vec3(velocities[0], velocities[1], velocities[2]), body.velocity(), 1e-14);
+        assertNear(
+                new Vec3(velocities[3], velocities[4], velocities[5]),
+                body.angularVelocity(),
+                1e-14);
+        assertThat(new double[] {k[0], k[1], k[38], k[39]}).containsOnly(0);
+    }
+
+    private static void put(double[] to, int at, Vec3 v) {
+        to[at] = v.x();
+        to[at + 1] = v.y();
+        to[at + 2] = v.z();
+    }
+
+    @Test
+    void theInverseInertiaOfAFixedBodyIsZero() {
+        bodies.add(1, crate().fixed().mass(3).build());
+        double[] k = new double[36];
+        k[7] = 1;
+        bodies.state().inverseInertia6(0, 0.6, 0.8, 0, 0, k, 0);
+        assertThat(k).containsOnly(0);
+    }
+
+    @Test
+    void eitherOfTwoMayIgnoreTheOthersLayer() {
+        WorldObject ghost = bodies.add(1, crate().mass(1).layer(31).ignores(0).build());
+        WorldObject wall = bodies.add(2, crate().fixed().build());
+        WorldObject other = bodies.add(3, crate().fixed().layer(2).ignores(5).build());
+        assertThat(ghost.ignoredLayers()).isEqualTo(1);
+        assertThat(other.ignoredLayers()).isEqualTo(1 << 5);
+        assertThat(ghost.meetsLayerOf(wall)).isFalse();
+        assertThat(wall.meetsLayerOf(ghost)).isFalse();
+        assertThat(ghost.meetsLayerOf(other)).isTrue();
+        assertThat(wall.meetsLayerOf(other)).isTrue();
+        WorldObject last = bodies.add(4, crate().mass(1).ignores(31).build());
+        assertThat(last.meetsLayerOf(ghost)).isFalse();
+    }
+
     @Test
     void aFixedBodyTakesNoMomentum() {
         WorldObject rock = bodies.add(1, crate().fixed().velocity(1, 0, 0).build());

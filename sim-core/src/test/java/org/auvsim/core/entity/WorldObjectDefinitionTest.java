@@ -42,6 +42,12 @@ class WorldObjectDefinitionTest {
                         "mass must be above 0 kg and finite, but is Infinity kg"),
                 wrong(b -> b.restitution(1.5), "restitution must be 0 to 1, but is 1.5"),
                 wrong(b -> b.restitution(Double.NaN), "restitution must be 0 to 1, but is NaN"),
+                wrong(b -> b.friction(-0.1), "friction must be 0 or more and finite, but is -0.1"),
+                wrong(
+                        b -> b.friction(Double.POSITIVE_INFINITY),
+                        "friction must be 0 or more and finite, but is Infinity"),
+                wrong(b -> b.layer(32), "a collision layer must be 0 to 31, but is 32"),
+                wrong(b -> b.ignores(-1), "a collision layer must be 0 to 31, but is -1"),
                 wrong(
                         b -> b.position(0, Double.NaN, 0),
                         "position and velocities of 'ball' must be finite numbers"),

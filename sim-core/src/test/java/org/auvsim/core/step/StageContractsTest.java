@@ -69,6 +69,14 @@ class StageContractsTest {
     }
 
     @Nested
+    class OfAnalyticFinder extends FinderContract {
+        @Override
+        protected CollisionFinder finder() {
+            return new AnalyticFinder();
+        }
+    }
+
+    @Nested
     class OfSnapshotStepper extends StepperContract {
         @Override
         protected Stepper stepper() {

@@ -43,7 +43,7 @@ final class Rules {
                         List.of(
                                 Set.of("description"),
                                 Set.of("math"),
-                                Set.of("volume"),
+                                Set.of("contact", "volume"),
                                 Set.of("entity"),
                                 Set.of("field", "effect", "behavior", "dynamics"),
                                 Set.of("step"),

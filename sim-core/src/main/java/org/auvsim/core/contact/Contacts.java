@@ -1,0 +1,138 @@
+package org.auvsim.core.contact;
+
+import static org.auvsim.core.contact.ContactBodies.SPEEDS;
+
+import java.util.Arrays;
+
+/**
+ * The points where bodies of one island touch, in the order in which they were added, which is the
+ * order in which they are solved. Made to be cleared and filled again: it allocates only when it
+ * has never held so many.
+ */
+public final class Contacts {
+    /** How many there are. */
+    public int count;
+
+    /** The two bodies, by their index in {@link ContactBodies}. */
+    public int[] a = new int[4];
+
+    /** The two bodies, by their index in {@link ContactBodies}. */
+    public int[] b = new int[4];
+
+    /** The point (m, world). */
+    public double[] px = new double[4];
+
+    /** The point (m, world). */
+    public double[] py = new double[4];
+
+    /** The point (m, world). */
+    public double[] pz = new double[4];
+
+    /** Unit normal from b to a (world). */
+    public double[] nx = new double[4];
+
+    /** Unit normal from b to a (world). */
+    public double[] ny = new double[4];
+
+    /** Unit normal from b to a (world). */
+    public double[] nz = new double[4];
+
+    /** Coulomb's coefficient, 0 or more. */
+    public double[] friction = new double[4];
+
+    /** Least speed (m/s) at which a and b are to part afterwards. */
+    public double[] target = new double[4];
+
+    /** Impulse along the normal (N s) on a, 0 or more: read as a first guess, written as answer. */
+    public double[] jn = new double[4];
+
+    /** Friction's impulse (N s, world) on a, across the normal: read and written as {@link #jn}. */
+    public double[] jx = new double[4];
+
+    /** Friction's impulse (N s, world) on a, across the normal: read and written as {@link #jn}. */
+    public double[] jy = new double[4];
+
+    /** Friction's impulse (N s, world) on a, across the normal: read and written as {@link #jn}. */
+    public double[] jz = new double[4];
+
+    /** Forgets all contacts. */
+    public void clear() {
+        count = 0;
+    }
+
+    /**
+     * Adds a contact without friction, to be stopped (target 0), with impulses of 0; set the other
+     * columns to change that.
+     *
+     * @return its index
+     */
+    public int add(
+            int bodyA,
+            int bodyB,
+            double pointX,
+            double pointY,
+            double pointZ,
+            double normalX,
+            double normalY,
+            double normalZ) {
+        if (count == a.length) {
+            grow();
+        }
+        int c = count++;
+        a[c] = bodyA;
+        b[c] = bodyB;
+        px[c] = pointX;
+        py[c] = pointY;
+        pz[c] = pointZ;
+        nx[c] = normalX;
+        ny[c] = normalY;
+        nz[c] = normalZ;
+        friction[c] = 0;
+        target[c] = 0;
+        guess(c, 0, 0, 0, 0);
+        return c;
+    }
+
+    /** Sets the impulses that the solver starts from: those of an earlier frame, or zeros. */
+    public void guess(int contact, double normal, double alongX, double alongY, double alongZ) {
+        jn[contact] = normal;
+        jx[contact] = alongX;
+        jy[contact] = alongY;
+        jz[contact] = alongZ;
+    }
+
+    /** How fast a and b part at a contact, along the normal (m/s); negative: they approach. */
+    public double separationSpeed(int contact, ContactBodies bodies) {
+        return along(contact, a[contact], bodies) - along(contact, b[contact], bodies);
+    }
+
+    /** Speed (m/s) along the normal of a body's material at the contact point. */
+    private double along(int c, int body, ContactBodies bodies) {
+        double rx = px[c] - bodies.x[3 * body];
+        double ry = py[c] - bodies.x[3 * body + 1];
+        double rz = pz[c] - bodies.x[3 * body + 2];
+        double[] v = bodies.v;
+        int at = SPEEDS * body;
+        return nx[c] * (v[at] + v[at + 4] * rz - v[at + 5] * ry)
+                + ny[c] * (v[at + 1] + v[at + 5] * rx - v[at + 3] * rz)
+                + nz[c] * (v[at + 2] + v[at + 3] * ry - v[at + 4] * rx);
+    }
+
+    private void grow() {
+        int size = 2 * count;
+        a = Arrays.copyOf(a, size);
+        b = Arrays.copyOf(b, size);
+        px = Arrays.copyOf(px, size);
+        py = Arrays.copyOf(py, size);
+        pz = Arrays.copyOf(pz, size);
+        nx = Arrays.copyOf(nx, size);
+        ny = Arrays.copyOf(ny, size);
+        nz = Arrays.copyOf(nz, size);
+        friction = Arrays.copyOf(friction, size);
+        target = Arrays.copyOf(target, size);
+        jn = Arrays.copyOf(jn, size);
+        jx = Arrays.copyOf(jx, size);
+        jy = Arrays.copyOf(jy, size);
+        jz = Arrays.copyOf(jz, size);
+    }
+}

@@ -1,0 +1,121 @@
+package org.auvsim.core.step;
+
+import java.util.Arrays;
+
+/**
+ * Predicted events of a frame, the earliest first: a binary heap in plain arrays. Events of the same
+ * instant come in order of the ranks of the two, which is the order of their ids.
+ */
+final class ContactQueue {
+    /** In the place of the second body: the end of a body's segment, not a contact. */
+    static final int NONE = -1;
+
+    private int size;
+    private double[] time = new double[64];
+    private int[] first = new int[64];
+    private int[] second = new int[64];
+    private int[] firstVersion = new int[64];
+    private int[] secondVersion = new int[64];
+
+    void clear() {
+        size = 0;
+    }
+
+    boolean isEmpty() {
+        return size == 0;
+    }
+
+    /** Offset (s) of the earliest event. */
+    double time() {
+        return time[0];
+    }
+
+    int first() {
+        return first[0];
+    }
+
+    int second() {
+        return second[0];
+    }
+
+    /** The version of the first one's trajectory for which the event was predicted. */
+    int firstVersion() {
+        return firstVersion[0];
+    }
+
+    int secondVersion() {
+        return secondVersion[0];
+    }
+
+    void add(double t, int a, int b, int versionA, int versionB) {
+        if (size == time.length) {
+            grow();
+        }
+        int at = size++;
+        while (at > 0) {
+            int parent = (at - 1) >>> 1;
+            if (!isBefore(t, a, b, parent)) {
+                break;
+            }
+            move(parent, at);
+            at = parent;
+        }
+        set(at, t, a, b, versionA, versionB);
+    }
+
+    void removeFirst() {
+        int last = --size;
+        double t = time[last];
+        int a = first[last];
+        int b = second[last];
+        int versionA = firstVersion[last];
+        int versionB = secondVersion[last];
+        int at = 0;
+        while (2 * at + 1 < size) {
+            int child = 2 * at + 1;
+            if (child + 1 < size
+                    && isBefore(time[child + 1], first[child + 1], second[child + 1], child)) {
+                child++;
+            }
+            if (!isBefore(time[child], first[child], second[child], t, a, b)) {
+                break;
+            }
+            move(child, at);
+            at = child;
+        }
+        set(at, t, a, b, versionA, versionB);
+    }
+
+    private boolean isBefore(double t, int a, int b, int other) {
+        return isBefore(t, a, b, time[other], first[other], second[other]);
+    }
+
+    private static boolean isBefore(
+            double t, int a, int b, double otherTime, int otherFirst, int otherSecond) {
+        if (t != otherTime) {
+            return t < otherTime;
+        }
+        return a != otherFirst ? a < otherFirst : b < otherSecond;
+    }
+
+    private void move(int from, int to) {
+        set(to, time[from], first[from], second[from], firstVersion[from], secondVersion[from]);
+    }
+
+    private void set(int at, double t, int a, int b, int versionA, int versionB) {
+        time[at] = t;
+        first[at] = a;
+        second[at] = b;
+        firstVersion[at] = versionA;
+        secondVersion[at] = versionB;
+    }
+
+    private void grow() {
+        int capacity = 2 * size;
+        time = Arrays.copyOf(time, capacity);
+        first = Arrays.copyOf(first, capacity);
+        second = Arrays.copyOf(second, capacity);
+        firstVersion = Arrays.copyOf(firstVersion, capacity);
+        secondVersion = Arrays.copyOf(secondVersion, capacity);
+    }
+}

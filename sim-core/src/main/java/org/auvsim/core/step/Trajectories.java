@@ -1,0 +1,286 @@
+package org.auvsim.core.step;
+
+import org.auvsim.core.dynamics.EquationsOfMotion;
+import org.auvsim.core.dynamics.Integrator;
+import org.auvsim.core.entity.Block;
+import org.auvsim.core.entity.BodyState;
+import org.auvsim.core.volume.Pose;
+
+import java.util.Arrays;
+import java.util.function.IntConsumer;
+
+/**
+ * How all bodies move through one frame, the time from a step's beginning to its end.
+ *
+ * <p>A body's trajectory is a segment: from its state at the segment's start, which stands in the
+ * world's {@link BodyState}, to that at its end, which is integrated and stands here. In between its
+ * position follows the cubic that has the same positions and velocities at both ends, in Bezier
+ * form; the hull of the four control points, widened by the body's bounding radius, is its swept
+ * box. At first all segments fill the frame; a body that collides begins a new one there.
+ *
+ * <p>Instants are offsets (s) from the frame's beginning; bodies go by their slots.
+ */
+final class Trajectories {
+    /** Numbers of a curve: 12 of four control points (m), then the offsets of start and end. */
+    static final int CURVE = 16;
+
+    static final int START = 12;
+    static final int END = 13;
+
+    /** Numbers of a box: min x, y, z, max x, y, z (m). */
+    static final int BOX = 6;
+
+    private final BodyState bodies;
+    private final EquationsOfMotion equations;
+    private final Integrator integrator;
+    private final Lanes lanes;
+    private final int count;
+    private final double[][] end;
+    private final double[] curve;
+    private final double[] box;
+    private final int[] version;
+    private final Worker[] workers;
+    private final IntConsumer integrateLane = this::integrateLane;
+    private final SegmentLog log;
+    private final int[] one = new int[1];
+    private final int[] some = new int[Block.SIZE];
+    private final double[] contactForce;
+    private final boolean[] isPushed;
+    private boolean anyPushed;
+    private double time;
+    private double length;
+
+    /** What one lane needs for itself. */
+    private static final class Worker {
+        final Block block = new Block();
+        final double[] vx = new double[Block.SIZE];
+        final double[] vy = new double[Block.SIZE];
+        final double[] vz = new double[Block.SIZE];
+        int notFinite = -1;
+    }
+
+    Trajectories(
+            BodyState bodies, EquationsOfMotion equations, Integrator integrator, Lanes lanes) {
+        this.bodies = bodies;
+        this.equations = equations;
+        this.integrator = integrator;
+        this.lanes = lanes;
+        count = bodies.count();
+        end = new double[BodyState.COLUMNS][bodies.column(0).length];
+        curve = new double[CURVE * count];
+        box = new double[BOX * count];
+        version = new int[count];
+        log = new SegmentLog(bodies);
+        contactForce = new double[6 * count];
+        isPushed = new boolean[count];
+        workers = new Worker[lanes.count()];
+        for (int lane = 0; lane < workers.length; lane++) {
+            workers[lane] = new Worker();
+        }
+    }
+
+    int count() {
+        return count;
+    }
+
+    double[] curves() {
+        return curve;
+    }
+
+    double[] boxes() {
+        return box;
+    }
+
+    /** How many segments each body has had in this frame beside its first. */
+    int[] versions() {
+        return version;
+    }
+
+    /** One column of the bodies' states at the ends of their segments. */
+    double[] end(int column) {
+        return end[column];
+    }
+
+    double startOf(int body) {
+        return curve[CURVE * body + START];
+    }
+
+    /** Integrates all bodies over a frame that begins at the world's {@code time} (s). */
+    void begin(double time, double length) {
+        this.time = time;
+        this.length = length;
+        Arrays.fill(version, 0);
+        log.clear();
+        if (anyPushed) {
+            Arrays.fill(isPushed, false);
+            anyPushed = false;
+        }
+        lanes.run(integrateLane);
+    }
+
+    private void integrateLane(int lane) {
+        Worker worker = workers[lane];
+        worker.notFinite = -1;
+        int blocks = (count + Block.SIZE - 1) / Block.SIZE;
+        int from = (int) ((long) blocks * lane / workers.length);
+        int to = (int) ((long) blocks * (lane + 1) / workers.length);
+        for (int b = from; b < to; b++) {
+            int first = b * Block.SIZE;
+            int inBlock = Math.min(Block.SIZE, count - first);
+            equations.load(worker.block, first, inBlock, time);
+            integrate(worker, 0, length);
+        }
+    }
+
+    /**
+     * Ends a body's segment at an offset: its state there becomes its present one. The position is
+     * that of the curve, on which contacts are found, the rest is integrated. {@link #restart} has to
+     * follow.
+     */
+    void moveTo(int slot, double offset) {
+        double from = startOf(slot);
+        if (from == offset) {
+            return;
+        }
+        log.keep(slot);
+        Block block = workers[0].block;
+        one[0] = slot;
+        equations.load(block, one, 1, time + from);
+        push(block);
+        integrator.advance(equations, block, offset - from);
+        double s = (offset - from) / (curve[CURVE * slot + END] - from);
+        for (int c = 0; c < BodyState.COLUMNS; c++) {
+            bodies.column(c)[slot] = c <= BodyState.Z ? at(slot, c, s) : block.state[c][0];
+        }
+        curve[CURVE * slot + START] = offset;
+    }
+
+    /** A coordinate of the curve at a share of its segment (de Casteljau). */
+    private double at(int slot, int axis, double s) {
+        int p = CURVE * slot + axis;
+        double a = curve[p] + s * (curve[p + 3] - curve[p]);
+        double b = curve[p + 3] + s * (curve[p + 6] - curve[p + 3]);
+        double c = curve[p + 6] + s * (curve[p + 9] - curve[p + 6]);
+        double d = a + s * (b - a);
+        return d + s * (b + s * (c - b) - d);
+    }
+
+    /**
+     * Begins new segments for bodies that have been moved to an offset, up to the frame's end, with
+     * the contact forces that they have been given.
+     */
+    void restart(int[] slots, int number, double offset) {
+        for (int first = 0; first < number; first += Block.SIZE) {
+            int inBlock = Math.min(Block.SIZE, number - first);
+            System.arraycopy(slots, first, some, 0, inBlock);
+            equations.load(workers[0].block, some, inBlock, time + offset);
+            push(workers[0].block);
+            integrate(workers[0], offset, length);
+        }
+        for (int k = 0; k < number; k++) {
+            version[slots[k]]++;
+        }
+    }
+
+    /** Sets the constant force (N) and torque (N m, world) of contacts on a body. */
+    void setContactForce(int slot, double[] forceAndTorque, int from) {
+        for (int c = 0; c < 6; c++) {
+            contactForce[6 * slot + c] = forceAndTorque[from + c];
+        }
+        isPushed[slot] = true;
+        anyPushed = true;
+    }
+
+    void clearContactForce(int slot) {
+        isPushed[slot] = false;
+    }
+
+    private void push(Block block) {
+        for (int i = 0; anyPushed && i < block.count; i++) {
+            if (isPushed[block.slot(i)]) {
+                block.setContactForce(i, contactForce, 6 * block.slot(i));
+            }
+        }
+    }
+
+    /** Makes the ends of all segments the present state. */
+    void commit() {
+        bodies.exchange(end);
+    }
+
+    /** Gives all bodies the state back that they had when the frame began. */
+    void undo() {
+        log.restore();
+    }
+
+    /** Integrates the loaded bodies from one offset to another and traces their segments. */
+    private void integrate(Worker worker, double from, double to) {
+        Block block = worker.block;
+        equations.velocities(block);
+        System.arraycopy(block.vx, 0, worker.vx, 0, block.count);
+        System.arraycopy(block.vy, 0, worker.vy, 0, block.count);
+        System.arraycopy(block.vz, 0, worker.vz, 0, block.count);
+        integrator.advance(equations, block, to - from);
+        for (int c = 0; c < BodyState.COLUMNS; c++) {
+            block.scatter(block.state[c], end[c]);
+        }
+        equations.velocities(block);
+        for (int i = 0; i < block.count; i++) {
+            trace(worker, i, from, to);
+        }
+    }
+
+    /** Writes curve and box of body {@code i} of the block. */
+    private void trace(Worker worker, int i, double from, double to) {
+        Block block = worker.block;
+        int slot = block.slot(i);
+        double third = (to - from) / 3;
+        double radius = bodies.radius()[slot];
+        double[] x = bodies.column(BodyState.X);
+        double[] y = bodies.column(BodyState.Y);
+        double[] z = bodies.column(BodyState.Z);
+        trace(slot, 0, x[slot], worker.vx[i], block.state[BodyState.X][i], block.vx[i], third, radius);
+        trace(slot, 1, y[slot], worker.vy[i], block.state[BodyState.Y][i], block.vy[i], third, radius);
+        trace(slot, 2, z[slot], worker.vz[i], block.state[BodyState.Z][i], block.vz[i], third, radius);
+        curve[CURVE * slot + START] = from;
+        curve[CURVE * slot + END] = to;
+        double sum =
+                block.vx[i] + block.vy[i] + block.vz[i]
+                        + block.wx[i] + block.wy[i] + block.wz[i]
+                        + block.state[BodyState.QW][i]
+                        + block.state[BodyState.X][i]
+                        + block.state[BodyState.Y][i]
+                        + block.state[BodyState.Z][i];
+        if (!(sum - sum == 0) && worker.notFinite < 0) {
+            worker.notFinite = slot;
+        }
+    }
+
+    private void trace(
+            int slot, int axis, double p0, double v0, double p3, double v3, double third, double r) {
+        double p1 = p0 + v0 * third;
+        double p2 = p3 - v3 * third;
+        int at = CURVE * slot + axis;
+        curve[at] = p0;
+        curve[at + 3] = p1;
+        curve[at + 6] = p2;
+        curve[at + 9] = p3;
+        double low = p0 < p1 ? p0 : p1;
+        double high = p0 < p1 ? p1 : p0;
+        double low2 = p2 < p3 ? p2 : p3;
+        double high2 = p2 < p3 ? p3 : p2;
+        box[BOX * slot + axis] = (low < low2 ? low : low2) - r;
+        box[BOX * slot + axis + 3] = (high > high2 ? high : high2) + r;
+    }
+
+    /** The slot of a body whose end is not a finite number, the first one; -1 if there is none. */
+    int anyNotFinite() {
+        int first = -1;
+        for (Worker worker : workers) {
+            if (worker.notFinite >= 0 && (first < 0 || worker.notFinite < first)) {
+                first = worker.notFinite;
+            }
+        }
+        return first;
+    }
+}

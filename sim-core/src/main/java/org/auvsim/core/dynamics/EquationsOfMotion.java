@@ -137,7 +137,8 @@ public final class EquationsOfMotion {
         }
     }
 
-    private static void velocities(Block b) {
+    /** Fills the velocities of the origins alone from the state of the block. */
+    public void velocities(Block b) {
         scale(b, b.vx, b.state[PX]);
         scale(b, b.vy, b.state[PY]);
         scale(b, b.vz, b.state[PZ]);

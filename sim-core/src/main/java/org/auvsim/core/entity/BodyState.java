@@ -109,6 +109,20 @@ public final class BodyState {
         return columns[column];
     }
 
+    /**
+     * Takes other columns of the state and gives its own away in their place: a new state costs no
+     * copying.
+     *
+     * @param other a column for each of the state, as long as its own
+     */
+    public void exchange(double[][] other) {
+        for (int c = 0; c < COLUMNS; c++) {
+            double[] mine = columns[c];
+            columns[c] = other[c];
+            other[c] = mine;
+        }
+    }
+
     /** One element of the inverse inertia tensors, {@link #IXX} to {@link #IYZ}; by slot. */
     public double[] inverseInertia(int element) {
         return inverseInertia[element];

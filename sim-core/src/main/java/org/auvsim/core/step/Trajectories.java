@@ -196,10 +196,19 @@ final class Trajectories {
     }
 
     private void push(Block block) {
-        for (int i = 0; anyPushed && i < block.count; i++) {
-            if (isPushed[block.slot(i)]) {
-                block.setContactForce(i, contactForce, 6 * block.slot(i));
-            }
+        if (!anyPushed) {
+            return;
+        }
+        block.hasContactForces = true;
+        for (int i = 0; i < block.count; i++) {
+            int at = 6 * block.slot(i);
+            double share = isPushed[block.slot(i)] ? 1 : 0;
+            block.contactFx[i] = share * contactForce[at];
+            block.contactFy[i] = share * contactForce[at + 1];
+            block.contactFz[i] = share * contactForce[at + 2];
+            block.contactTx[i] = share * contactForce[at + 3];
+            block.contactTy[i] = share * contactForce[at + 4];
+            block.contactTz[i] = share * contactForce[at + 5];
         }
     }
 

@@ -1,0 +1,61 @@
+package org.auvsim.core.step;
+
+import org.auvsim.core.dynamics.ImpulseResponse;
+import org.auvsim.core.entity.BodyState;
+import org.auvsim.core.entity.CollisionResponse;
+import org.auvsim.core.entity.RigidBody;
+import org.auvsim.core.entity.WorldObject;
+import org.auvsim.core.volume.Sphere;
+import org.auvsim.core.volume.Volume;
+
+import java.util.List;
+
+/** What the event stepper has to know of each body beside its motion: plain arrays, by slot. */
+final class BodyTraits {
+    final Volume[] volume;
+    final boolean[] isSphere;
+    final boolean[] isFixed;
+
+    /** Whether it answers a collision by the impulse that the engine computes itself. */
+    final boolean[] bounces;
+
+    final double[] radius;
+    final double[] restitution;
+    final double[] friction;
+    final int[] layer;
+    final int[] ignored;
+
+    /** Its place in the order of ids among all collidables. */
+    final int[] rank;
+
+    BodyTraits(BodyState state, List<WorldObject> bySlot, CollisionResponse fallback) {
+        int count = bySlot.size();
+        volume = new Volume[count];
+        isSphere = new boolean[count];
+        isFixed = new boolean[count];
+        bounces = new boolean[count];
+        radius = state.radius();
+        restitution = new double[count];
+        friction = new double[count];
+        layer = new int[count];
+        ignored = new int[count];
+        rank = new int[count];
+        for (int slot = 0; slot < count; slot++) {
+            RigidBody body = bySlot.get(slot);
+            volume[slot] = body.volume();
+            isSphere[slot] = body.volume() instanceof Sphere;
+            isFixed[slot] = body.isFixed();
+            bounces[slot] = body.response().orElse(fallback) instanceof ImpulseResponse;
+            restitution[slot] = body.definition().restitution();
+            friction[slot] = body.definition().friction();
+            layer[slot] = body.layer();
+            ignored[slot] = body.ignoredLayers();
+        }
+    }
+
+    boolean mayCollide(int a, int b) {
+        return !(isFixed[a] && isFixed[b])
+                && (ignored[a] >>> layer[b] & 1) == 0
+                && (ignored[b] >>> layer[a] & 1) == 0;
+    }
+}

@@ -1,0 +1,183 @@
+package org.auvsim.core.step;
+
+import static org.auvsim.core.step.Trajectories.CURVE;
+import static org.auvsim.core.step.Trajectories.END;
+import static org.auvsim.core.step.Trajectories.START;
+
+import java.util.Arrays;
+
+/**
+ * The narrow phase of one lane: when two bodies first touch on their trajectories. What it finds for
+ * a whole frame it keeps until the lanes are put together.
+ */
+final class Encounters implements ColumnGrid.Pairs {
+    /**
+     * Bodies are near each other if the gap (m) is below this share of the smaller bounding radius:
+     * twice what resting contacts keep open.
+     */
+    static final double NEAR = 2 * RestingContacts.MARGIN;
+
+    private final BodyTraits traits;
+    private final double[] curve;
+    private final SphereImpact spheres = new SphereImpact();
+    private final double[] relative = new double[12];
+    private final double[] cut = new double[12];
+    private double[] times = new double[64];
+    private int[] pairs = new int[128];
+    private int count;
+    private int[] near = new int[64];
+    private int nearCount;
+
+    Encounters(BodyTraits traits, double[] curve) {
+        this.traits = traits;
+        this.curve = curve;
+    }
+
+    void clear() {
+        count = 0;
+        nearCount = 0;
+    }
+
+    @Override
+    public void meet(int a, int b) {
+        if (!traits.mayCollide(a, b)) {
+            return;
+        }
+        if (areNear(a, b)) {
+            addNear(a, b);
+            return;
+        }
+        double t = first(a, b);
+        if (t < Double.POSITIVE_INFINITY) {
+            add(t, a, b);
+        }
+    }
+
+    private boolean areNear(int a, int b) {
+        int p = CURVE * a;
+        int q = CURVE * b;
+        double dx = curve[p] - curve[q];
+        double dy = curve[p + 1] - curve[q + 1];
+        double dz = curve[p + 2] - curve[q + 2];
+        double ra = traits.radius[a];
+        double rb = traits.radius[b];
+        double reach = ra + rb + NEAR * Math.min(ra, rb);
+        return dx * dx + dy * dy + dz * dz <= reach * reach;
+    }
+
+    /**
+     * Offset (s) at which the two first touch while both are on their present segments; infinity if
+     * they do not. Two that touch already are in contact at once if they approach.
+     */
+    double first(int a, int b) {
+        double from = Math.max(curve[CURVE * a + START], curve[CURVE * b + START]);
+        double to = Math.min(curve[CURVE * a + END], curve[CURVE * b + END]);
+        if (!(from < to)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        relativePath(a, b, from, to);
+        double reach = traits.radius[a] + traits.radius[b];
+        double s = spheres.first(relative, 0, reach, reach);
+        return s < Double.POSITIVE_INFINITY ? from + s * (to - from) : s;
+    }
+
+    private void relativePath(int a, int b, double from, double to) {
+        piece(a, from, to, relative);
+        piece(b, from, to, cut);
+        for (int k = 0; k < 12; k++) {
+            relative[k] -= cut[k];
+        }
+    }
+
+    /** The control points of that piece of a body's curve which lies between two offsets. */
+    private void piece(int body, double from, double to, double[] points) {
+        int at = CURVE * body;
+        double start = curve[at + START];
+        double end = curve[at + END];
+        System.arraycopy(curve, at, points, 0, 12);
+        double length = end - start;
+        if (from > start) {
+            cutBefore(points, (from - start) / length);
+        }
+        if (to < end) {
+            cutBehind(points, (to - from) / (end - from));
+        }
+    }
+
+    /** Keeps the part behind a share of the curve (de Casteljau). */
+    private static void cutBefore(double[] p, double s) {
+        for (int axis = 0; axis < 3; axis++) {
+            double b0 = p[axis] + s * (p[axis + 3] - p[axis]);
+            double b1 = p[axis + 3] + s * (p[axis + 6] - p[axis + 3]);
+            double b2 = p[axis + 6] + s * (p[axis + 9] - p[axis + 6]);
+            double c0 = b0 + s * (b1 - b0);
+            double c1 = b1 + s * (b2 - b1);
+            p[axis] = c0 + s * (c1 - c0);
+            p[axis + 3] = c1;
+            p[axis + 6] = b2;
+        }
+    }
+
+    /** Keeps the part before a share of the curve. */
+    private static void cutBehind(double[] p, double s) {
+        for (int axis = 0; axis < 3; axis++) {
+            double b0 = p[axis] + s * (p[axis + 3] - p[axis]);
+            double b1 = p[axis + 3] + s * (p[axis + 6] - p[axis + 3]);
+            double b2 = p[axis + 6] + s * (p[axis + 9] - p[axis + 6]);
+            double c0 = b0 + s * (b1 - b0);
+            double c1 = b1 + s * (b2 - b1);
+            p[axis + 3] = b0;
+            p[axis + 6] = c0;
+            p[axis + 9] = c0 + s * (c1 - c0);
+        }
+    }
+
+    private void add(double t, int a, int b) {
+        if (count == times.length) {
+            times = Arrays.copyOf(times, 2 * count);
+            pairs = Arrays.copyOf(pairs, 4 * count);
+        }
+        times[count] = t;
+        pairs[2 * count] = a;
+        pairs[2 * count + 1] = b;
+        count++;
+    }
+
+    private void addNear(int a, int b) {
+        if (2 * nearCount == near.length) {
+            near = Arrays.copyOf(near, 2 * near.length);
+        }
+        near[2 * nearCount] = a;
+        near[2 * nearCount + 1] = b;
+        nearCount++;
+    }
+
+    int count() {
+        return count;
+    }
+
+    double time(int k) {
+        return times[k];
+    }
+
+    int firstOf(int k) {
+        return pairs[2 * k];
+    }
+
+    int secondOf(int k) {
+        return pairs[2 * k + 1];
+    }
+
+    /** Pairs that are near each other at the frame's beginning. */
+    int nearCount() {
+        return nearCount;
+    }
+
+    int firstNear(int k) {
+        return near[2 * k];
+    }
+
+    int secondNear(int k) {
+        return near[2 * k + 1];
+    }
+}

@@ -1,0 +1,13 @@
+package org.auvsim.core.step;
+
+/**
+ * What the steps of a world have done since it was built.
+ *
+ * @param collisions pairs that have met and responded
+ * @param events instants within frames at which something was moved: collisions, ends of sub-steps
+ * @param subSteps segments that were added because forces are stiff
+ * @param heldPairs pairs that were held together for the rest of a frame, counted once a frame
+ * @param quickHits collisions without loss, as the pair had met within the last 10 ms
+ */
+public record StepStatistics(
+        long collisions, long events, long subSteps, long heldPairs, long quickHits) {}

@@ -40,6 +40,13 @@ public final class Motion {
     private final BodyState bodies;
     private final PairQueries queries;
     private final CollisionResponse fallback;
+    private final Bodies population;
+    private final EquationsOfMotion equations;
+    private final Integrator integrator;
+    private final Lanes lanes;
+    private final StepTally tally;
+    private Optional<Frame> frame = Optional.empty();
+    private boolean isHeard;
     private final CollisionSets sets;
     private final Projection end;
     private final Projection probe;
@@ -60,7 +67,14 @@ public final class Motion {
             Integrator integrator,
             PairQueries queries,
             CollisionResponse fallback,
+            Lanes lanes,
+            StepTally tally,
             double time) {
+        this.population = bodies;
+        this.equations = equations;
+        this.integrator = integrator;
+        this.lanes = lanes;
+        this.tally = tally;
         this.bodies = bodies.state();
         this.collidables = List.copyOf(collidables);
         this.queries = queries;
@@ -84,6 +98,42 @@ public final class Motion {
         this.time = time;
         end.forget();
         probe.forget();
+    }
+
+    /** Whether somebody wants to be told of each collision. */
+    void setHeard(boolean heard) {
+        isHeard = heard;
+    }
+
+    boolean isHeard() {
+        return isHeard;
+    }
+
+    Lanes lanes() {
+        return lanes;
+    }
+
+    StepTally tally() {
+        return tally;
+    }
+
+    BodyState bodies() {
+        return bodies;
+    }
+
+    /** What the event stepper works with, made when it is first asked for. */
+    Frame frame() {
+        if (frame.isEmpty()) {
+            BodyTraits traits = new BodyTraits(bodies, population.objects(), fallback);
+            for (int rank = 0; rank < slots.length; rank++) {
+                if (slots[rank] >= 0) {
+                    traits.rank[slots[rank]] = rank;
+                }
+            }
+            Trajectories trajectories = new Trajectories(bodies, equations, integrator, lanes);
+            frame = Optional.of(new Frame(this, traits, trajectories, slots));
+        }
+        return frame.get();
     }
 
     /** Number of collidables. */
@@ -283,7 +333,24 @@ public final class Motion {
         begin(kept.restore());
     }
 
-    private void requireFinite(int slot, double offset) {
+    /** The error for two that collide without end. */
+    StepException endless(int a, int b, long events, double offset) {
+        return new StepException(
+                "'%s' and '%s' collide without end at %s s: %d events in one step; check their"
+                                .formatted(
+                                        population.objects().get(a).name(),
+                                        population.objects().get(b).name(),
+                                        time + offset,
+                                        events)
+                        + " forces and restitution, or shorten the time step");
+    }
+
+    /**
+     * Nothing if {@code slot} is -1.
+     *
+     * @throws StepException naming the body in the slot, whose motion is not finite
+     */
+    void requireFinite(int slot, double offset) {
         for (int i = 0; slot >= 0 && i < size(); i++) {
             if (slots[i] == slot) {
                 throw new StepException(

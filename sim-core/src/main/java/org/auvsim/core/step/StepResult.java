@@ -12,6 +12,10 @@ import java.util.List;
  * @param changes what responses want changed beside momenta, which have been changed already
  */
 public record StepResult(double elapsed, List<Collision> collisions, List<Change> changes) {
+    static StepResult of(double elapsed, List<Collision> collisions) {
+        return new StepResult(elapsed, List.copyOf(collisions), List.of());
+    }
+
     static StepResult withoutCollision(double elapsed) {
         return new StepResult(elapsed, List.of(), List.of());
     }

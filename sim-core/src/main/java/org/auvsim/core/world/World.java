@@ -12,9 +12,12 @@ import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.step.Lanes;
 import org.auvsim.core.step.Motion;
 import org.auvsim.core.step.StepException;
 import org.auvsim.core.step.StepResult;
+import org.auvsim.core.step.StepStatistics;
+import org.auvsim.core.step.StepTally;
 import org.auvsim.core.step.Stepper;
 import org.auvsim.core.volume.PairQueries;
 
@@ -42,6 +45,8 @@ public final class World {
     private final Clock clock;
     private final double timeStep;
     private int stepsAtOneInstant;
+    private final Lanes lanes;
+    private final StepTally tally;
     private Optional<List<BlockEffect>> effects = Optional.empty();
     private Optional<Motion> motion = Optional.empty();
 
@@ -53,6 +58,8 @@ public final class World {
         timeStep = builder.timeStep;
         clock = new Clock(builder.startTime);
         population = new Population();
+        lanes = builder.lanes;
+        tally = new StepTally();
     }
 
     private World(World original) {
@@ -65,6 +72,8 @@ public final class World {
         population = new Population(original.population);
         stepsAtOneInstant = original.stepsAtOneInstant;
         effects = original.effects;
+        lanes = original.lanes;
+        tally = original.tally.copy();
     }
 
     /** Starts to build a world. */
@@ -94,6 +103,11 @@ public final class World {
             throw new IllegalArgumentException(
                     "the time step must be above 0 s and finite, but is " + timeStep + " s");
         }
+    }
+
+    /** What the steps have done since the world was built. */
+    public StepStatistics statistics() {
+        return tally.statistics();
     }
 
     /** A digest of time and state: worlds of equal bits have equal hashes. */
@@ -268,7 +282,15 @@ public final class World {
         EquationsOfMotion equations =
                 new EquationsOfMotion(population.bodies().state(), effects.get(), currents);
         return new Motion(
-                population.bodies(), collidables, equations, integrator, queries, response, time());
+                population.bodies(),
+                collidables,
+                equations,
+                integrator,
+                queries,
+                response,
+                lanes,
+                tally,
+                time());
     }
 
     private void guardAgainstStandstill(StepResult result) {

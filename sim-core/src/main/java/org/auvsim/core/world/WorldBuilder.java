@@ -6,6 +6,7 @@ import org.auvsim.core.dynamics.Rk4;
 import org.auvsim.core.entity.CollisionResponse;
 import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.step.Lanes;
 import org.auvsim.core.step.SnapshotStepper;
 import org.auvsim.core.step.Stepper;
 import org.auvsim.core.volume.PairQueries;
@@ -22,6 +23,7 @@ public final class WorldBuilder {
     Integrator integrator = new Rk4();
     CollisionResponse response = new ImpulseResponse();
     PairQueries queries = PairQueries.standard();
+    Lanes lanes = Lanes.ONE;
     private final List<Entity> entities = new ArrayList<>();
     private final List<WorldObjectDefinition> objects = new ArrayList<>();
 
@@ -68,6 +70,12 @@ public final class WorldBuilder {
     /** How volumes are found to touch. */
     public WorldBuilder queries(PairQueries queries) {
         this.queries = queries;
+        return this;
+    }
+
+    /** Where the parts of a step run side by side; on the calling thread by default. */
+    public WorldBuilder lanes(Lanes lanes) {
+        this.lanes = lanes;
         return this;
     }
 

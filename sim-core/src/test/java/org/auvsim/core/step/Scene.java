@@ -35,6 +35,8 @@ final class Scene {
                 new Rk4(),
                 queries,
                 new ImpulseResponse(),
+                Lanes.ONE,
+                new StepTally(),
                 0);
     }
 

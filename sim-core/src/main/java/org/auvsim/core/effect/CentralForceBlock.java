@@ -1,0 +1,109 @@
+package org.auvsim.core.effect;
+
+import org.auvsim.core.entity.Block;
+import org.auvsim.core.entity.BlockEffect;
+import org.auvsim.core.entity.BodyState;
+import org.auvsim.core.entity.Effect;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** The central forces of all bodies of a world, at most one a body; one of 0 N for a body without. */
+final class CentralForceBlock implements BlockEffect {
+    /** Makes any difference of squares that is a number at all one that is beyond 1. */
+    private static final double STEEP = 1e300;
+
+    private final double[] force;
+    private final double[] restSquared;
+    private final double[] x;
+    private final double[] y;
+    private final double[] z;
+
+    private CentralForceBlock(int slots) {
+        force = new double[slots];
+        restSquared = new double[slots];
+        x = new double[slots];
+        y = new double[slots];
+        z = new double[slots];
+    }
+
+    /** Lays out all forces: the first of each body, then the second of those that have two, ... */
+    static BlockEffect of(List<List<Effect>> bySlot) {
+        List<BlockEffect> layers = new ArrayList<>();
+        int most = bySlot.stream().mapToInt(List::size).max().orElse(0);
+        for (int k = 0; k < most; k++) {
+            layers.add(layer(bySlot, k));
+        }
+        return layers.size() == 1 ? layers.getFirst() : inTurn(layers.toArray(new BlockEffect[0]));
+    }
+
+    private static BlockEffect inTurn(BlockEffect[] layers) {
+        return block -> {
+            for (BlockEffect layer : layers) {
+                layer.add(block);
+            }
+        };
+    }
+
+    private static BlockEffect layer(List<List<Effect>> bySlot, int k) {
+        CentralForceBlock layer = new CentralForceBlock(bySlot.size());
+        for (int slot = 0; slot < bySlot.size(); slot++) {
+            if (k < bySlot.get(slot).size()) {
+                layer.set(slot, (CentralForce) bySlot.get(slot).get(k));
+            }
+        }
+        return layer;
+    }
+
+    private void set(int slot, CentralForce effect) {
+        force[slot] = effect.force();
+        restSquared[slot] = effect.restRadius() * effect.restRadius();
+        x[slot] = effect.target().x();
+        y[slot] = effect.target().y();
+        z[slot] = effect.target().z();
+    }
+
+    @Override
+    public void add(Block b) {
+        double[][] s = b.scratch;
+        b.gather(x, s[0]);
+        b.gather(y, s[1]);
+        b.gather(z, s[2]);
+        b.gather(force, s[3]);
+        b.gather(restSquared, s[4]);
+        lead(b.count, s[0], b.state[BodyState.X]);
+        lead(b.count, s[1], b.state[BodyState.Y]);
+        lead(b.count, s[2], b.state[BodyState.Z]);
+        scale(b.count, s[3], s[4], s[0], s[1], s[2]);
+        push(b.count, b.fx, s[3], s[0]);
+        push(b.count, b.fy, s[3], s[1]);
+        push(b.count, b.fz, s[3], s[2]);
+    }
+
+    /** Turns targets into ways to them. */
+    private static void lead(int count, double[] target, double[] position) {
+        for (int i = 0; i < count; i++) {
+            target[i] -= position[i];
+        }
+    }
+
+    /**
+     * Turns forces into forces a metre of way, or into 0 within the rest radius. Without a branch
+     * and without a select, neither of which the compiler vectorises: the switch is a clamped line
+     * so steep that it is 0 or 1.
+     */
+    private static void scale(
+            int count, double[] force, double[] rest, double[] dx, double[] dy, double[] dz) {
+        for (int i = 0; i < count; i++) {
+            double d = dx[i] * dx[i] + dy[i] * dy[i] + dz[i] * dz[i];
+            double on = Math.min(1, Math.max(0, (d - rest[i]) * STEEP));
+            force[i] = on * force[i] / Math.sqrt(d + Double.MIN_NORMAL);
+        }
+    }
+
+    private static void push(int count, double[] to, double[] scale, double[] way) {
+        for (int i = 0; i < count; i++) {
+            to[i] += scale[i] * way[i];
+        }
+    }
+}

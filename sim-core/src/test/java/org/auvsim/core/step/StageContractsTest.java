@@ -94,4 +94,23 @@ class StageContractsTest {
                     new BisectionFinder(20, 40));
         }
     }
+
+    @Nested
+    class OfSnapshotStepperAgainstExactSolutions extends StepperAccuracyContract {
+        @Override
+        protected Stepper stepper() {
+            return SnapshotStepper.standard();
+        }
+    }
+
+    @Nested
+    class OfSnapshotStepperWithAlternativesAgainstExactSolutions extends StepperAccuracyContract {
+        @Override
+        protected Stepper stepper() {
+            return new SnapshotStepper(
+                    new MaximumSpeedRestricter(10),
+                    new AllPairsPartitioner(),
+                    new BisectionFinder(20, 40));
+        }
+    }
 }

@@ -53,6 +53,8 @@ final class Placement {
 
     /** One coordinate of an outer point, seen from inside. */
     double inward(int axis, double x, double y, double z) {
-        return turn[axis] * (x - at[0]) + turn[3 + axis] * (y - at[1]) + turn[6 + axis] * (z - at[2]);
+        return turn[axis] * (x - at[0])
+                + turn[3 + axis] * (y - at[1])
+                + turn[6 + axis] * (z - at[2]);
     }
 }

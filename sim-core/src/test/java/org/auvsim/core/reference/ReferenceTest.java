@@ -25,8 +25,7 @@ class ReferenceTest {
     }
 
     private static FreeFlight at(double x, double y, double z, double[] orientation) {
-        return new FreeFlight(
-                new double[] {x, y, z}, ZERO, ZERO, ROUND, orientation, ZERO, 0);
+        return new FreeFlight(new double[] {x, y, z}, ZERO, ZERO, ROUND, orientation, ZERO, 0);
     }
 
     private static double gap(Solid a, FreeFlight placeA, Solid b, FreeFlight placeB) {
@@ -44,7 +43,12 @@ class ReferenceTest {
                 .isEqualTo(Math.sqrt(0.75) - 0.5, within(1e-15));
         assertThat(gap(rod, origin, ball(0.25), at(0.9, 0.4, 0, UPRIGHT)))
                 .isEqualTo(Math.hypot(0.4, 0.4) - 0.5, within(1e-15));
-        assertThat(gap(brick(0.5, 0.5, 0.5), origin, brick(0.5, 0.2, 0.1), at(0, 0.8, 0.3, UPRIGHT)))
+        assertThat(
+                        gap(
+                                brick(0.5, 0.5, 0.5),
+                                origin,
+                                brick(0.5, 0.2, 0.1),
+                                at(0, 0.8, 0.3, UPRIGHT)))
                 .isEqualTo(0.1, within(1e-15));
         assertThat(gap(brick(1, 1, 1), origin, brick(0.1, 0.1, 0.1), origin)).isZero();
     }
@@ -174,7 +178,10 @@ class ReferenceTest {
 
         Encounter falling =
                 new Encounter(
-                        moving(0, 1.5, 1, -10), ball(0.5), at(0, 0, 0, UPRIGHT), new Ground(0, 1, 0, 0));
+                        moving(0, 1.5, 1, -10),
+                        ball(0.5),
+                        at(0, 0, 0, UPRIGHT),
+                        new Ground(0, 1, 0, 0));
         assertThat(falling.firstWithin(0, 0, 2)).isEqualTo(Math.sqrt(0.2), within(1e-14));
     }
 
@@ -189,7 +196,8 @@ class ReferenceTest {
                     .isEqualTo(1 - half / 2, within(1e-15 / half + 1e-14));
         }
         Encounter miss =
-                new Encounter(moving(-2, 1 + 1e-11, 2, 0), ball(0.5), moving(0, 0, 0, 0), ball(0.5));
+                new Encounter(
+                        moving(-2, 1 + 1e-11, 2, 0), ball(0.5), moving(0, 0, 0, 0), ball(0.5));
         assertThat(miss.firstWithin(0, 0, 2)).isInfinite();
         assertThat(miss.least()).isEqualTo(1e-11, within(1e-14));
     }

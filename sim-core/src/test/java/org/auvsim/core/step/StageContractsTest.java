@@ -102,15 +102,4 @@ class StageContractsTest {
             return SnapshotStepper.standard();
         }
     }
-
-    @Nested
-    class OfSnapshotStepperWithAlternativesAgainstExactSolutions extends StepperAccuracyContract {
-        @Override
-        protected Stepper stepper() {
-            return new SnapshotStepper(
-                    new MaximumSpeedRestricter(10),
-                    new AllPairsPartitioner(),
-                    new BisectionFinder(20, 40));
-        }
-    }
 }

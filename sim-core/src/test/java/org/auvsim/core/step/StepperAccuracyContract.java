@@ -197,9 +197,7 @@ public abstract class StepperAccuracyContract {
                 contact ->
                         List.of(
                                 new Change.Momentum(
-                                        contact.self().id(),
-                                        contact.normal().times(2),
-                                        Vec3.ZERO));
+                                        contact.self().id(), contact.normal().times(2), Vec3.ZERO));
         World world =
                 world().add(
                                 Scene.ball("Comes", 0.5)

@@ -7,6 +7,8 @@ import org.auvsim.core.math.Vec3;
  * &amp; Manocha 1996; Ericson, Real-Time Collision Detection, 2005, section 4.4.1).
  */
 final class BoxBox implements PairQuery<Box, Box> {
+    private final SolidPair<Box, Box> solids = new SolidPair<>();
+
     /**
      * Added to the cosines between edges: the cross product of parallel edges is rounding alone,
      * which must not separate boxes that touch.
@@ -111,5 +113,16 @@ final class BoxBox implements PairQuery<Box, Box> {
         return least.ofB() == LeastPenetration.NONE
                 ? FaceManifold.middle(a, least.ofA(), towardB, b)
                 : FaceManifold.middle(b, least.ofB(), least.normal(), a);
+    }
+
+    @Override
+    public double distance(Box a, Pose poseA, Box b, Pose poseB, Separation to) {
+        return solids.distance(a, poseA, b, poseB, to);
+    }
+
+    @Override
+    public void manifold(
+            Box a, Pose poseA, Box b, Pose poseB, double margin, Manifold to) {
+        solids.manifold(a, poseA, b, poseB, margin, to);
     }
 }

@@ -8,6 +8,8 @@ import org.auvsim.core.math.Vec3;
  * Real-Time Collision Detection, 2005, section 5.1.4).
  */
 final class SphereBox implements PairQuery<Sphere, Box> {
+    private final SolidPair<Sphere, Box> solids = new SolidPair<>();
+
     @Override
     public boolean overlap(Sphere sphere, Pose poseA, Box box, Pose poseB) {
         double dx = poseA.x - poseB.x;
@@ -65,5 +67,16 @@ final class SphereBox implements PairQuery<Sphere, Box> {
 
     private static Vec3 toWorld(Vec3 local, Quat turn, Pose pose) {
         return turn.rotate(local).plus(pose.position());
+    }
+
+    @Override
+    public double distance(Sphere sphere, Pose poseA, Box box, Pose poseB, Separation to) {
+        return solids.distance(sphere, poseA, box, poseB, to);
+    }
+
+    @Override
+    public void manifold(
+            Sphere sphere, Pose poseA, Box box, Pose poseB, double margin, Manifold to) {
+        solids.manifold(sphere, poseA, box, poseB, margin, to);
     }
 }

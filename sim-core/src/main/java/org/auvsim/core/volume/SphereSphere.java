@@ -24,4 +24,24 @@ final class SphereSphere implements PairQuery<Sphere, Sphere> {
         Vec3 point = poseB.position().plus(normal.times(b.radius() - depth / 2));
         return new ContactPoint(point, normal, depth);
     }
+
+    @Override
+    public double distance(Sphere a, Pose poseA, Sphere b, Pose poseB, Separation to) {
+        double dx = poseA.x - poseB.x;
+        double dy = poseA.y - poseB.y;
+        double dz = poseA.z - poseB.z;
+        double centres = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        if (centres > 0) {
+            to.normal(dx / centres, dy / centres, dz / centres);
+        } else {
+            to.normal(0, 0, 1);
+        }
+        double ra = a.radius();
+        double rb = b.radius();
+        to.px = ((poseA.x - to.nx * ra) + (poseB.x + to.nx * rb)) / 2;
+        to.py = ((poseA.y - to.ny * ra) + (poseB.y + to.ny * rb)) / 2;
+        to.pz = ((poseA.z - to.nz * ra) + (poseB.z + to.nz * rb)) / 2;
+        to.distance = centres - (ra + rb);
+        return to.distance;
+    }
 }

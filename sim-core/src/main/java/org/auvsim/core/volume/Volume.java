@@ -4,18 +4,45 @@ import org.auvsim.core.math.Mat3;
 import org.auvsim.core.math.Vec3;
 
 /**
- * A solid of constant density, in body coordinates, with its centre of mass at the origin.
+ * A solid of constant density, in body coordinates.
  *
  * <p>A volume of a user's own implements this and registers a {@link PairQuery} with each kind of
  * volume that it is to meet.
  */
 public interface Volume {
-    /** Radius (m) of the smallest sphere about the origin that holds the volume. */
+    /**
+     * Radius (m) of the smallest sphere about the origin that holds the volume; infinite if it goes
+     * on for ever.
+     */
     double boundingRadius();
 
-    /** Inertia tensor about the origin (kg m^2) of this volume with {@code mass} (kg). */
+    /**
+     * Inertia tensor about the centre of mass, body axes (kg m^2), of this volume with {@code mass}
+     * (kg).
+     *
+     * @throws IllegalArgumentException if the volume goes on for ever
+     */
     Mat3 inertia(double mass);
 
     /** Whether a point (m, body coordinates) lies inside or on the surface. */
     boolean contains(Vec3 point);
+
+    /** Centre of mass (m, body coordinates). */
+    default Vec3 centreOfMass() {
+        return Vec3.ZERO;
+    }
+
+    /** Whether a sphere holds it; what goes on for ever is only for fixed objects. */
+    default boolean isBounded() {
+        return boundingRadius() < Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * Writes a box along the world's axes that holds the volume in a pose: least x, y, z, then
+     * greatest x, y, z (m), from {@code to[at]} on. Allocates nothing.
+     */
+    default void bounds(Pose pose, double[] to, int at) {
+        double r = boundingRadius();
+        Bounds.write(pose, r, r, r, to, at);
+    }
 }

@@ -19,7 +19,7 @@ class VolumeTest {
     private static final int CELLS = 80;
 
     static Stream<Volume> volumes() {
-        return Stream.of(new Sphere(0.7), new Box(new Vec3(2, 1, 0.5)));
+        return Stream.of(new Sphere(0.7), new Box(new Vec3(2, 1, 0.5)), new Capsule(0.4, 1.5));
     }
 
     /** The mean of r^2 I - r r^T over the cells of a grid whose middles the volume contains. */

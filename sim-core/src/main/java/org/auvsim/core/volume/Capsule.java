@@ -1,0 +1,65 @@
+package org.auvsim.core.volume;
+
+import org.auvsim.core.description.Unit;
+import org.auvsim.core.math.Mat3;
+import org.auvsim.core.math.Vec3;
+
+/**
+ * A cylinder about the x axis with half a ball on each end: all points within the radius of a
+ * segment of that axis, its middle at the origin.
+ *
+ * @param length of the cylinder (m); from tip to tip it is longer by twice the radius
+ */
+public record Capsule(@Unit("m") double radius, @Unit("m") double length) implements Volume {
+    /**
+     * A capsule of this radius and length of its cylinder (m).
+     *
+     * @throws IllegalArgumentException if one of them is not positive and finite
+     */
+    public Capsule {
+        requireSize("radius", radius);
+        requireSize("length", length);
+    }
+
+    private static void requireSize(String what, double size) {
+        if (!(size > 0) || Double.isInfinite(size)) {
+            throw new IllegalArgumentException(
+                    "a capsule's " + what + " must be above 0 m and finite, but is " + size + " m");
+        }
+    }
+
+    @Override
+    public double boundingRadius() {
+        return length / 2 + radius;
+    }
+
+    /** The cylinder's and the two half balls', each moved out by its own centre of mass. */
+    @Override
+    public Mat3 inertia(double mass) {
+        double share = length / (length + 4 * radius / 3);
+        double cylinder = mass * share;
+        double balls = mass - cylinder;
+        double rr = radius * radius;
+        double along = cylinder * rr / 2 + balls * 0.4 * rr;
+        double across =
+                cylinder * (rr / 4 + length * length / 12)
+                        + balls * (0.4 * rr + length * length / 4 + 0.375 * length * radius);
+        return Mat3.diagonal(along, across, across);
+    }
+
+    @Override
+    public boolean contains(Vec3 point) {
+        double beyond = Math.max(0, Math.abs(point.x()) - length / 2);
+        return beyond * beyond + point.y() * point.y() + point.z() * point.z() <= radius * radius;
+    }
+
+    @Override
+    public void bounds(Pose pose, double[] to, int at) {
+        double half = length / 2;
+        double ux = Math.abs(1 - 2 * (pose.qy * pose.qy + pose.qz * pose.qz));
+        double uy = Math.abs(2 * (pose.qx * pose.qy + pose.qw * pose.qz));
+        double uz = Math.abs(2 * (pose.qx * pose.qz - pose.qw * pose.qy));
+        Bounds.write(
+                pose, half * ux + radius, half * uy + radius, half * uz + radius, to, at);
+    }
+}

@@ -29,6 +29,7 @@ import java.nio.file.Path;
             Validate.class,
             Watch.class,
             Feed.class,
+            Bench.class,
             CommandLine.HelpCommand.class,
             GenerateCompletion.class
         })

@@ -33,6 +33,7 @@ final class Rules {
                                 Set.of("core"),
                                 Set.of("auvsml"),
                                 Set.of("server"),
+                                Set.of("experiments"),
                                 Set.of("cli", "examples", "bench")))
                 .rule();
     }

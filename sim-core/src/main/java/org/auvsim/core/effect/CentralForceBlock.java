@@ -8,7 +8,9 @@ import org.auvsim.core.entity.Effect;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The central forces of all bodies of a world, at most one a body; one of 0 N for a body without. */
+/**
+ * The central forces of all bodies of a world, at most one a body; one of 0 N for a body without.
+ */
 final class CentralForceBlock implements BlockEffect {
     /** Makes any difference of squares that is a number at all one that is beyond 1. */
     private static final double STEEP = 1e300;

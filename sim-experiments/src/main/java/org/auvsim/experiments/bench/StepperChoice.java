@@ -1,0 +1,23 @@
+package org.auvsim.experiments.bench;
+
+import org.auvsim.core.step.SnapshotStepper;
+import org.auvsim.core.step.Stepper;
+
+import java.util.function.Supplier;
+
+/** The ways to make a step that can be measured. */
+public enum StepperChoice {
+    /** The thesis' stages. */
+    SNAPSHOT(SnapshotStepper::standard);
+
+    private final Supplier<Stepper> stepper;
+
+    StepperChoice(Supplier<Stepper> stepper) {
+        this.stepper = stepper;
+    }
+
+    /** Such a stepper. */
+    public Stepper stepper() {
+        return stepper.get();
+    }
+}

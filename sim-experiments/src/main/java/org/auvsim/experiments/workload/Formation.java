@@ -54,6 +54,9 @@ record Formation(int bodies, long seed, Targets targets) {
 
     /** Cell {@code index} of a cube, in x, y, z order: x runs quickest. */
     private static Vec3 lattice(int index, int side) {
-        return new Vec3(index % side, index / side % side, index / (side * side));
+        int x = index % side;
+        int y = index / side % side;
+        int z = index / (side * side);
+        return new Vec3(x, y, z);
     }
 }

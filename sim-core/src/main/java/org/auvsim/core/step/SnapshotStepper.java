@@ -39,7 +39,10 @@ public record SnapshotStepper(
         motion.keep();
         try {
             motion.commit(elapsed);
-            return Responses.to(motion, sets, elapsed);
+            StepResult result = Responses.to(motion, sets, elapsed);
+            motion.tally().events++;
+            motion.tally().collisions += result.collisions().size();
+            return result;
         } catch (RuntimeException e) {
             motion.goBack();
             throw e;

@@ -76,9 +76,9 @@ final class Bench implements Callable<Integer> {
     @Option(
             names = "--stepper",
             paramLabel = "STEPPER",
-            defaultValue = "snapshot",
+            defaultValue = "event",
             description = "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
-    private StepperChoice stepper = StepperChoice.SNAPSHOT;
+    private StepperChoice stepper = StepperChoice.EVENT;
 
     @Option(
             names = "--out",

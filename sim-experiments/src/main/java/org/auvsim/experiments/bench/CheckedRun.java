@@ -3,6 +3,7 @@ package org.auvsim.experiments.bench;
 import org.auvsim.core.entity.Contact;
 import org.auvsim.core.entity.Participant;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.core.step.StepStatistics;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldEvent;
 import org.auvsim.experiments.workload.Workload;
@@ -25,8 +26,6 @@ final class CheckedRun {
     private final double[] centres;
     private final double energyBefore;
     private double largestOverlap;
-    private long collisions;
-    private long steps;
 
     /** Of a world of this workload that has not begun. */
     CheckedRun(Workload workload, World world) {
@@ -43,7 +42,6 @@ final class CheckedRun {
     void run(double until, BooleanSupplier stop) {
         while (!Clock.isOver(world, until) && !stop.getAsBoolean()) {
             world.advanceTimestep();
-            steps++;
             paths.stepped();
             lookForOverlap();
             paths.forget();
@@ -59,7 +57,6 @@ final class CheckedRun {
 
     private void hear(WorldEvent event) {
         if (event instanceof WorldEvent.Collided collided) {
-            collisions++;
             Contact contact = collided.collision().contact();
             double distance = place(contact.self()).distance(place(contact.other()));
             double overlap = OverlapCheck.ofDistance(distance, Workload.RADIUS);
@@ -81,14 +78,9 @@ final class CheckedRun {
         return 100 * (workload.energy(world) / energyBefore - 1);
     }
 
-    /** Collisions so far. */
-    long collisions() {
-        return collisions;
-    }
-
-    /** What the stepper did one after the other: here, steps. */
-    long events() {
-        return steps;
+    /** What its steps have done. */
+    StepStatistics statistics() {
+        return world.statistics();
     }
 
     /** The world's digest, which must be that of the timed run. */

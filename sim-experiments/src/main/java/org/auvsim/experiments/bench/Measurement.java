@@ -1,5 +1,6 @@
 package org.auvsim.experiments.bench;
 
+import org.auvsim.core.step.StepStatistics;
 import org.auvsim.experiments.workload.Workload;
 
 import java.util.List;
@@ -9,8 +10,7 @@ import java.util.List;
  *
  * @param seconds of world time
  * @param wallSeconds of each repetition, ascending
- * @param collisions responded to
- * @param events that the stepper worked off
+ * @param statistics of what the steps of a run did
  * @param peakBytes of heap
  * @param energyDrift growth of the energy of a body (percent)
  * @param largestOverlap of two spheres (radii)
@@ -19,8 +19,7 @@ public record Measurement(
         Workload workload,
         double seconds,
         List<Double> wallSeconds,
-        long collisions,
-        long events,
+        StepStatistics statistics,
         long peakBytes,
         double energyDrift,
         double largestOverlap) {

@@ -1,5 +1,6 @@
 package org.auvsim.experiments.bench;
 
+import org.auvsim.core.step.EventStepper;
 import org.auvsim.core.step.SnapshotStepper;
 import org.auvsim.core.step.Stepper;
 
@@ -7,6 +8,8 @@ import java.util.function.Supplier;
 
 /** The ways to make a step that can be measured. */
 public enum StepperChoice {
+    /** The usual one. */
+    EVENT(EventStepper::standard),
     /** The thesis' stages. */
     SNAPSHOT(SnapshotStepper::standard);
 

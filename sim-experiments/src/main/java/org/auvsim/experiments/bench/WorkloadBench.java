@@ -58,8 +58,7 @@ public record WorkloadBench(StepperChoice stepper, int repetitions) {
                         workload,
                         seconds,
                         List.copyOf(wall),
-                        check.collisions(),
-                        check.events(),
+                        check.statistics(),
                         peak,
                         check.energyDrift(),
                         check.largestOverlap()));

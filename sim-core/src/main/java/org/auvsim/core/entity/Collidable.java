@@ -24,6 +24,14 @@ public interface Collidable extends Entity {
     /** The space that it takes up at {@code time} (s). */
     Volume volumeAt(double time);
 
+    /**
+     * How fast (m/s) any point of its surface moves at most between two times (s). With a bound no
+     * contact is missed; infinity, which means unknown, leaves the search to sampled instants.
+     */
+    default double fastestSurface(double from, double to) {
+        return Double.POSITIVE_INFINITY;
+    }
+
     /** Whether a meeting with {@code other} is a collision; false for what it has met already. */
     default boolean meets(Collidable other) {
         return true;

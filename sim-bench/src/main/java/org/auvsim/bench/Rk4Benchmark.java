@@ -46,6 +46,10 @@ public class Rk4Benchmark {
     /** What pushes each body. */
     public enum Load {
         NOTHING,
+        /** A named force; the bodies turn. */
+        ONE_FORCE,
+        /** A named force on bodies that do not turn, as those of {@link Workload}. */
+        ONE_FORCE_NO_TURN,
         /** Three named forces: in either frame, one of them off the centre. */
         THREE_FORCES,
         /** A named force, weight and damping. */
@@ -82,9 +86,14 @@ public class Rk4Benchmark {
                         .volume(new Box(new Vec3(1, 0.4, 0.3)))
                         .mass(30)
                         .position(10.0 * i, 0, 0)
-                        .velocity(1, 0.1, 0)
-                        .angularVelocity(0.1, 0.2, 0.3);
-        if (load != Load.NOTHING) {
+                        .velocity(1, 0.1, 0);
+        if (load != Load.ONE_FORCE_NO_TURN) {
+            body.angularVelocity(0.1, 0.2, 0.3);
+        }
+        if (load == Load.ONE_FORCE || load == Load.ONE_FORCE_NO_TURN) {
+            body.force(new NamedForce("drive", Frame.WORLD, new Vec3(10, 0, 0), Vec3.ZERO));
+        }
+        if (load == Load.THREE_FORCES || load == Load.THREE_EFFECTS) {
             body.force(new NamedForce("thrust", Frame.BODY, new Vec3(10, 0, 0), Vec3.ZERO));
         }
         if (load == Load.THREE_FORCES) {

@@ -1,20 +1,11 @@
 package org.auvsim.core.dynamics;
 
-import static org.auvsim.core.entity.BodyState.IXX;
-import static org.auvsim.core.entity.BodyState.IXY;
-import static org.auvsim.core.entity.BodyState.IXZ;
-import static org.auvsim.core.entity.BodyState.IYY;
-import static org.auvsim.core.entity.BodyState.IYZ;
-import static org.auvsim.core.entity.BodyState.IZZ;
 import static org.auvsim.core.entity.BodyState.LX;
-import static org.auvsim.core.entity.BodyState.LY;
 import static org.auvsim.core.entity.BodyState.LZ;
 import static org.auvsim.core.entity.BodyState.PX;
 import static org.auvsim.core.entity.BodyState.PY;
 import static org.auvsim.core.entity.BodyState.PZ;
 import static org.auvsim.core.entity.BodyState.QW;
-import static org.auvsim.core.entity.BodyState.QX;
-import static org.auvsim.core.entity.BodyState.QY;
 import static org.auvsim.core.entity.BodyState.QZ;
 
 import org.auvsim.core.entity.Block;
@@ -31,13 +22,14 @@ import java.util.List;
  *
  * <pre>dS/dt = P/m    dq/dt = 1/2 [0, w] q    dP/dt = F    dL/dt = tau    w = R I^-1 R^T L</pre>
  *
- * <p>One call evaluates a block of bodies. The loops are short on purpose: each touches few enough
- * arrays for the compiler to vectorise it.
+ * <p>One call evaluates a block of bodies. A block whose bodies neither turn nor meet anything that
+ * may turn them is spared what has to do with it.
  */
 public final class EquationsOfMotion {
     private final BodyState bodies;
     private final BlockEffect[] effects;
     private final Current[] currents;
+    private final boolean effectsTurn;
 
     /**
      * The equations for the bodies of a world.
@@ -48,6 +40,7 @@ public final class EquationsOfMotion {
     public EquationsOfMotion(BodyState bodies, List<BlockEffect> effects, List<Current> currents) {
         this.bodies = bodies;
         this.effects = effects.toArray(BlockEffect[]::new);
+        this.effectsTurn = effects.stream().anyMatch(BlockEffect::mayTurn);
         this.currents = currents.toArray(Current[]::new);
     }
 
@@ -68,23 +61,50 @@ public final class EquationsOfMotion {
         for (int c = 0; c < BodyState.COLUMNS; c++) {
             block.gather(bodies.column(c), block.state[c]);
         }
-        for (int e = 0; e < BodyState.ELEMENTS; e++) {
-            block.gather(bodies.inverseInertia(e), block.inverseInertia[e]);
-        }
-        block.gather(bodies.mass(), block.mass);
-        block.gather(bodies.inverseMass(), block.inverseMass);
+        bodies.loadMasses(block);
         bodies.applied().load(block);
-        block.hasFixed = false;
-        for (int i = 0; i < block.count; i++) {
-            block.hasFixed |= block.inverseMass[i] == 0;
+        block.turning = effectsTurn || spins(block) || bodies.applied().turns(block);
+        if (!block.turning) {
+            keepOrientations(block);
+        }
+    }
+
+    private static boolean spins(Block b) {
+        long bits = 0;
+        for (int c = LX; c <= LZ; c++) {
+            double[] momentum = b.state[c];
+            for (int i = 0; i < b.count; i++) {
+                bits |= Double.doubleToRawLongBits(momentum[i]);
+            }
+        }
+        return bits << 1 != 0;
+    }
+
+    /**
+     * Prepares bodies that do not turn, so that the same bits come out as if it were integrated.
+     */
+    private void keepOrientations(Block b) {
+        for (int c = LX; c <= LZ; c++) {
+            Arrays.fill(b.state[c], 0, b.count, 0);
+            Arrays.fill(b.rate[c], 0, b.count, 0);
+        }
+        for (int c = QW; c <= QZ; c++) {
+            Arrays.fill(b.rate[c], 0, b.count, 0);
+        }
+        Arrays.fill(b.wx, 0, b.count, 0);
+        Arrays.fill(b.wy, 0, b.count, 0);
+        Arrays.fill(b.wz, 0, b.count, 0);
+        if (effects.length > 0 || bodies.applied().haveBodyForces()) {
+            Rotation.matrices(b);
         }
     }
 
     /** Fills rotations, velocities, forces, torques and rates of the block from its state. */
     public void evaluate(Block b) {
-        rotations(b);
         velocities(b);
-        angularVelocities(b);
+        if (b.turns()) {
+            turn(b);
+        }
         waterVelocities(b);
         bodies.applied().write(b);
         for (BlockEffect effect : effects) {
@@ -93,47 +113,21 @@ public final class EquationsOfMotion {
         if (b.hasContactForces) {
             b.addContactForces();
         }
-        quaternionRates(b);
         if (b.hasFixed) {
             holdFixed(b);
         }
     }
 
-    /** Scales the quaternions of the block back to length 1. */
-    public void normalizeOrientations(Block b) {
-        double[] qw = b.state[QW];
-        double[] qx = b.state[QX];
-        double[] qy = b.state[QY];
-        double[] qz = b.state[QZ];
-        for (int i = 0; i < b.count; i++) {
-            double norm = Math.sqrt(qw[i] * qw[i] + qx[i] * qx[i] + qy[i] * qy[i] + qz[i] * qz[i]);
-            double k = 1 / norm;
-            qw[i] *= k;
-            qx[i] *= k;
-            qy[i] *= k;
-            qz[i] *= k;
+    /** Orientations and all that follows from them; angular velocities in the world for effects. */
+    private void turn(Block b) {
+        if (!b.hasInertia) {
+            bodies.loadInertia(b);
         }
-    }
-
-    private static void rotations(Block b) {
-        double[] w = b.state[QW];
-        double[] x = b.state[QX];
-        double[] y = b.state[QY];
-        double[] z = b.state[QZ];
-        for (int i = 0; i < b.count; i++) {
-            b.rxx[i] = 1 - 2 * (y[i] * y[i] + z[i] * z[i]);
-            b.rxy[i] = 2 * (x[i] * y[i] - w[i] * z[i]);
-            b.rxz[i] = 2 * (x[i] * z[i] + w[i] * y[i]);
-        }
-        for (int i = 0; i < b.count; i++) {
-            b.ryx[i] = 2 * (x[i] * y[i] + w[i] * z[i]);
-            b.ryy[i] = 1 - 2 * (x[i] * x[i] + z[i] * z[i]);
-            b.ryz[i] = 2 * (y[i] * z[i] - w[i] * x[i]);
-        }
-        for (int i = 0; i < b.count; i++) {
-            b.rzx[i] = 2 * (x[i] * z[i] - w[i] * y[i]);
-            b.rzy[i] = 2 * (y[i] * z[i] + w[i] * x[i]);
-            b.rzz[i] = 1 - 2 * (x[i] * x[i] + y[i] * y[i]);
+        Rotation.matrices(b);
+        Rotation.bodyRates(b);
+        Rotation.quaternionRates(b);
+        if (effects.length > 0) {
+            b.toWorld(b.wx, b.wy, b.wz, b.bodyWx, b.bodyWy, b.bodyWz);
         }
     }
 
@@ -144,29 +138,15 @@ public final class EquationsOfMotion {
         scale(b, b.vz, b.state[PZ]);
     }
 
+    /** Scales the quaternions of the block back to length 1; a zero comes out without its sign. */
+    public void normalizeOrientations(Block b) {
+        Rotation.normalize(b);
+    }
+
     private static void scale(Block b, double[] to, double[] from) {
         double[] by = b.inverseMass;
         for (int i = 0; i < b.count; i++) {
             to[i] = from[i] * by[i];
-        }
-    }
-
-    /** w = R I^-1 R^T L, through the body's axes. */
-    private static void angularVelocities(Block b) {
-        double[][] w = b.scratch;
-        b.toBody(b.wx, b.wy, b.wz, b.state[LX], b.state[LY], b.state[LZ]);
-        weigh(b, w[0], IXX, IXY, IXZ);
-        weigh(b, w[1], IXY, IYY, IYZ);
-        weigh(b, w[2], IXZ, IYZ, IZZ);
-        b.toWorld(b.wx, b.wy, b.wz, w[0], w[1], w[2]);
-    }
-
-    private static void weigh(Block b, double[] to, int x, int y, int z) {
-        double[] ix = b.inverseInertia[x];
-        double[] iy = b.inverseInertia[y];
-        double[] iz = b.inverseInertia[z];
-        for (int i = 0; i < b.count; i++) {
-            to[i] = ix[i] * b.wx[i] + iy[i] * b.wy[i] + iz[i] * b.wz[i];
         }
     }
 
@@ -195,25 +175,6 @@ public final class EquationsOfMotion {
                     b.rate[c][i] = 0;
                 }
             }
-        }
-    }
-
-    private static void quaternionRates(Block b) {
-        double[] qw = b.state[QW];
-        double[] qx = b.state[QX];
-        double[] qy = b.state[QY];
-        double[] qz = b.state[QZ];
-        double[] dw = b.rate[QW];
-        double[] dx = b.rate[QX];
-        double[] dy = b.rate[QY];
-        double[] dz = b.rate[QZ];
-        for (int i = 0; i < b.count; i++) {
-            dw[i] = -0.5 * (b.wx[i] * qx[i] + b.wy[i] * qy[i] + b.wz[i] * qz[i]);
-            dx[i] = 0.5 * (b.wx[i] * qw[i] + b.wy[i] * qz[i] - b.wz[i] * qy[i]);
-        }
-        for (int i = 0; i < b.count; i++) {
-            dy[i] = 0.5 * (b.wy[i] * qw[i] + b.wz[i] * qx[i] - b.wx[i] * qz[i]);
-            dz[i] = 0.5 * (b.wz[i] * qw[i] + b.wx[i] * qy[i] - b.wy[i] * qx[i]);
         }
     }
 }

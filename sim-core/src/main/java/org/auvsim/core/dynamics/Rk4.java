@@ -22,11 +22,10 @@ public record Rk4() implements Integrator {
         double[][] start = work[0];
         double[][] sum = work[1];
         double begin = block.time;
-        for (int c = 0; c < BodyState.COLUMNS; c++) {
-            System.arraycopy(block.state[c], 0, start[c], 0, block.count);
-            System.arraycopy(block.state[c], 0, sum[c], 0, block.count);
-        }
-        for (int stage = 0; stage < LAST; stage++) {
+        equations.evaluate(block);
+        block.time = begin + NODE[1] * dt;
+        begin(block, start, NODE[1] * dt, sum, WEIGHT[0] * dt);
+        for (int stage = 1; stage < LAST; stage++) {
             equations.evaluate(block);
             block.time = begin + NODE[stage + 1] * dt;
             goOn(block, start, NODE[stage + 1] * dt, sum, WEIGHT[stage] * dt);
@@ -37,11 +36,41 @@ public record Rk4() implements Integrator {
         equations.normalizeOrientations(block);
     }
 
+    /** The first stage: keeps the start and begins the sum. */
+    private static void begin(
+            Block block, double[][] start, double step, double[][] sum, double weight) {
+        boolean turns = block.turns();
+        for (int c = 0; c < BodyState.COLUMNS; c++) {
+            if (turns || !BodyState.isRotational(c)) {
+                double[] state = block.state[c];
+                System.arraycopy(state, 0, start[c], 0, block.count);
+                begin(state, start[c], step, sum[c], weight, block.rate[c], block.count);
+            }
+        }
+    }
+
+    private static void begin(
+            double[] state,
+            double[] start,
+            double step,
+            double[] sum,
+            double weight,
+            double[] rate,
+            int count) {
+        for (int i = 0; i < count; i++) {
+            sum[i] = start[i] + weight * rate[i];
+            state[i] = start[i] + step * rate[i];
+        }
+    }
+
     /** Goes to the next stage, start + step * rate, and adds weight * rate to the sum. */
     private static void goOn(
             Block block, double[][] start, double step, double[][] sum, double weight) {
+        boolean turns = block.turns();
         for (int c = 0; c < BodyState.COLUMNS; c++) {
-            goOn(block.state[c], start[c], step, sum[c], weight, block.rate[c], block.count);
+            if (turns || !BodyState.isRotational(c)) {
+                goOn(block.state[c], start[c], step, sum[c], weight, block.rate[c], block.count);
+            }
         }
     }
 
@@ -61,15 +90,19 @@ public record Rk4() implements Integrator {
 
     /** The step's end: the sum of all stages. */
     private static void finish(Block block, double[][] sum, double weight) {
+        boolean turns = block.turns();
         for (int c = 0; c < BodyState.COLUMNS; c++) {
-            finish(block.state[c], sum[c], weight, block.rate[c], block.count);
+            if (turns || !BodyState.isRotational(c)) {
+                finish(block.state[c], sum[c], weight, block.rate[c], block.count);
+            }
         }
     }
 
+    /** A zero gets no sign, so that none depends on how zeros were added up. */
     private static void finish(
             double[] state, double[] sum, double weight, double[] rate, int count) {
         for (int i = 0; i < count; i++) {
-            state[i] = sum[i] + weight * rate[i];
+            state[i] = sum[i] + weight * rate[i] + 0.0;
         }
     }
 }

@@ -40,9 +40,17 @@ final class CentralForceBlock implements BlockEffect {
     }
 
     private static BlockEffect inTurn(BlockEffect[] layers) {
-        return block -> {
-            for (BlockEffect layer : layers) {
-                layer.add(block);
+        return new BlockEffect() {
+            @Override
+            public void add(Block block) {
+                for (BlockEffect layer : layers) {
+                    layer.add(block);
+                }
+            }
+
+            @Override
+            public boolean mayTurn() {
+                return false;
             }
         };
     }
@@ -80,6 +88,11 @@ final class CentralForceBlock implements BlockEffect {
         push(b.count, b.fx, s[3], s[0]);
         push(b.count, b.fy, s[3], s[1]);
         push(b.count, b.fz, s[3], s[2]);
+    }
+
+    @Override
+    public boolean mayTurn() {
+        return false;
     }
 
     /** Turns targets into ways to them. */

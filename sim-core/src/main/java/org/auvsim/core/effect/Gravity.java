@@ -21,14 +21,6 @@ public record Gravity(@Unit("m/s^2") @Default("9.80665") double acceleration) im
                 downward[slot] += ((Gravity) effect).acceleration();
             }
         }
-        return block -> {
-            double[] mass = block.mass;
-            double[] acceleration = block.scratch[0];
-            double[] fz = block.fz;
-            block.gather(downward, acceleration);
-            for (int i = 0; i < block.count; i++) {
-                fz[i] -= mass[i] * acceleration[i];
-            }
-        };
+        return new GravityBlock(downward);
     }
 }

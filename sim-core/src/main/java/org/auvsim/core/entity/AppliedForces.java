@@ -125,6 +125,28 @@ public final class AppliedForces {
         }
     }
 
+    /** Whether something here turns a body of the block; what it has loaded. */
+    public boolean turns(Block b) {
+        return users[BODY_TORQUE] + users[MOMENT] > 0 && turns(b, BODY_TORQUE);
+    }
+
+    private boolean turns(Block b, int begin) {
+        for (int c = begin; c < COLUMNS; c++) {
+            boolean loaded = users[c < MOMENT ? BODY_TORQUE : MOMENT] > 0;
+            for (int i = 0; loaded && i < b.count; i++) {
+                if (b.applied[c][i] != 0) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Whether a body has a force that is fixed in its axes. */
+    public boolean haveBodyForces() {
+        return users[BODY_FORCE] > 0;
+    }
+
     /** Sets force and torque of every body of the block to the resultants loaded there. */
     public void write(Block b) {
         double[][] a = b.applied;
@@ -132,6 +154,13 @@ public final class AppliedForces {
         if (users[BODY_FORCE] > 0) {
             b.addToWorld(b.fx, b.fy, b.fz, a[BODY_FORCE], a[BODY_FORCE + 1], a[BODY_FORCE + 2]);
         }
+        if (b.turns()) {
+            writeTorque(b);
+        }
+    }
+
+    private void writeTorque(Block b) {
+        double[][] a = b.applied;
         if (users[BODY_TORQUE] > 0) {
             b.toWorld(b.tx, b.ty, b.tz, a[BODY_TORQUE], a[BODY_TORQUE + 1], a[BODY_TORQUE + 2]);
         } else {

@@ -10,8 +10,8 @@ import org.auvsim.core.math.Vec3;
  * Effects read all of them and write {@code fx} to {@code tz} alone.
  */
 public final class Block {
-    /** The number of bodies that fit: small enough for the first-level cache. */
-    public static final int SIZE = 64;
+    /** The number of bodies that fit: large enough for long loops, small enough for the cache. */
+    public static final int SIZE = 128;
 
     /** Number of bodies in use. */
     public int count;
@@ -49,6 +49,12 @@ public final class Block {
     public final double[] wy = new double[SIZE];
     public final double[] wz = new double[SIZE];
 
+    /** Angular velocity in the body's axes (rad/s). */
+    public final double[] bodyWx = new double[SIZE];
+
+    public final double[] bodyWy = new double[SIZE];
+    public final double[] bodyWz = new double[SIZE];
+
     /** Velocity of the water at the origin (m/s, world). */
     public final double[] ux = new double[SIZE];
 
@@ -66,6 +72,18 @@ public final class Block {
 
     /** Whether one of the bodies is fixed. */
     public boolean hasFixed;
+
+    /** Whether the inverse inertia has been loaded, as bodies that do not turn need none. */
+    public boolean hasInertia;
+
+    /** Whether one of the bodies has products of inertia. */
+    public boolean hasProducts;
+
+    /**
+     * Whether a body turns or something but a contact may turn it. If not, angular momenta are zero
+     * and nothing that depends on them or changes them is computed.
+     */
+    public boolean turning = true;
 
     /** Force (N, world): the rate of the linear momentum, in the same arrays. */
     public final double[] fx = rate[BodyState.PX];
@@ -108,6 +126,7 @@ public final class Block {
     public void take(int firstSlot, int count) {
         this.count = count;
         hasContactForces = false;
+        hasInertia = false;
         neighbours = true;
         for (int i = 0; i < count; i++) {
             slots[i] = firstSlot + i;
@@ -118,8 +137,14 @@ public final class Block {
     public void take(int[] ofSlots, int count) {
         this.count = count;
         hasContactForces = false;
+        hasInertia = false;
         neighbours = false;
         System.arraycopy(ofSlots, 0, slots, 0, count);
+    }
+
+    /** Whether a body may turn while they are integrated. */
+    public boolean turns() {
+        return turning || hasContactForces;
     }
 
     /** Slot of body {@code i}. */

@@ -7,4 +7,9 @@ public interface BlockEffect {
      * nothing else, and allocates nothing.
      */
     void add(Block block);
+
+    /** Whether it ever adds a torque; only one that says no spares bodies that do not turn work. */
+    default boolean mayTurn() {
+        return true;
+    }
 }

@@ -42,6 +42,11 @@ public final class BodyState {
     public static final int ELEMENTS = 6;
 
     private int count;
+
+    /** How many bodies have products of inertia, and how many are fixed. */
+    private int withProducts;
+
+    private int fixed;
     private final double[][] columns;
     private final double[][] inverseInertia;
     private double[] mass;
@@ -85,6 +90,8 @@ public final class BodyState {
                         clones(inverseInertia),
                         mass.clone(),
                         applied.copy());
+        copy.withProducts = withProducts;
+        copy.fixed = fixed;
         copy.inverseMass = inverseMass.clone();
         copy.mobility = mobility.clone();
         copy.radius = radius.clone();
@@ -126,6 +133,47 @@ public final class BodyState {
     /** One element of the inverse inertia tensors, {@link #IXX} to {@link #IYZ}; by slot. */
     public double[] inverseInertia(int element) {
         return inverseInertia[element];
+    }
+
+    /** Whether a column is of orientation or angular momentum. */
+    public static boolean isRotational(int column) {
+        return column >= LX || column >= QW && column <= QZ;
+    }
+
+    /** Copies the masses of the block's bodies into it. */
+    public void loadMasses(Block b) {
+        b.gather(mass, b.mass);
+        b.gather(inverseMass, b.inverseMass);
+        b.hasFixed = false;
+        for (int i = 0; fixed > 0 && i < b.count; i++) {
+            b.hasFixed |= b.inverseMass[i] == 0;
+        }
+    }
+
+    /** Copies the inverse inertia of the block's bodies into it, as far as one of them has it. */
+    public void loadInertia(Block b) {
+        for (int e = 0; e < (withProducts > 0 ? ELEMENTS : IXY); e++) {
+            b.gather(inverseInertia[e], b.inverseInertia[e]);
+        }
+        b.hasProducts = withProducts > 0 && anyNonzero(b, IXY);
+        b.hasInertia = true;
+    }
+
+    private static boolean anyNonzero(Block b, int fromElement) {
+        for (int e = fromElement; e < ELEMENTS; e++) {
+            for (int i = 0; i < b.count; i++) {
+                if (b.inverseInertia[e][i] != 0) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private boolean hasProducts(int slot) {
+        return inverseInertia[IXY][slot] != 0
+                || inverseInertia[IXZ][slot] != 0
+                || inverseInertia[IYZ][slot] != 0;
     }
 
     /** Masses (kg) by slot; 0 for a fixed body. */
@@ -208,6 +256,8 @@ public final class BodyState {
         columns[QW][slot] = 1;
         radius[slot] = definition.volume().boundingRadius();
         setConstants(slot, definition);
+        withProducts += hasProducts(slot) ? 1 : 0;
+        fixed += definition.fixed() ? 1 : 0;
         applied.clear(slot);
         return slot;
     }
@@ -237,6 +287,8 @@ public final class BodyState {
 
     /** Removes the body in {@code slot}; those behind it move down by one. */
     void remove(int slot) {
+        withProducts -= hasProducts(slot) ? 1 : 0;
+        fixed -= inverseMass[slot] == 0 ? 1 : 0;
         for (double[] column : columns) {
             closeGap(column, slot);
         }

@@ -8,8 +8,8 @@ import java.util.Arrays;
  * column the boxes are sorted and swept along x. Columns are found by a hash of their y and z.
  *
  * <p>A box that would stand in many columns, such as a sea floor's, is kept apart and compared with
- * all others. A box that changes within the frame is chained to its columns anew; it no longer counts
- * where it stood before.
+ * all others. A box that changes within the frame is chained to its columns anew; it no longer
+ * counts where it stood before.
  */
 final class ColumnGrid {
     /** Told of two bodies whose boxes overlap, the lower number first. */

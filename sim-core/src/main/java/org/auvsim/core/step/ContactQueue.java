@@ -3,8 +3,8 @@ package org.auvsim.core.step;
 import java.util.Arrays;
 
 /**
- * Predicted events of a frame, the earliest first: a binary heap in plain arrays. Events of the same
- * instant come in order of the ranks of the two, which is the order of their ids.
+ * Predicted events of a frame, the earliest first: a binary heap in plain arrays. Events of the
+ * same instant come in order of the ranks of the two, which is the order of their ids.
  */
 final class ContactQueue {
     /** In the place of the second body: the end of a body's segment, not a contact. */

@@ -7,8 +7,8 @@ import static org.auvsim.core.step.Trajectories.START;
 import java.util.Arrays;
 
 /**
- * The narrow phase of one lane: when two bodies first touch on their trajectories. What it finds for
- * a whole frame it keeps until the lanes are put together.
+ * The narrow phase of one lane: when two bodies first touch on their trajectories. What it finds
+ * for a whole frame it keeps until the lanes are put together.
  */
 final class Encounters implements ColumnGrid.Pairs {
     /**

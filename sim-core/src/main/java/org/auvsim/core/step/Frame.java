@@ -1,8 +1,5 @@
 package org.auvsim.core.step;
 
-import static org.auvsim.core.step.Trajectories.CURVE;
-import static org.auvsim.core.step.Trajectories.END;
-
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntConsumer;
@@ -99,8 +96,7 @@ final class Frame {
         boolean inOrder = traits.rank[a] < traits.rank[b];
         int first = inOrder ? a : b;
         int second = inOrder ? b : a;
-        queue.add(
-                t, traits.rank[first], traits.rank[second], version[first], version[second]);
+        queue.add(t, traits.rank[first], traits.rank[second], version[first], version[second]);
     }
 
     boolean hasNextEvent() {
@@ -112,8 +108,7 @@ final class Frame {
         double t = queue.time();
         int a = slotOfRank[queue.first()];
         int b = slotOfRank[queue.second()];
-        boolean valid =
-                version[a] == queue.firstVersion() && version[b] == queue.secondVersion();
+        boolean valid = version[a] == queue.firstVersion() && version[b] == queue.secondVersion();
         queue.removeFirst();
         if (valid) {
             countEvent(a, b, t);

@@ -26,8 +26,8 @@ public interface Lanes {
     int count();
 
     /**
-     * Runs parts 0 to {@code count() - 1}, each once, and returns when all are done; what they wrote
-     * is then visible here. What a part throws is thrown on.
+     * Runs parts 0 to {@code count() - 1}, each once, and returns when all are done; what they
+     * wrote is then visible here. What a part throws is thrown on.
      */
     void run(IntConsumer part);
 }

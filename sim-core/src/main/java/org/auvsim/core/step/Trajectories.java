@@ -4,7 +4,6 @@ import org.auvsim.core.dynamics.EquationsOfMotion;
 import org.auvsim.core.dynamics.Integrator;
 import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.BodyState;
-import org.auvsim.core.volume.Pose;
 
 import java.util.Arrays;
 import java.util.function.IntConsumer;
@@ -13,8 +12,8 @@ import java.util.function.IntConsumer;
  * How all bodies move through one frame, the time from a step's beginning to its end.
  *
  * <p>A body's trajectory is a segment: from its state at the segment's start, which stands in the
- * world's {@link BodyState}, to that at its end, which is integrated and stands here. In between its
- * position follows the cubic that has the same positions and velocities at both ends, in Bezier
+ * world's {@link BodyState}, to that at its end, which is integrated and stands here. In between
+ * its position follows the cubic that has the same positions and velocities at both ends, in Bezier
  * form; the hull of the four control points, widened by the body's bounding radius, is its swept
  * box. At first all segments fill the frame; a body that collides begins a new one there.
  *
@@ -134,8 +133,8 @@ final class Trajectories {
 
     /**
      * Ends a body's segment at an offset: its state there becomes its present one. The position is
-     * that of the curve, on which contacts are found, the rest is integrated. {@link #restart} has to
-     * follow.
+     * that of the curve, on which contacts are found, the rest is integrated. {@link #restart} has
+     * to follow.
      */
     void moveTo(int slot, double offset) {
         double from = startOf(slot);
@@ -248,14 +247,42 @@ final class Trajectories {
         double[] x = bodies.column(BodyState.X);
         double[] y = bodies.column(BodyState.Y);
         double[] z = bodies.column(BodyState.Z);
-        trace(slot, 0, x[slot], worker.vx[i], block.state[BodyState.X][i], block.vx[i], third, radius);
-        trace(slot, 1, y[slot], worker.vy[i], block.state[BodyState.Y][i], block.vy[i], third, radius);
-        trace(slot, 2, z[slot], worker.vz[i], block.state[BodyState.Z][i], block.vz[i], third, radius);
+        trace(
+                slot,
+                0,
+                x[slot],
+                worker.vx[i],
+                block.state[BodyState.X][i],
+                block.vx[i],
+                third,
+                radius);
+        trace(
+                slot,
+                1,
+                y[slot],
+                worker.vy[i],
+                block.state[BodyState.Y][i],
+                block.vy[i],
+                third,
+                radius);
+        trace(
+                slot,
+                2,
+                z[slot],
+                worker.vz[i],
+                block.state[BodyState.Z][i],
+                block.vz[i],
+                third,
+                radius);
         curve[CURVE * slot + START] = from;
         curve[CURVE * slot + END] = to;
         double sum =
-                block.vx[i] + block.vy[i] + block.vz[i]
-                        + block.wx[i] + block.wy[i] + block.wz[i]
+                block.vx[i]
+                        + block.vy[i]
+                        + block.vz[i]
+                        + block.wx[i]
+                        + block.wy[i]
+                        + block.wz[i]
                         + block.state[BodyState.QW][i]
                         + block.state[BodyState.X][i]
                         + block.state[BodyState.Y][i]
@@ -266,7 +293,14 @@ final class Trajectories {
     }
 
     private void trace(
-            int slot, int axis, double p0, double v0, double p3, double v3, double third, double r) {
+            int slot,
+            int axis,
+            double p0,
+            double v0,
+            double p3,
+            double v3,
+            double third,
+            double r) {
         double p1 = p0 + v0 * third;
         double p2 = p3 - v3 * third;
         int at = CURVE * slot + axis;

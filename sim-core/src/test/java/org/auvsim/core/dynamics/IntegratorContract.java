@@ -6,6 +6,7 @@ import static org.auvsim.core.math.Near.assertNear;
 
 import org.auvsim.core.effect.Damping;
 import org.auvsim.core.effect.Gravity;
+import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.Inertia;
 import org.auvsim.core.entity.NamedForce;
@@ -130,7 +131,7 @@ public abstract class IntegratorContract {
 
     @Test
     void aBlockOfManyGivesTheBitsOfManyBlocksOfOne() {
-        List<WorldObjectDefinition> bodies = DrawnBodies.of(7, 64);
+        List<WorldObjectDefinition> bodies = DrawnBodies.of(7, Block.SIZE);
         Flight together = effects(Flight.of(bodies));
         together.advance(integrator(), 0.05, 20);
         for (int i = 0; i < bodies.size(); i++) {

@@ -38,6 +38,14 @@ public record Box(@Unit("m") Vec3 size) implements Volume {
     }
 
     @Override
+    public double reach(Pose pose, double nx, double ny, double nz) {
+        double x = size.x() * Math.abs(pose.alongX(nx, ny, nz));
+        double y = size.y() * Math.abs(pose.alongY(nx, ny, nz));
+        double z = size.z() * Math.abs(pose.alongZ(nx, ny, nz));
+        return (x + y + z) / 2;
+    }
+
+    @Override
     public boolean contains(Vec3 point) {
         return Math.abs(point.x()) <= size.x() / 2
                 && Math.abs(point.y()) <= size.y() / 2

@@ -48,6 +48,11 @@ public record Capsule(@Unit("m") double radius, @Unit("m") double length) implem
     }
 
     @Override
+    public double reach(Pose pose, double nx, double ny, double nz) {
+        return length / 2 * Math.abs(pose.alongX(nx, ny, nz)) + radius;
+    }
+
+    @Override
     public boolean contains(Vec3 point) {
         double beyond = Math.max(0, Math.abs(point.x()) - length / 2);
         return beyond * beyond + point.y() * point.y() + point.z() * point.z() <= radius * radius;

@@ -5,6 +5,9 @@ import org.auvsim.core.math.Vec3;
 
 /** All that is not above the plane z = 0 of the body: flat ground, or a wall. For fixed objects. */
 public record HalfSpace() implements Volume {
+    /** A direction is that of the plane's normal if its sine is no more. */
+    private static final double ROUNDING = 0x1p-50;
+
     @Override
     public double boundingRadius() {
         return Double.POSITIVE_INFINITY;
@@ -14,6 +17,15 @@ public record HalfSpace() implements Volume {
     public Mat3 inertia(double mass) {
         throw new IllegalArgumentException(
                 "a half-space has no mass: make the object fixed and leave its mass out");
+    }
+
+    @Override
+    public double reach(Pose pose, double nx, double ny, double nz) {
+        boolean up =
+                Math.abs(pose.alongX(nx, ny, nz)) <= ROUNDING
+                        && Math.abs(pose.alongY(nx, ny, nz)) <= ROUNDING
+                        && pose.alongZ(nx, ny, nz) > 0;
+        return up ? 0 : Double.POSITIVE_INFINITY;
     }
 
     @Override

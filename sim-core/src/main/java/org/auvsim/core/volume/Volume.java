@@ -45,4 +45,12 @@ public interface Volume {
         double r = boundingRadius();
         Bounds.write(pose, r, r, r, to, at);
     }
+
+    /**
+     * How far (m) the volume in a pose reaches from the pose's origin along a unit vector (world),
+     * or more. Allocates nothing.
+     */
+    default double reach(Pose pose, double nx, double ny, double nz) {
+        return boundingRadius();
+    }
 }

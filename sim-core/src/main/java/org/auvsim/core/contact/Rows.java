@@ -50,6 +50,11 @@ final class Rows {
 
     double[] terms = new double[4 * TERMS];
 
+    /** What the sweeps last saw of each contact. */
+    boolean[] presses = new boolean[4];
+
+    boolean[] slides = new boolean[4];
+
     /** First row of each contact and, one past the last, their number. */
     int[] first = new int[4];
 
@@ -65,6 +70,8 @@ final class Rows {
         rows = 0;
         for (int c = 0; c < contacts; c++) {
             first[c] = rows;
+            presses[c] = false;
+            slides[c] = false;
             speedA[c] = SPEEDS * list.a[c];
             speedB[c] = SPEEDS * list.b[c];
             prepareNormal(bodies, list, c);
@@ -80,6 +87,8 @@ final class Rows {
         if (first.length <= contacts) {
             int size = list.a.length + 1;
             first = new int[size];
+            presses = new boolean[size];
+            slides = new boolean[size];
             speedA = new int[size];
             speedB = new int[size];
             terms = new double[TERMS * size];
@@ -256,6 +265,16 @@ final class Rows {
         v[b + 5] -= impulse * row[at + RESPONSE_B + 5];
     }
 
+    /** Whether there is friction, but no guess of any impulse to start from. */
+    boolean isCold() {
+        for (int r = 0; r < rows; r++) {
+            if (j[r] != 0) {
+                return false;
+            }
+        }
+        return rows > contacts;
+    }
+
     /** Takes back what friction has too much, where the last sweep took from the normal impulse. */
     void keepInCone() {
         for (int c = 0; c < contacts; c++) {
@@ -312,9 +331,16 @@ final class Rows {
             int r = first[c];
             boolean across = first[c + 1] > r + 1;
             list.guess(c, j[r], across(r, 0, across), across(r, 1, across), across(r, 2, across));
-            for (; r < first[c + 1]; r++) {
-                sum(bodies.impulse, speedA[c], r * STRIDE, ARM_A, j[r]);
-                sum(bodies.impulse, speedB[c], r * STRIDE, ARM_B, -j[r]);
+        }
+        sum(j, bodies.impulse);
+    }
+
+    /** Adds what the impulses give to the bodies' momenta and angular momenta. */
+    void sum(double[] impulses, double[] to) {
+        for (int c = 0; c < contacts; c++) {
+            for (int r = first[c]; r < first[c + 1]; r++) {
+                sum(to, speedA[c], r * STRIDE, ARM_A, impulses[r]);
+                sum(to, speedB[c], r * STRIDE, ARM_B, -impulses[r]);
             }
         }
     }

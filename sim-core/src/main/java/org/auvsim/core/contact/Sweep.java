@@ -16,17 +16,38 @@ import static org.auvsim.core.contact.Rows.YIELD;
 final class Sweep {
     private final Rows rows;
 
+    /** Whether friction is left out. */
+    private boolean smooth;
+
+    /** Whether each contact pressed and stuck, or not, as in the sweep before. */
+    private boolean steady;
+
     Sweep(Rows rows) {
         this.rows = rows;
     }
 
+    /** Leaves friction out, or not. */
+    void setSmooth(boolean smooth) {
+        this.smooth = smooth;
+    }
+
+    boolean isSmooth() {
+        return smooth;
+    }
+
+    /** Whether in the last two sweeps each contact pressed and stuck, or not, as before. */
+    boolean isSteady() {
+        return steady;
+    }
+
     /** From the first contact to the last. */
     double forward(double[] v) {
+        steady = true;
         double most = 0;
         int count = rows.contacts;
         for (int c = 0; c < count; c++) {
             most = Math.max(most, normal(c, v));
-            if (rows.first[c + 1] - rows.first[c] > 1) {
+            if (!smooth && rows.first[c + 1] - rows.first[c] > 1) {
                 most = Math.max(most, across(c, v));
             }
         }
@@ -37,7 +58,7 @@ final class Sweep {
     double backward(double[] v) {
         double most = 0;
         for (int c = rows.contacts - 1; c >= 0; c--) {
-            if (rows.first[c + 1] - rows.first[c] > 1) {
+            if (!smooth && rows.first[c + 1] - rows.first[c] > 1) {
                 most = Math.max(most, across(c, v));
             }
             most = Math.max(most, normal(c, v));
@@ -56,6 +77,8 @@ final class Sweep {
         double old = j[r];
         double now = Math.max(0, old + (terms[term + TARGET] - speed) * terms[term + INVERSE]);
         j[r] = now;
+        steady &= rows.presses[c] == now > 0;
+        rows.presses[c] = now > 0;
         Rows.push(rows.row, r * STRIDE, v, a, b, now - old);
         return Math.abs(now - old) * terms[term + YIELD];
     }
@@ -80,7 +103,10 @@ final class Sweep {
         double old2 = j[r + 2];
         double j1 = old1 - terms[term + ACROSS] * s1 - terms[term + ACROSS + 1] * s2;
         double j2 = old2 - terms[term + ACROSS + 1] * s1 - terms[term + ACROSS + 2] * s2;
-        if (j1 * j1 + j2 * j2 > limit * limit) {
+        boolean slides = j1 * j1 + j2 * j2 > limit * limit;
+        steady &= rows.slides[c] == slides;
+        rows.slides[c] = slides;
+        if (slides) {
             j1 = old1 - terms[term + STEP] * s1;
             j2 = old2 - terms[term + STEP] * s2;
             double norm = Math.sqrt(j1 * j1 + j2 * j2);

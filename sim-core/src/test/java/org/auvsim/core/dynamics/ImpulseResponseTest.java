@@ -20,6 +20,7 @@ import org.auvsim.core.volume.Sphere;
 import org.auvsim.core.volume.Volume;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.List;
@@ -174,5 +175,70 @@ class ImpulseResponseTest {
         Contact contact = new Contact(0, Vec3.ZERO, new Vec3(1, 0, 0), participant(ball), wave);
         assertThat(new ImpulseResponse().respond(contact)).isEmpty();
         assertThat(new ImpulseResponse().respond(contact.flipped())).isEmpty();
+    }
+
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void frictionKeepsMomentaStaysInItsConeAndTakesEnergy(long seed) {
+        Draws draws = new Draws(seed);
+        WorldObject box =
+                add(
+                        body("box", new Box(new Vec3(2, 3, 1)), 5)
+                                .orientation(draws.orientation())
+                                .angularVelocity(0.3, -0.2, 0.5)
+                                .friction(0.8));
+        Vec3 offCentre = box.orientation().rotate(new Vec3(0.7, 1.1, 0.95));
+        Vec3 inward = box.orientation().rotate(new Vec3(draws.number(-5, 5), -0.3, -4));
+        WorldObject ball =
+                add(
+                        body("ball", BALL, 2)
+                                .position(offCentre)
+                                .velocity(inward.x(), inward.y(), inward.z())
+                                .friction(0.2));
+        Vec3 momentum = totalMomentum();
+        Vec3 angularMomentum = totalAngularMomentum();
+        double energy = totalEnergy();
+        Contact contact = contact(ball, box);
+        Change.Momentum ofBall = half(contact);
+        Change.Momentum ofBox = half(contact.flipped());
+        assertThat(ofBox.linear()).isEqualTo(ofBall.linear().negated());
+        double normal = ofBall.linear().dot(contact.normal());
+        Vec3 across = ofBall.linear().minus(contact.normal().times(normal));
+        assertThat(across.norm()).isPositive().isLessThanOrEqualTo(0.4 * normal * (1 + 1e-12));
+        apply(List.of(ofBall), ball);
+        apply(List.of(ofBox), box);
+        assertNear(totalMomentum(), momentum, 1e-13);
+        assertNear(totalAngularMomentum(), angularMomentum, 1e-13);
+        assertThat(totalEnergy()).isLessThan(energy);
+        assertThat(contact(ball, box).separationSpeed())
+                .isCloseTo(-contact.separationSpeed(), within(1e-9));
+    }
+
+    private static Change.Momentum half(Contact contact) {
+        return (Change.Momentum) new ImpulseResponse().respond(contact).getFirst();
+    }
+
+    /** Rolls off with 5/7 of the speed if it grips (mu >= 2 vx / (7 (1 + e) vn)), else slides. */
+    @ParameterizedTest(name = "friction {0}: {1} m/s")
+    @CsvSource({"1, 2.142857142857143", "0.0225, 2.82", "0, 3"})
+    void aBallThatHitsTheFloorAslantGripsOrSlides(double friction, double expected) {
+        WorldObject floor =
+                add(
+                        WorldObjectDefinition.named("floor")
+                                .volume(new Box(new Vec3(9, 9, 1)))
+                                .fixed()
+                                .friction(friction));
+        WorldObject ball =
+                add(
+                        body("ball", BALL, 2)
+                                .position(0, 0, 1)
+                                .velocity(3, 0, -4)
+                                .friction(friction));
+        collide(ball, floor);
+        assertThat(ball.velocity().x()).isCloseTo(expected, within(1e-9));
+        assertThat(ball.velocity().z()).isCloseTo(4, within(1e-9));
+        // No torque about the contact point: I w = r x P.
+        assertThat(0.4 * 2 * 0.25 * ball.angularVelocity().y())
+                .isCloseTo(-0.5 * 2 * (ball.velocity().x() - 3), within(1e-9));
     }
 }

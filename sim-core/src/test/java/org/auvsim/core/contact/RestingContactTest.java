@@ -84,8 +84,7 @@ class RestingContactTest {
     private static Settling slope(double tangent, double friction) {
         Settling slope = new Settling(0.01, ContactSolver.forResting(1e-9, 200));
         double cosine = 1 / Math.sqrt(1 + tangent * tangent);
-        slope.gravity =
-                new Vec3(0.6 * tangent, 0.8 * tangent, -1).times(cosine * Settling.GRAVITY);
+        slope.gravity = new Vec3(0.6 * tangent, 0.8 * tangent, -1).times(cosine * Settling.GRAVITY);
         slope.friction = friction;
         slope.box(new Vec3(0, 0, 0.2), 3, new Vec3(0.5, 0.4, 0.2));
         return slope;

@@ -68,8 +68,7 @@ final class Settling {
     Body box(Vec3 x, double mass, Vec3 half) {
         Body body = new Body(x, mass, half);
         Vec3 h = new Vec3(half.x() * half.x(), half.y() * half.y(), half.z() * half.z());
-        body.inertia =
-                new Vec3(h.y() + h.z(), h.x() + h.z(), h.x() + h.y()).times(body.mass / 3);
+        body.inertia = new Vec3(h.y() + h.z(), h.x() + h.z(), h.x() + h.y()).times(body.mass / 3);
         list.add(body);
         return body;
     }
@@ -141,7 +140,8 @@ final class Settling {
         }
         int c = contacts.add(a, b, p.x(), p.y(), p.z(), n.x(), n.y(), n.z());
         contacts.friction[c] = friction;
-        contacts.target[c] = gap > 0 ? -gap / dt : Math.min(1, PUSH * Math.max(0, -gap - SLOP) / dt);
+        contacts.target[c] =
+                gap > 0 ? -gap / dt : Math.min(1, PUSH * Math.max(0, -gap - SLOP) / dt);
         long key = ((long) a * 100_000 + b) * 100 + feature;
         double[] guess = last.get(key);
         if (guess != null) {

@@ -229,11 +229,7 @@ class ImpulseResponseTest {
                                 .fixed()
                                 .friction(friction));
         WorldObject ball =
-                add(
-                        body("ball", BALL, 2)
-                                .position(0, 0, 1)
-                                .velocity(3, 0, -4)
-                                .friction(friction));
+                add(body("ball", BALL, 2).position(0, 0, 1).velocity(3, 0, -4).friction(friction));
         collide(ball, floor);
         assertThat(ball.velocity().x()).isCloseTo(expected, within(1e-9));
         assertThat(ball.velocity().z()).isCloseTo(4, within(1e-9));

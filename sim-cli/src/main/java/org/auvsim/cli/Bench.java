@@ -8,6 +8,8 @@ import org.auvsim.experiments.bench.BenchTable;
 import org.auvsim.experiments.bench.Measurement;
 import org.auvsim.experiments.bench.StepperChoice;
 import org.auvsim.experiments.bench.WorkloadBench;
+import org.auvsim.experiments.thesis.StageCost;
+import org.auvsim.experiments.thesis.StageReport;
 import org.auvsim.experiments.workload.Workload;
 
 import picocli.CommandLine.Command;
@@ -25,6 +27,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 
 /** {@code auvsim bench}: how fast this machine runs the thesis' section 8.2. */
 @Command(
@@ -42,14 +45,18 @@ import java.util.function.BooleanSupplier;
             "Example: auvsim bench --bodies 100,1000 --repeat 3"
         })
 final class Bench implements Callable<Integer> {
+    private static final List<Integer> TENS = List.of(10, 20, 30, 40, 50, 60, 70, 80, 90, 100);
+    private static final List<Integer> ALL =
+            Stream.concat(TENS.stream(), Stream.of(1_000, 10_000, 100_000)).toList();
+    private static final double QUICK_SECONDS = 5;
+
     @Spec private CommandSpec spec;
 
     @Option(
             names = "--bodies",
             paramLabel = "N",
             split = ",",
-            defaultValue = "10,20,30,40,50,60,70,80,90,100,1000,10000,100000",
-            description = "Numbers of bodies (default: ${DEFAULT-VALUE}).")
+            description = "Numbers of bodies (default: 10, 20, .., 100, 1000, 10000, 100000).")
     private List<Integer> bodies = List.of();
 
     @Option(
@@ -87,57 +94,99 @@ final class Bench implements Callable<Integer> {
             description = "Where bench.csv and bench.png go (default: ${DEFAULT-VALUE}).")
     private Path folder = Path.of("auvsim-bench");
 
-    @Option(names = "--quick", description = "10 and 100 bodies, 5 s of world time, once.")
+    @Option(
+            names = "--quick",
+            description = "10 and 100 bodies, 5 s of world time, once: whether it works at all.")
     private boolean quick;
+
+    @Option(
+            names = "--thesis",
+            description =
+                    "Counts the primitive operations of the thesis' stages over 100 advancements of"
+                            + " 10, 20, .., 100 bodies, takes the wall time of 120 s, and fits how"
+                            + " they grow (Figures 8.4 to 8.7): thesis.csv and thesis.png.")
+    private boolean thesis;
 
     @Override
     public Integer call() {
-        try {
+        checkOptions();
+        // Ctrl-C waits until what there is has been written.
+        try (Interruption interruption = new Interruption(() -> {})) {
             Files.createDirectories(folder);
-            List<Measurement> measured = new ArrayList<>();
-            // Ctrl-C waits until what there is has been written.
-            try (Interruption interruption = new Interruption(() -> {})) {
-                measure(measured, interruption::isRequested);
-                write(measured);
+            if (thesis) {
+                reportStages(interruption::isRequested);
+            } else {
+                reportSpeed(interruption::isRequested);
             }
             return ExitCode.OK;
-        } catch (IllegalArgumentException e) {
-            throw new UserError("This cannot be measured: " + e.getMessage() + ".", e);
         } catch (IOException e) {
             throw FileTrouble.writing(folder, e);
         }
     }
 
-    private void measure(List<Measurement> measured, BooleanSupplier stop) {
+    private void checkOptions() {
+        for (int n : numbers()) {
+            require(n > 0, "--bodies must be 1 or more, but one is " + n + ".");
+        }
+        require(repeat > 0, "--repeat must be 1 or more, but is " + repeat + ".");
+        require(
+                restitution >= 0 && restitution <= 1,
+                "--restitution must be 0 to 1, but is " + restitution + ".");
+        seconds.ifPresent(
+                s ->
+                        require(
+                                s > 0 && s < Double.POSITIVE_INFINITY,
+                                "--seconds must be above 0 s and finite, but is " + s + " s."));
+    }
+
+    private static void require(boolean condition, String sentence) {
+        if (!condition) {
+            throw new UserError(sentence);
+        }
+    }
+
+    private List<Integer> numbers() {
+        if (!bodies.isEmpty()) {
+            return bodies;
+        }
+        return quick ? List.of(10, 100) : thesis ? TENS : ALL;
+    }
+
+    private void reportSpeed(BooleanSupplier stop) throws IOException {
         WorkloadBench bench = new WorkloadBench(stepper, quick ? 1 : repeat);
-        List<Workload> workloads =
-                (quick ? List.of(10, 100) : bodies)
-                        .stream().map(n -> Workload.of(n).withRestitution(restitution)).toList();
+        List<Measurement> measured = new ArrayList<>();
         BenchTable.header().forEach(this::tell);
-        for (Workload workload : workloads) {
-            bench.measure(workload, duration(workload), stop)
+        for (int n : numbers()) {
+            Workload workload = Workload.of(n).withRestitution(restitution);
+            double time = seconds.orElse(quick ? QUICK_SECONDS : workload.duration());
+            bench.measure(workload, time, stop)
                     .ifPresent(
                             m -> {
                                 measured.add(m);
                                 tell(BenchTable.row(m));
                             });
         }
-    }
-
-    private double duration(Workload workload) {
-        double time = seconds.orElse(quick ? 5 : workload.duration());
-        if (!(time > 0) || Double.isInfinite(time)) {
-            throw new UserError("--seconds must be above 0 s, but is " + time + " s.");
-        }
-        return time;
-    }
-
-    private void write(List<Measurement> measured) throws IOException {
         if (!measured.isEmpty()) {
             BenchCsv.write(folder.resolve("bench.csv"), measured);
             BenchChart.write(folder.resolve("bench.png"), measured);
-            tell("%d rows written to %s".formatted(measured.size(), folder.resolve("bench.csv")));
         }
+        tell("%d rows written to %s".formatted(measured.size(), folder.resolve("bench.csv")));
+    }
+
+    private void reportStages(BooleanSupplier stop) throws IOException {
+        double time = seconds.orElse(quick ? QUICK_SECONDS : StageCost.WORLD_SECONDS);
+        List<StageCost> costs = new ArrayList<>();
+        tell(StageReport.header());
+        for (int n : numbers()) {
+            StageCost cost = StageCost.measure(Workload.of(n), time, stop);
+            if (!stop.getAsBoolean()) {
+                costs.add(cost);
+                tell(StageReport.row(cost));
+            }
+        }
+        StageReport.fits(costs).forEach(this::tell);
+        StageReport.write(folder, costs);
+        tell("%d rows written to %s".formatted(costs.size(), folder.resolve("thesis.csv")));
     }
 
     private void tell(String line) {

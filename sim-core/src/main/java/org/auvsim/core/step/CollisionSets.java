@@ -58,6 +58,11 @@ public final class CollisionSets {
         addPairs(start, start + size);
     }
 
+    /** Counts primitive operations of a partitioner. */
+    void count(long operations) {
+        motion.count(operations);
+    }
+
     private void addPairs(int begin, int end) {
         for (int a = begin; a < end; a++) {
             for (int b = a + 1; b < end; b++) {

@@ -121,8 +121,7 @@ final class BoxBox implements PairQuery<Box, Box> {
     }
 
     @Override
-    public void manifold(
-            Box a, Pose poseA, Box b, Pose poseB, double margin, Manifold to) {
+    public void manifold(Box a, Pose poseA, Box b, Pose poseB, double margin, Manifold to) {
         solids.manifold(a, poseA, b, poseB, margin, to);
     }
 }

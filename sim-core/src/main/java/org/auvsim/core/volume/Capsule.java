@@ -64,7 +64,6 @@ public record Capsule(@Unit("m") double radius, @Unit("m") double length) implem
         double ux = Math.abs(1 - 2 * (pose.qy * pose.qy + pose.qz * pose.qz));
         double uy = Math.abs(2 * (pose.qx * pose.qy + pose.qw * pose.qz));
         double uz = Math.abs(2 * (pose.qx * pose.qz - pose.qw * pose.qy));
-        Bounds.write(
-                pose, half * ux + radius, half * uy + radius, half * uz + radius, to, at);
+        Bounds.write(pose, half * ux + radius, half * uy + radius, half * uz + radius, to, at);
     }
 }

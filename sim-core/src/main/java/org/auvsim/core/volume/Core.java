@@ -58,8 +58,7 @@ final class Core {
         switch (volume) {
             case Sphere sphere -> shape(0, 0, 0, 0, sphere.radius());
             case Capsule capsule -> shape(1, capsule.length() / 2, 0, 0, capsule.radius());
-            case Box box ->
-                    shape(3, box.size().x() / 2, box.size().y() / 2, box.size().z() / 2, 0);
+            case Box box -> shape(3, box.size().x() / 2, box.size().y() / 2, box.size().z() / 2, 0);
             default -> throw new IllegalArgumentException(volume + " is not convex");
         }
     }

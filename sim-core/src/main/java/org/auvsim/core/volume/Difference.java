@@ -56,9 +56,7 @@ final class Difference {
     double gap(double nx, double ny, double nz) {
         double gap = nx * x + ny * y + nz * z;
         for (int i = 0; i < 3 * count; i += 3) {
-            gap -=
-                    Math.abs(
-                            nx * generators[i] + ny * generators[i + 1] + nz * generators[i + 2]);
+            gap -= Math.abs(nx * generators[i] + ny * generators[i + 1] + nz * generators[i + 2]);
         }
         return gap;
     }

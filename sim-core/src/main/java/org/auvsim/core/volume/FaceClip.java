@@ -5,7 +5,9 @@ package org.auvsim.core.volume;
  * lies above the other's face. Room to calculate in belongs to it: one a thread.
  */
 final class FaceClip {
-    /** A face must be worse than an earlier one by these shares of gap and size to be passed over. */
+    /**
+     * A face must be worse than an earlier one by these shares of gap and size to be passed over.
+     */
     private static final double SHARE_OF_GAP = 0.02;
 
     private static final double SHARE_OF_SIZE = 1e-6;
@@ -59,9 +61,7 @@ final class FaceClip {
         double[] e = base.axes;
         double centre = base.component(i, other.x - base.x, other.y - base.y, other.z - base.z);
         double gap =
-                Math.abs(centre)
-                        - base.half[i]
-                        - other.along(e[3 * i], e[3 * i + 1], e[3 * i + 2]);
+                Math.abs(centre) - base.half[i] - other.along(e[3 * i], e[3 * i + 1], e[3 * i + 2]);
         if (faceGap == Double.NEGATIVE_INFINITY || gap > faceGap + allowance(faceGap, size)) {
             faceGap = gap;
             face = i;
@@ -72,8 +72,7 @@ final class FaceClip {
     /** Returns the least gap of the points that it adds; infinite without any. */
     private double clip(Core base, Core other, double margin, double size, Manifold to) {
         double[] e = base.axes;
-        double centre =
-                base.component(face, other.x - base.x, other.y - base.y, other.z - base.z);
+        double centre = base.component(face, other.x - base.x, other.y - base.y, other.z - base.z);
         double out = centre < 0 ? -1 : 1;
         int s = (face + 1) % 3;
         int t = (face + 2) % 3;

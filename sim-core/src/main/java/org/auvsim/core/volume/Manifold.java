@@ -43,8 +43,7 @@ public final class Manifold {
      * Adds a point. If there are already {@link #MAXIMUM}, the deepest one stays, and of the others
      * that one goes which is nearest to another.
      */
-    public void add(
-            double x, double y, double z, double nx, double ny, double nz, double gap) {
+    public void add(double x, double y, double z, double nx, double ny, double nz, double gap) {
         if (count < MAXIMUM) {
             put(count++, x, y, z, nx, ny, nz, gap);
             return;

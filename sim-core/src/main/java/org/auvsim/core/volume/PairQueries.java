@@ -104,8 +104,7 @@ public final class PairQueries {
      *
      * @throws UnsupportedOperationException if no query knows the pair
      */
-    public void manifold(
-            Volume a, Pose poseA, Volume b, Pose poseB, double margin, Manifold to) {
+    public void manifold(Volume a, Pose poseA, Volume b, Pose poseB, double margin, Manifold to) {
         Answer answer = answer(a, b);
         if (answer.flipped) {
             answer.query.manifold(b, poseB, a, poseA, margin, to);

@@ -22,8 +22,7 @@ final class ParallelSegments {
             to.add(to.nearest);
             return;
         }
-        double least =
-                Math.min(at(a, b, from, margin, to), at(a, b, till, margin, to));
+        double least = Math.min(at(a, b, from, margin, to), at(a, b, till, margin, to));
         if (to.nearest.distance < least - SHORT * size) {
             to.add(to.nearest);
         }

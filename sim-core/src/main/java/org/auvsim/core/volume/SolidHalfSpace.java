@@ -40,8 +40,7 @@ final class SolidHalfSpace<A extends Volume> implements SolidQuery<A, HalfSpace>
     }
 
     @Override
-    public void manifold(
-            A a, Pose poseA, HalfSpace b, Pose poseB, double margin, Manifold to) {
+    public void manifold(A a, Pose poseA, HalfSpace b, Pose poseB, double margin, Manifold to) {
         to.clear();
         Separation up = to.nearest;
         normal(poseB, up);

@@ -41,8 +41,7 @@ interface SolidQuery<A extends Volume, B extends Volume> extends PairQuery<A, B>
         }
         return new ContactPoint(
                 sum.times(1.0 / points),
-                new Vec3(
-                        manifold.nx[deepest], manifold.ny[deepest], manifold.nz[deepest]),
+                new Vec3(manifold.nx[deepest], manifold.ny[deepest], manifold.nz[deepest]),
                 -distance);
     }
 }

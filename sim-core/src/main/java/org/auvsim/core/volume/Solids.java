@@ -52,8 +52,7 @@ final class Solids {
     }
 
     /** Adds the contact points of all pairs of parts that are no farther apart than the margin. */
-    static void manifold(
-            Volume a, Pose poseA, Volume b, Pose poseB, double margin, Manifold to) {
+    static void manifold(Volume a, Pose poseA, Volume b, Pose poseB, double margin, Manifold to) {
         Core first = to.nearest.first;
         Core second = to.nearest.second;
         for (int i = 0; i < Core.parts(a); i++) {

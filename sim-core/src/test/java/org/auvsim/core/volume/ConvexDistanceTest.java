@@ -76,11 +76,7 @@ class ConvexDistanceTest {
                 for (int kind = 3; kind < 9; kind++) {
                     Pose first = aligned(draws, tilt);
                     Pose second = aligned(draws, tilt);
-                    isTheLeast(
-                            halves(draws, kind % 3),
-                            first,
-                            halves(draws, kind / 3),
-                            second);
+                    isTheLeast(halves(draws, kind % 3), first, halves(draws, kind / 3), second);
                 }
             }
         }
@@ -191,7 +187,11 @@ class ConvexDistanceTest {
                     Vec3 shift = draws.vector(5);
                     double after =
                             queries.distance(
-                                    a, moved(poseA, turn, shift), b, moved(poseB, turn, shift), found);
+                                    a,
+                                    moved(poseA, turn, shift),
+                                    b,
+                                    moved(poseB, turn, shift),
+                                    found);
                     assertThat(after).as("%s %s", a, b).isCloseTo(before, within(2e-14));
                 });
     }

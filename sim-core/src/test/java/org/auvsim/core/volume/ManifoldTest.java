@@ -43,9 +43,7 @@ class ManifoldTest {
     }
 
     private static List<Vec3> points(Manifold m) {
-        return IntStream.range(0, m.count)
-                .mapToObj(i -> new Vec3(m.x[i], m.y[i], m.z[i]))
-                .toList();
+        return IntStream.range(0, m.count).mapToObj(i -> new Vec3(m.x[i], m.y[i], m.z[i])).toList();
     }
 
     private void allAre(double gap, Vec3 normal) {

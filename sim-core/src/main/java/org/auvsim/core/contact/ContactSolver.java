@@ -97,7 +97,8 @@ public final class ContactSolver {
     private void iterate(double[] v, int speeds) {
         double tolerance = absolute + relative * rows.fastest(start);
         rows.apply(rows.j, start, v, speeds);
-        // The normals alone first: a stack needs hardly more, and no contact slides for want of load.
+        // The normals alone first: a stack needs hardly more, and no contact slides for want of
+        // load.
         sweep.setSmooth(mostSweeps >= 4 && rows.isCold());
         steps.begin(speeds);
         int done;

@@ -289,6 +289,23 @@ final class Rows {
         }
     }
 
+    /** Gives the bodies impulses along the row at {@code at} and the next one. */
+    static void push(double[] row, int at, double[] v, int a, int b, double one, double other) {
+        int second = at + STRIDE;
+        v[a] += one * row[at + RESPONSE_A] + other * row[second + RESPONSE_A];
+        v[a + 1] += one * row[at + RESPONSE_A + 1] + other * row[second + RESPONSE_A + 1];
+        v[a + 2] += one * row[at + RESPONSE_A + 2] + other * row[second + RESPONSE_A + 2];
+        v[a + 3] += one * row[at + RESPONSE_A + 3] + other * row[second + RESPONSE_A + 3];
+        v[a + 4] += one * row[at + RESPONSE_A + 4] + other * row[second + RESPONSE_A + 4];
+        v[a + 5] += one * row[at + RESPONSE_A + 5] + other * row[second + RESPONSE_A + 5];
+        v[b] -= one * row[at + RESPONSE_B] + other * row[second + RESPONSE_B];
+        v[b + 1] -= one * row[at + RESPONSE_B + 1] + other * row[second + RESPONSE_B + 1];
+        v[b + 2] -= one * row[at + RESPONSE_B + 2] + other * row[second + RESPONSE_B + 2];
+        v[b + 3] -= one * row[at + RESPONSE_B + 3] + other * row[second + RESPONSE_B + 3];
+        v[b + 4] -= one * row[at + RESPONSE_B + 4] + other * row[second + RESPONSE_B + 4];
+        v[b + 5] -= one * row[at + RESPONSE_B + 5] + other * row[second + RESPONSE_B + 5];
+    }
+
     /** Sets speeds to what they are after these impulses. */
     void apply(double[] impulses, double[] before, double[] speeds, int length) {
         System.arraycopy(before, 0, speeds, 0, length);
@@ -354,9 +371,11 @@ final class Rows {
     }
 
     private void sum(double[] to, int body, int at, int arm, double impulse) {
-        for (int i = 0; i < 3; i++) {
-            to[body + i] += impulse * row[at + i];
-            to[body + 3 + i] += impulse * row[at + arm + i];
-        }
+        to[body] += impulse * row[at];
+        to[body + 1] += impulse * row[at + 1];
+        to[body + 2] += impulse * row[at + 2];
+        to[body + 3] += impulse * row[at + arm];
+        to[body + 4] += impulse * row[at + arm + 1];
+        to[body + 5] += impulse * row[at + arm + 2];
     }
 }

@@ -79,6 +79,9 @@ final class Sweep {
         j[r] = now;
         steady &= rows.presses[c] == now > 0;
         rows.presses[c] = now > 0;
+        if (now == old) {
+            return 0;
+        }
         Rows.push(rows.row, r * STRIDE, v, a, b, now - old);
         return Math.abs(now - old) * terms[term + YIELD];
     }
@@ -117,8 +120,7 @@ final class Sweep {
         }
         j[r + 1] = j1;
         j[r + 2] = j2;
-        Rows.push(rows.row, at, v, a, b, j1 - old1);
-        Rows.push(rows.row, at + STRIDE, v, a, b, j2 - old2);
+        Rows.push(rows.row, at, v, a, b, j1 - old1, j2 - old2);
         double step = terms[term + STEP];
         return step == 0 ? 0 : Math.max(Math.abs(j1 - old1), Math.abs(j2 - old2)) / step;
     }

@@ -13,15 +13,20 @@ import org.auvsim.core.volume.Volume;
  *
  * <ol>
  *   <li>The gap d falls no faster than the volumes near each other: d / closing.
- *   <li>Let n be the direction of the gap and g the gap between the planes across n that the volumes
- *       touch from either side. While g &gt; 0 they are apart, whatever else they do, and g falls no
- *       faster than points near each other along n: g / closing along n.
+ *   <li>Let n be the direction of the gap and g the gap between the planes across n that the
+ *       volumes touch from either side. While g &gt; 0 they are apart, whatever else they do, and g
+ *       falls no faster than points near each other along n: g / closing along n.
  *   <li>g is the least of all distances along n between a point of one and a point of the other. If
  *       each of these has a second derivative of at most m and is g0 or more at one instant and g1
  *       or more another h later, then it is at least min(g0, g1) - m h^2 / 8 all the time between.
- *       So min(g0, g1) &gt;= m h^2 / 8 proves that they stay apart. Near a contact what remains of
- *       the gap is of the order of its square.
+ *       So min(g0, g1) &gt;= m h^2 / 8 proves that they stay apart.
  * </ol>
+ *
+ * <p>Where bodies turn, n turns, and the third bound for a fixed n takes a constant share of the
+ * gap with each step. So once the gap's slope is known a leap to where it should end is tried, and
+ * proved by a direction that goes over from n0 to n1 as m = (1 - s) n0 + s n1: along m distances
+ * have second derivatives of at most m + 2 |n1 - n0| / h times the closing speed. Near a contact a
+ * leap leaves of the gap the order of its square.
  *
  * <p>Convex volumes take few steps. Where g is not positive, as between the prongs of a compound or
  * over hills, only the first bound is left.
@@ -50,47 +55,58 @@ final class ConservativeAdvancement {
 
     private final PairQueries queries;
     private final RelativeMotion motion = new RelativeMotion();
-    private final Separation gap = new Separation();
-    private final Pose poseA = new Pose();
-    private final Pose poseB = new Pose();
-    private final Pose trialA = new Pose();
-    private final Pose trialB = new Pose();
+
+    // Gap and poses at the time that has been reached, and at a later one that is tried.
+    private Separation gap = new Separation();
+    private Pose poseA = new Pose();
+    private Pose poseB = new Pose();
+    private Separation gapAhead = new Separation();
+    private Pose aheadA = new Pose();
+    private Pose aheadB = new Pose();
 
     ConservativeAdvancement(PairQueries queries) {
         this.queries = queries;
     }
 
     /**
-     * First time from {@code t0} to {@code t1} (s), both on both curves, at which the volumes touch:
-     * the gap is then above 0 and no more than {@value #CONTACT} of the smaller bounding radius;
-     * infinity if they do not.
+     * First time from {@code t0} to {@code t1} (s), both on both curves, at which the volumes
+     * touch: the gap is then above 0 and no more than {@value #CONTACT} of the smaller bounding
+     * radius; infinity if they do not.
      *
-     * <p>Volumes that touch or overlap at {@code t0} are in contact there if they get nearer; if they
-     * part, the first contact after that counts. After {@value #STEPS} steps the time that has been
-     * reached is given as a contact, since up to there and no farther the volumes are known to be
-     * apart: too early is safe, as a response to a contact without approach changes nothing.
+     * <p>Volumes that touch or overlap at {@code t0} are in contact there if they get nearer; if
+     * they part, the first contact after that counts. After {@value #STEPS} steps the time that has
+     * been reached is given as a contact, since up to there and no farther the volumes are known to
+     * be apart: too early is safe, as a response to a contact without approach changes nothing.
      *
      * <p>A volume without bounds (half-space, height map) must not turn.
      */
     double first(BodyCurve a, Volume va, BodyCurve b, Volume vb, double t0, double t1) {
         double t = parted(a, va, b, vb, t0, t1);
         double touch = touch(va, vb);
-        double d = gap.distance;
+        double slope = 0;
+        double swing = 0;
         double until = t;
-        for (int step = 0; step < STEPS && t < t1 && d > touch; step++) {
+        for (int step = 0; step < STEPS && t < t1 && gap.distance > touch; step++) {
             if (t >= until || step % STEPS_FOR_ONE_BOUND == 0) {
                 until = motion.look(a, va, b, vb, t, t1);
             }
-            double h = safeStep(a, va, b, vb, t, until, d);
-            double next = h < until - t ? t + h : until;
-            if (next >= t1) {
-                return Double.POSITIVE_INFINITY;
+            double h = boldStep(slope, swing, touch);
+            if (!(t + h < until && leap(a, va, b, vb, t, h))) {
+                h = safeStep(a, va, b, vb, t, until);
+                double next = h < until - t ? t + h : until;
+                if (next >= t1) {
+                    return Double.POSITIVE_INFINITY;
+                }
+                h = next - t;
+                lookAhead(a, va, b, vb, next);
             }
-            if (next == t) {
+            if (!(t + h > t)) {
                 return t;
             }
-            d = distance(a, va, b, vb, next);
-            t = next;
+            slope = (gap.distance - gapAhead.distance) / h;
+            swing = turnAhead() / h;
+            t = t + h;
+            goAhead();
         }
         return t < t1 ? t : Double.POSITIVE_INFINITY;
     }
@@ -102,26 +118,29 @@ final class ConservativeAdvancement {
      */
     private double parted(BodyCurve a, Volume va, BodyCurve b, Volume vb, double t0, double t1) {
         double t = t0;
-        double d = distance(a, va, b, vb, t);
+        lookAhead(a, va, b, vb, t);
+        goAhead();
         double touch = touch(va, vb);
-        double least = d - FALL * touch;
+        double least = gap.distance - FALL * touch;
+        // What overlaps deeper than contacts do was put there; it has no gap to keep.
+        double sag = gap.distance < -SAG * touch ? Double.POSITIVE_INFINITY : SAG * touch;
         double until = t0;
-        for (int step = 0; step < STEPS && t < t1 && d <= 2 * touch; step++) {
+        for (int step = 0; step < STEPS && t < t1 && gap.distance <= 2 * touch; step++) {
             if (t >= until) {
                 until = motion.look(a, va, b, vb, t, t1);
             }
-            double h = Math.min(partingStep(touch, t - t0, d), until - t);
+            double next = until;
             double shortest = SAG * touch / motion.closing();
-            d = distance(a, va, b, vb, t + h);
-            while (d < least && h > shortest) {
-                h /= 4;
-                d = distance(a, va, b, vb, t + h);
+            lookAhead(a, va, b, vb, next);
+            while (next - t > shortest && (gapAhead.distance < least || sag(next - t) > sag)) {
+                next = t + (next - t) / 4;
+                lookAhead(a, va, b, vb, next);
             }
-            if (d < least) {
-                distance(a, va, b, vb, t);
+            if (gapAhead.distance < least || !(next > t)) {
                 return t;
             }
-            t = h < until - t ? t + h : until;
+            t = next;
+            goAhead();
         }
         return t;
     }
@@ -133,26 +152,71 @@ final class ConservativeAdvancement {
         return Math.max(CONTACT * size, ROUNDING * far);
     }
 
-    private double distance(BodyCurve a, Volume va, BodyCurve b, Volume vb, double t) {
-        a.poseAt(t, poseA);
-        b.poseAt(t, poseB);
-        return queries.distance(va, poseA, vb, poseB, gap);
+    private void lookAhead(BodyCurve a, Volume va, BodyCurve b, Volume vb, double t) {
+        a.poseAt(t, aheadA);
+        b.poseAt(t, aheadB);
+        queries.distance(va, aheadA, vb, aheadB, gapAhead);
     }
 
-    /** A step (s) during which volumes that touch overlap by no more than the sag, if they part. */
-    private double partingStep(double touch, double since, double d) {
-        double bend = motion.bend(gap.nx, gap.ny, gap.nz);
-        double h = bend > 0 ? Math.sqrt(8 * SAG * touch / bend) : Double.POSITIVE_INFINITY;
-        // What overlaps deeper than contacts do was put there; it has no gap to keep.
-        return d < -SAG * touch ? Math.max(h, since) : h;
+    private void goAhead() {
+        Separation gapBehind = gap;
+        gap = gapAhead;
+        gapAhead = gapBehind;
+        Pose behindA = poseA;
+        poseA = aheadA;
+        aheadA = behindA;
+        Pose behindB = poseB;
+        poseB = aheadB;
+        aheadB = behindB;
     }
 
-    /** A step (s) during which the volumes, {@code d} apart at {@code t}, cannot touch. */
+    /**
+     * A step (s) that should end where little of the gap is left, if its slope stays; 0 if none.
+     */
+    private double boldStep(double slope, double swing, double touch) {
+        if (!(slope > 0)) {
+            return 0;
+        }
+        double closing = motion.closing();
+        double sagging = motion.bend(gap.nx, gap.ny, gap.nz) / 8 + swing * closing / 4;
+        double whole = gap.distance / slope;
+        double h = whole - (2 * sagging * whole * whole + touch / 2) / slope;
+        return h > gap.distance / closing ? h : 0;
+    }
+
+    /** Looks ahead; whether it is proved that the volumes stay apart up to there. */
+    private boolean leap(BodyCurve a, Volume va, BodyCurve b, Volume vb, double t, double h) {
+        if (!(h > 0)) {
+            return false;
+        }
+        lookAhead(a, va, b, vb, t + h);
+        double g0 = along(gap, va, poseA, vb, poseB);
+        double g1 = along(gapAhead, va, aheadA, vb, aheadB);
+        return g1 > 0 && Math.min(g0, g1) >= sag(h);
+    }
+
+    /** How much less (m) than at both ends the gap can be in between, {@code h} (s) apart. */
+    private double sag(double h) {
+        double here = motion.bend(gap.nx, gap.ny, gap.nz);
+        double there = motion.bend(gapAhead.nx, gapAhead.ny, gapAhead.nz);
+        return (Math.max(here, there) * h + 2 * turnAhead() * motion.closing()) * h / 8;
+    }
+
+    /** |n1 - n0|. */
+    private double turnAhead() {
+        double x = gapAhead.nx - gap.nx;
+        double y = gapAhead.ny - gap.ny;
+        double z = gapAhead.nz - gap.nz;
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+
+    /** A step (s) from {@code t} during which the volumes cannot touch. */
     private double safeStep(
-            BodyCurve a, Volume va, BodyCurve b, Volume vb, double t, double until, double d) {
+            BodyCurve a, Volume va, BodyCurve b, Volume vb, double t, double until) {
         double rest = until - t;
+        double d = gap.distance;
         double h = d / motion.closing();
-        double g = along(va, poseA, vb, poseB);
+        double g = along(gap, va, poseA, vb, poseB);
         if (g > 0 && h < rest) {
             double closing = motion.closing(gap.nx, gap.ny, gap.nz);
             h = closing > 0 ? Math.max(h, g / closing) : rest;
@@ -200,15 +264,14 @@ final class ConservativeAdvancement {
     /** What the gap along n has, a step later, beyond the sag of the path up to there (m). */
     private double spare(
             BodyCurve a, Volume va, BodyCurve b, Volume vb, double t, double h, double bend) {
-        a.poseAt(t + h, trialA);
-        b.poseAt(t + h, trialB);
-        return along(va, trialA, vb, trialB) - bend * h * h / 8;
+        a.poseAt(t + h, aheadA);
+        b.poseAt(t + h, aheadB);
+        return along(gap, va, aheadA, vb, aheadB) - bend * h * h / 8;
     }
 
-    /** The gap (m) between the planes across n that touch the volumes from either side. */
-    private double along(Volume va, Pose a, Volume vb, Pose b) {
-        double between =
-                gap.nx * (a.x - b.x) + gap.ny * (a.y - b.y) + gap.nz * (a.z - b.z);
+    /** The gap (m) between the planes across its direction that touch the volumes. */
+    private static double along(Separation gap, Volume va, Pose a, Volume vb, Pose b) {
+        double between = gap.nx * (a.x - b.x) + gap.ny * (a.y - b.y) + gap.nz * (a.z - b.z);
         return between
                 - va.reach(a, -gap.nx, -gap.ny, -gap.nz)
                 - vb.reach(b, gap.nx, gap.ny, gap.nz);

@@ -39,8 +39,8 @@ final class EntityImpact {
     }
 
     /**
-     * First time from {@code t0} to {@code t1} (s, on the clock of the body's curve) at which the two
-     * touch; infinity if they do not.
+     * First time from {@code t0} to {@code t1} (s, on the clock of the body's curve) at which the
+     * two touch; infinity if they do not.
      *
      * @param epoch time of the world (s) at which the clock of the curve shows 0
      */
@@ -142,7 +142,12 @@ final class EntityImpact {
 
     /** The first instant of overlap, to the last bit that bisection can tell. */
     private double bisect(
-            Collidable entity, double epoch, BodyCurve body, Volume volume, double low, double high) {
+            Collidable entity,
+            double epoch,
+            BodyCurve body,
+            Volume volume,
+            double low,
+            double high) {
         double apart = low;
         double overlapping = high;
         while (true) {

@@ -53,9 +53,9 @@ class ConservativeAdvancementTest {
         for (int i = 0; i < CASES; i++) {
             BodyCurve a = Leg.drawn(draws, 2.5, 2).curve();
             Vec3 below = draws.vector(0.1).plus(new Vec3(0, 0, -1.5));
-            BodyCurve ground =
-                    Leg.standing(below, Quat.ofAxisAngle(draws.direction(), 0.5));
-            contacts += checkAgainstSampling(a, drawnVolume(draws), ground, new HalfSpace()) ? 1 : 0;
+            BodyCurve ground = Leg.standing(below, Quat.ofAxisAngle(draws.direction(), 0.5));
+            contacts +=
+                    checkAgainstSampling(a, drawnVolume(draws), ground, new HalfSpace()) ? 1 : 0;
         }
         assertThat(contacts).isBetween(CASES / 10, CASES - CASES / 10);
     }
@@ -110,7 +110,10 @@ class ConservativeAdvancementTest {
             double found = advancement.first(a, va, b, vb, 0, 1);
             if (distance(a, va, b, vb, 0) > 0) {
                 if (expected == NEVER) assertThat(found).isEqualTo(NEVER);
-                else assertThat(found).isCloseTo(expected, offset(1e-6)).isLessThan(expected + 1e-14);
+                else
+                    assertThat(found)
+                            .isCloseTo(expected, offset(1e-6))
+                            .isLessThan(expected + 1e-14);
                 contacts += found == NEVER ? 0 : 1;
             }
         }
@@ -157,8 +160,7 @@ class ConservativeAdvancementTest {
     private static BodyCurve fall(Vec3 from, Vec3 v, double g) {
         Vec3 to = from.plus(v).plus(new Vec3(0, 0, g / 2));
         Vec3 last = v.plus(new Vec3(0, 0, g));
-        Leg leg =
-                new Leg(from, v, to, last, Quat.IDENTITY, Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO);
+        Leg leg = new Leg(from, v, to, last, Quat.IDENTITY, Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO);
         return leg.curve();
     }
 

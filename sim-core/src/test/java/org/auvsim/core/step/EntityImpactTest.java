@@ -116,8 +116,7 @@ class EntityImpactTest {
     }
 
     private boolean gapCloses(ExpandingSphere wave, BodyCurve body, Box box, double t) {
-        ExpandingSphere swollen =
-                wave(wave.start() - EPOCH, wave.speed(), wave.greatest() + 1e-9);
+        ExpandingSphere swollen = wave(wave.start() - EPOCH, wave.speed(), wave.greatest() + 1e-9);
         Pose poseOfWave = Pose.of(Vec3.ZERO, Quat.IDENTITY);
         Pose pose = new Pose();
         body.poseAt(t, pose);

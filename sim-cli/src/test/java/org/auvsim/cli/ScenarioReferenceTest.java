@@ -65,7 +65,7 @@ class ScenarioReferenceTest {
             assertThat(loader.parse(scenario.getBytes(UTF_8)).worldObject()).hasSize(1);
             found++;
         }
-        assertThat(found).isEqualTo(3);
+        assertThat(found).isEqualTo(4);
     }
 
     private static String asWorldObject(String block) {

@@ -3,6 +3,7 @@ package org.auvsim.auvsml.mapping;
 import ch.randelshofer.fastdoubleparser.JavaDoubleParser;
 
 import org.auvsim.auvsml.xml.XmlText;
+import org.auvsim.core.math.Numbers;
 
 import java.util.Arrays;
 import java.util.List;
@@ -54,6 +55,12 @@ record ScalarCodec(Class<?> type, String expected, Reader reader, Writer writer)
                             "a finite number",
                             ScalarCodec::readDouble,
                             ScalarCodec::writeDouble),
+                    entry(
+                            Numbers.class,
+                            Numbers.class,
+                            "finite numbers with blanks between them",
+                            ScalarCodec::readNumbers,
+                            ScalarCodec::writeNumbers),
                     entry(
                             String.class,
                             String.class,
@@ -121,6 +128,28 @@ record ScalarCodec(Class<?> type, String expected, Reader reader, Writer writer)
             throw new IllegalArgumentException("expected a finite number, but it is " + number);
         }
         out.append(number);
+    }
+
+    private static Object readNumbers(String text) {
+        String[] words = text.strip().split("\\s+");
+        double[] values = new double[words.length];
+        for (int i = 0; i < words.length; i++) {
+            values[i] = (double) readDouble(words[i]);
+        }
+        return Numbers.of(values);
+    }
+
+    private static void writeNumbers(Object value, StringBuilder out) {
+        Numbers numbers = (Numbers) value;
+        if (numbers.size() == 0) {
+            throw new IllegalArgumentException("expected at least one number, but there is none");
+        }
+        for (int i = 0; i < numbers.size(); i++) {
+            if (i > 0) {
+                out.append(' ');
+            }
+            writeDouble(numbers.get(i), out);
+        }
     }
 
     private static void writeText(Object value, StringBuilder out) {

@@ -1,6 +1,7 @@
 package org.auvsim.auvsml.mapping;
 
 import org.auvsim.auvsml.xml.XmlText;
+import org.auvsim.core.math.Numbers;
 
 import java.util.ArrayDeque;
 import java.util.Collection;
@@ -18,6 +19,7 @@ import java.util.TreeMap;
  */
 public final class SchemaWriter {
     private static final String NUMBER = "number";
+    private static final String NUMBERS = "numbers";
     private static final String MESSAGES = "messages";
 
     private static final Map<Class<?>, String> SCALARS =
@@ -26,6 +28,7 @@ public final class SchemaWriter {
                     Integer.class, "xs:int",
                     Long.class, "xs:long",
                     Double.class, NUMBER,
+                    Numbers.class, NUMBERS,
                     String.class, "xs:string");
 
     private final MessageCatalogue catalogue;
@@ -76,6 +79,7 @@ public final class SchemaWriter {
         if (records.containsKey(name)
                 || enums.containsKey(name)
                 || name.equals(NUMBER)
+                || name.equals(NUMBERS)
                 || name.equals(MESSAGES)) {
             name = type.getName().replace('$', '.');
         }
@@ -97,6 +101,7 @@ public final class SchemaWriter {
         records.forEach(this::record);
         enums.forEach(this::enumeration);
         number();
+        numbers();
         out.close("xs:schema");
     }
 
@@ -224,6 +229,15 @@ public final class SchemaWriter {
         out.attribute("value", "[+\\-]?([0-9]+(\\.[0-9]*)?|\\.[0-9]+)([eE][+\\-]?[0-9]+)?");
         out.close("xs:pattern");
         out.close("xs:restriction");
+        out.close("xs:simpleType");
+    }
+
+    private void numbers() {
+        out.open("xs:simpleType");
+        out.attribute("name", NUMBERS);
+        out.open("xs:list");
+        out.attribute("itemType", NUMBER);
+        out.close("xs:list");
         out.close("xs:simpleType");
     }
 }

@@ -1,5 +1,7 @@
 package org.auvsim.auvsml.mapping;
 
+import org.auvsim.core.math.Numbers;
+
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
@@ -140,6 +142,9 @@ final class RandomRecords {
         }
         if (type == boolean.class || type == Boolean.class) {
             return random.nextBoolean();
+        }
+        if (type == Numbers.class) {
+            return Numbers.of(random.doubles(random.nextInt(1, 4)).toArray());
         }
         if (type == String.class) {
             return TEXTS[random.nextInt(TEXTS.length)];

@@ -57,13 +57,4 @@ public record Capsule(@Unit("m") double radius, @Unit("m") double length) implem
         double beyond = Math.max(0, Math.abs(point.x()) - length / 2);
         return beyond * beyond + point.y() * point.y() + point.z() * point.z() <= radius * radius;
     }
-
-    @Override
-    public void bounds(Pose pose, double[] to, int at) {
-        double half = length / 2;
-        double ux = Math.abs(1 - 2 * (pose.qy * pose.qy + pose.qz * pose.qz));
-        double uy = Math.abs(2 * (pose.qx * pose.qy + pose.qw * pose.qz));
-        double uz = Math.abs(2 * (pose.qx * pose.qz - pose.qw * pose.qy));
-        Bounds.write(pose, half * ux + radius, half * uy + radius, half * uz + radius, to, at);
-    }
 }

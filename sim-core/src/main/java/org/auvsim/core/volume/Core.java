@@ -1,5 +1,8 @@
 package org.auvsim.core.volume;
 
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+
 /**
  * A convex solid in the world as a box of none, one or three dimensions and a radius: the solid is
  * all that is no farther from the box than the radius. A sphere's core is a point, a capsule's a
@@ -32,14 +35,33 @@ final class Core {
     double cy;
     double cz;
 
-    /** Of how many convex parts a bounded volume consists. */
+    /** Of how many convex parts a bounded volume of this package consists. */
     static int parts(Volume volume) {
-        return 1;
+        return volume instanceof Compound compound ? compound.part().size() : 1;
     }
 
     /** Becomes part {@code i} of a bounded volume of this package in a pose. */
     void place(Volume volume, int i, Pose pose) {
-        place(volume, pose.x, pose.y, pose.z, pose.qw, pose.qx, pose.qy, pose.qz);
+        if (volume instanceof Compound compound) {
+            place(compound.part().get(i), pose);
+        } else {
+            place(volume, pose.x, pose.y, pose.z, pose.qw, pose.qx, pose.qy, pose.qz);
+        }
+    }
+
+    private void place(Part part, Pose p) {
+        Vec3 at = part.position();
+        Quat q = part.orientation();
+        turn(p.qw, p.qx, p.qy, p.qz);
+        place(
+                part.volume(),
+                p.x + axes[0] * at.x() + axes[3] * at.y() + axes[6] * at.z(),
+                p.y + axes[1] * at.x() + axes[4] * at.y() + axes[7] * at.z(),
+                p.z + axes[2] * at.x() + axes[5] * at.y() + axes[8] * at.z(),
+                p.qw * q.w() - p.qx * q.x() - p.qy * q.y() - p.qz * q.z(),
+                p.qw * q.x() + p.qx * q.w() + p.qy * q.z() - p.qz * q.y(),
+                p.qw * q.y() - p.qx * q.z() + p.qy * q.w() + p.qz * q.x(),
+                p.qw * q.z() + p.qx * q.y() - p.qy * q.x() + p.qz * q.w());
     }
 
     private void place(
@@ -111,6 +133,19 @@ final class Core {
         cx += step * axes[3 * i];
         cy += step * axes[3 * i + 1];
         cz += step * axes[3 * i + 2];
+    }
+
+    /** Writes least x, y, z, then greatest x, y, z. */
+    void bounds(double[] to) {
+        for (int k = 0; k < 3; k++) {
+            double sum = radius;
+            for (int i = 0; i < dimensions; i++) {
+                sum += half[i] * Math.abs(axes[3 * i + k]);
+            }
+            double centre = k == 0 ? x : k == 1 ? y : z;
+            to[k] = centre - sum;
+            to[3 + k] = centre + sum;
+        }
     }
 
     /** Component of a vector along axis {@code i}. */

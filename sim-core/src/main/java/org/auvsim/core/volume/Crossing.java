@@ -34,7 +34,7 @@ final class Crossing {
      * Puts the middle of the face, edge or corner that is farthest along a unit vector into cx, cy,
      * cz; returns which edges span it, a bit each.
      */
-    private static int feature(Core core, double nx, double ny, double nz) {
+    static int feature(Core core, double nx, double ny, double nz) {
         int edges = 0;
         core.cx = core.x;
         core.cy = core.y;

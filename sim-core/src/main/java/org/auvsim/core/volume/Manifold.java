@@ -113,6 +113,26 @@ public final class Manifold {
         return deepest;
     }
 
+    /** Turns points in the coordinates of a pose into the world's. */
+    void toWorld(Pose pose) {
+        for (int i = 0; i < count; i++) {
+            nearest.px = x[i];
+            nearest.py = y[i];
+            nearest.pz = z[i];
+            nearest.normal(nx[i], ny[i], nz[i]);
+            nearest.toWorld(pose);
+            put(
+                    i,
+                    nearest.px,
+                    nearest.py,
+                    nearest.pz,
+                    nearest.nx,
+                    nearest.ny,
+                    nearest.nz,
+                    gap[i]);
+        }
+    }
+
     /** The same with first and second volume exchanged. */
     void flip() {
         for (int i = 0; i < count; i++) {

@@ -122,7 +122,7 @@ public final class PairQueries {
             int place = (start + k) & (PLACES - 1);
             Answer known = answers[place];
             if (known == null) {
-                known = find(first, second);
+                known = find(a, b);
                 answers[place] = known;
                 return known;
             }
@@ -130,10 +130,12 @@ public final class PairQueries {
                 return known;
             }
         }
-        return find(first, second);
+        return find(a, b);
     }
 
-    private Answer find(Class<?> first, Class<?> second) {
+    private Answer find(Volume a, Volume b) {
+        Class<?> first = a.getClass();
+        Class<?> second = b.getClass();
         for (Entry entry : entries) {
             boolean straight = entry.answers(first, second);
             if (straight || entry.answers(second, first)) {
@@ -143,11 +145,25 @@ public final class PairQueries {
                 return new Answer(first, second, query, !straight);
             }
         }
-        throw new UnsupportedOperationException(
+        throw unsupported(a, b);
+    }
+
+    private static UnsupportedOperationException unsupported(Volume a, Volume b) {
+        String first = a.getClass().getSimpleName();
+        String second = b.getClass().getSimpleName();
+        if (!a.isBounded() && !b.isBounded()) {
+            return new UnsupportedOperationException(
+                    "a "
+                            + first
+                            + " and a "
+                            + second
+                            + " never meet: both go on for ever; make the objects fixed");
+        }
+        return new UnsupportedOperationException(
                 "no pair query knows how a "
-                        + first.getSimpleName()
+                        + first
                         + " meets a "
-                        + second.getSimpleName()
+                        + second
                         + "; register one with PairQueries.with");
     }
 }

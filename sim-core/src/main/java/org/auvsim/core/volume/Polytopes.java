@@ -18,6 +18,8 @@ final class Polytopes {
     /** Rounding of a length that no longer falls, while its direction may still get better. */
     private static final double STALLED = 1e-15;
 
+    static final int ALL_CORNERS = 7;
+
     private final Difference difference = new Difference();
     private final Simplex simplex = new Simplex();
     private final SeparatingAxis axis = new SeparatingAxis();
@@ -39,6 +41,33 @@ final class Polytopes {
         } else {
             Crossing.locate(a, b, axis.gap, to);
         }
+    }
+
+    /**
+     * Completes {@code to} for a solid and a triangle of a height map, in the map's coordinates.
+     *
+     * @return which of the triangle's corners the nearest point comes from, a bit each; all three
+     *     if the solid's core crosses the triangle
+     */
+    int measure(Core a, Triangle triangle, Separation to) {
+        difference.take(a, triangle);
+        to.normal(triangle.nx, triangle.ny, triangle.nz);
+        double distance = approach(Double.NEGATIVE_INFINITY, a.reach, to);
+        if (distance > 0) {
+            to.swell(
+                    distance,
+                    a.radius,
+                    0,
+                    a.x + simplex.nearestOfFirst(0),
+                    a.y + simplex.nearestOfFirst(1),
+                    a.z + simplex.nearestOfFirst(2));
+            return simplex.ofTriangle();
+        }
+        axis.searchUp(a, triangle, difference);
+        to.normal(axis.nx, axis.ny, axis.nz);
+        Crossing.feature(a, -to.nx, -to.ny, -to.nz);
+        to.swell(axis.gap, a.radius, 0, a.cx, a.cy, a.cz);
+        return ALL_CORNERS;
     }
 
     /** Improves the normal until it is that of the nearest points; returns the gap across it. */

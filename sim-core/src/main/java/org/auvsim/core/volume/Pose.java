@@ -64,4 +64,23 @@ public final class Pose {
                 + 2 * (qy * qz - qw * qx) * vy
                 + (1 - 2 * (qx * qx + qy * qy)) * vz;
     }
+
+    /** Writes this pose as seen from another, in that one's coordinates. */
+    void seenFrom(Pose other, Pose to) {
+        double dx = x - other.x;
+        double dy = y - other.y;
+        double dz = z - other.z;
+        to.x = other.alongX(dx, dy, dz);
+        to.y = other.alongY(dx, dy, dz);
+        to.z = other.alongZ(dx, dy, dz);
+        to.qw = other.qw * qw + other.qx * qx + other.qy * qy + other.qz * qz;
+        to.qx = other.qw * qx - other.qx * qw - other.qy * qz + other.qz * qy;
+        to.qy = other.qw * qy + other.qx * qz - other.qy * qw - other.qz * qx;
+        to.qz = other.qw * qz - other.qx * qy + other.qy * qx - other.qz * qw;
+    }
+
+    /** Component {@code k} (world) of a vector in the volume's coordinates. */
+    double toWorld(int k, double vx, double vy, double vz) {
+        return Turn.component(k, vx, vy, vz, qw, qx, qy, qz);
+    }
 }

@@ -11,6 +11,9 @@ final class SeparatingAxis {
      */
     private static final double PARALLEL = 1e-28;
 
+    /** Least cosine between a triangle's normal and a way up out of it. */
+    private static final double STEEPEST = 0.5;
+
     /** Unit vector from the second core to the first. */
     double nx;
 
@@ -29,6 +32,45 @@ final class SeparatingAxis {
             for (int j = 0; j < b.dimensions; j++) {
                 edges(a.axes, 3 * i, b.axes, 3 * j, d);
             }
+        }
+    }
+
+    /**
+     * Finds the way up out of a triangle, for a core that crosses it: along its normal, or one that
+     * does not lean far from it.
+     */
+    void searchUp(Core a, Triangle t, Difference d) {
+        gap = Double.NEGATIVE_INFINITY;
+        offerUp(t.nx, t.ny, t.nz, t, d);
+        for (int i = 0; a.dimensions == 3 && i < 9; i += 3) {
+            offerUp(a.axes[i], a.axes[i + 1], a.axes[i + 2], t, d);
+        }
+        for (int i = 0; i < a.dimensions; i++) {
+            for (int k = 0; k < 3; k++) {
+                int from = 3 * k;
+                int to = 3 * ((k + 1) % 3);
+                double ex = t.corners[to] - t.corners[from];
+                double ey = t.corners[to + 1] - t.corners[from + 1];
+                double ez = t.corners[to + 2] - t.corners[from + 2];
+                double ux = a.axes[3 * i];
+                double uy = a.axes[3 * i + 1];
+                double uz = a.axes[3 * i + 2];
+                double x = ey * uz - ez * uy;
+                double y = ez * ux - ex * uz;
+                double z = ex * uy - ey * ux;
+                double length = Math.sqrt(x * x + y * y + z * z);
+                if (length > 0) {
+                    offerUp(x / length, y / length, z / length, t, d);
+                }
+            }
+        }
+    }
+
+    private void offerUp(double x, double y, double z, Triangle t, Difference d) {
+        double cosine = x * t.nx + y * t.ny + z * t.nz;
+        if (Math.abs(cosine) > STEEPEST) {
+            double sign = cosine < 0 ? -1 : 1;
+            take(sign * x, sign * y, sign * z, d);
         }
     }
 
@@ -53,12 +95,16 @@ final class SeparatingAxis {
 
     private void offer(double x, double y, double z, Difference d) {
         double sign = x * d.x + y * d.y + z * d.z < 0 ? -1 : 1;
-        double along = d.gap(sign * x, sign * y, sign * z);
+        take(sign * x, sign * y, sign * z, d);
+    }
+
+    private void take(double x, double y, double z, Difference d) {
+        double along = d.gap(x, y, z);
         if (along > gap) {
             gap = along;
-            nx = sign * x;
-            ny = sign * y;
-            nz = sign * z;
+            nx = x;
+            ny = y;
+            nz = z;
         }
     }
 }

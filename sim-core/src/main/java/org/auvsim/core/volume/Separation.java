@@ -25,6 +25,14 @@ public final class Separation {
 
     final Core second = new Core();
 
+    /** Room for a triangle of a height map, and the cells that it comes from. */
+    final Triangle triangle = new Triangle();
+
+    final Cells cells = new Cells();
+
+    /** The first volume's pose as the second sees it. */
+    final Pose seen = new Pose();
+
     /** What measures boxes. */
     final Polytopes polytopes = new Polytopes();
 
@@ -67,6 +75,20 @@ public final class Separation {
         px = keptPx;
         py = keptPy;
         pz = keptPz;
+    }
+
+    /** Turns a result in the coordinates of a pose into one in the world's. */
+    void toWorld(Pose pose) {
+        double x = pose.toWorld(0, px, py, pz) + pose.x;
+        double y = pose.toWorld(1, px, py, pz) + pose.y;
+        pz = pose.toWorld(2, px, py, pz) + pose.z;
+        px = x;
+        py = y;
+        double n = pose.toWorld(0, nx, ny, nz);
+        double m = pose.toWorld(1, nx, ny, nz);
+        nz = pose.toWorld(2, nx, ny, nz);
+        nx = n;
+        ny = m;
     }
 
     /** The same with first and second volume exchanged. */

@@ -179,4 +179,13 @@ final class Simplex {
         }
         return sum;
     }
+
+    /** Which corners of the triangle the nearest point comes from, a bit each. */
+    int ofTriangle() {
+        int met = 0;
+        for (int i = 0; i < size; i++) {
+            met |= 1 << Difference.ofTriangle(corners[i]);
+        }
+        return met;
+    }
 }

@@ -42,8 +42,12 @@ public interface Volume {
      * greatest x, y, z (m), from {@code to[at]} on. Allocates nothing.
      */
     default void bounds(Pose pose, double[] to, int at) {
-        double r = boundingRadius();
-        Bounds.write(pose, r, r, r, to, at);
+        to[at] = pose.x - reach(pose, -1, 0, 0);
+        to[at + 1] = pose.y - reach(pose, 0, -1, 0);
+        to[at + 2] = pose.z - reach(pose, 0, 0, -1);
+        to[at + 3] = pose.x + reach(pose, 1, 0, 0);
+        to[at + 4] = pose.y + reach(pose, 0, 1, 0);
+        to[at + 5] = pose.z + reach(pose, 0, 0, 1);
     }
 
     /**

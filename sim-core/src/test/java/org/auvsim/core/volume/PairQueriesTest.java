@@ -4,15 +4,20 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import org.auvsim.core.math.Mat3;
+import org.auvsim.core.math.Numbers;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.junit.jupiter.api.Test;
+
+import java.util.List;
 
 class PairQueriesTest {
     private static final Sphere SPHERE = new Sphere(1);
     private static final Box BOX = new Box(new Vec3(2, 2, 2));
     private static final Pose ORIGIN = new Pose();
     private static final Pose ABOVE = Pose.of(new Vec3(0, 0, 1.5), Quat.IDENTITY);
+
+    private final PairQueries queries = PairQueries.standard();
 
     /** A user's own volume: the half of space below z = 0. */
     private record Seabed() implements Volume {
@@ -57,7 +62,12 @@ class PairQueriesTest {
 
     @Test
     void everyPairOfStandardVolumesIsKnown() {
-        Volume[] volumes = {SPHERE, BOX};
+        Volume[] volumes = {
+            SPHERE,
+            BOX,
+            new Capsule(1, 1),
+            new Compound(List.of(new Part(BOX, Vec3.ZERO, Quat.IDENTITY)))
+        };
         for (Volume a : volumes) {
             for (Volume b : volumes) {
                 assertThat(PairQueries.standard().overlap(a, ABOVE, b, ORIGIN)).isTrue();
@@ -65,6 +75,40 @@ class PairQueriesTest {
                         .isPositive();
             }
         }
+    }
+
+    @Test
+    void whatGoesOnForEverMeetsOnlyWhatIsBounded() {
+        HeightMap floor =
+                new HeightMap(
+                        1,
+                        List.of(
+                                new HeightMap.Row(Numbers.of(0, 0)),
+                                new HeightMap.Row(Numbers.of(0, 0))));
+        Volume half = new HalfSpace();
+        assertThatExceptionOfType(UnsupportedOperationException.class)
+                .isThrownBy(
+                        () -> queries.distance(half, ORIGIN, floor, ORIGIN, new Separation()))
+                .withMessage(
+                        "a HalfSpace and a HeightMap never meet: both go on for ever; make the"
+                                + " objects fixed");
+        assertThat(queries.overlap(floor, ORIGIN, BOX, ABOVE)).isFalse();
+        assertThat(queries.contact(half, ORIGIN, BOX, ABOVE).depth()).isEqualTo(-0.5);
+    }
+
+    @Test
+    void distanceAndManifoldOfAUsersOwnQueryFollowFromItsContact() {
+        PairQueries more = queries.with(Sphere.class, Seabed.class, new SphereSeabed());
+        Separation found = new Separation();
+        assertThat(more.distance(new Seabed(), ORIGIN, SPHERE, ABOVE, found)).isEqualTo(0.5);
+        assertThat(found.nz).isEqualTo(-1);
+        Manifold manifold = new Manifold();
+        more.manifold(SPHERE, ABOVE, new Seabed(), ORIGIN, 0.4, manifold);
+        assertThat(manifold.count).isZero();
+        more.manifold(SPHERE, ABOVE, new Seabed(), ORIGIN, 0.6, manifold);
+        assertThat(manifold.count).isEqualTo(1);
+        assertThat(manifold.gap[0]).isEqualTo(0.5);
+        assertThat(manifold.nz[0]).isEqualTo(1);
     }
 
     @Test

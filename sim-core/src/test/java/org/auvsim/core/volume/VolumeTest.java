@@ -6,6 +6,7 @@ import static org.auvsim.core.math.Near.assertNear;
 
 import org.auvsim.core.math.Draws;
 import org.auvsim.core.math.Mat3;
+import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -101,5 +102,33 @@ class VolumeTest {
                 .withMessage(
                         "a box's edges must be above 0 m and finite, but are (1.0, %s, 1.0) m"
                                 .formatted(edge));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, -1, Double.NaN, Double.POSITIVE_INFINITY})
+    void aCapsuleOfNoSizeIsRefused(double size) {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Capsule(size, 1))
+                .withMessage(
+                        "a capsule's radius must be above 0 m and finite, but is " + size + " m");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Capsule(1, size))
+                .withMessage(
+                        "a capsule's length must be above 0 m and finite, but is " + size + " m");
+    }
+
+    @Test
+    void aHalfSpaceHasNoMassAndNoEnd() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new HalfSpace().inertia(1))
+                .withMessage(
+                        "a half-space has no mass: make the object fixed and leave its mass out");
+        assertThat(new HalfSpace().isBounded()).isFalse();
+        assertThat(new HalfSpace().contains(new Vec3(1e9, 0, 0))).isTrue();
+        assertThat(new HalfSpace().contains(new Vec3(1e9, 0, Double.MIN_VALUE))).isFalse();
+        double[] bounds = new double[6];
+        new HalfSpace().bounds(Pose.of(new Vec3(1, 2, 3), Quat.IDENTITY), bounds, 0);
+        double endless = Double.POSITIVE_INFINITY;
+        assertThat(bounds).containsExactly(-endless, -endless, -endless, endless, endless, 3);
     }
 }

@@ -58,17 +58,14 @@ final class FloorContacts {
     }
 
     private static void triangle(
-            Core core,
-            int i,
-            int j,
-            boolean upper,
-            HeightMap map,
-            double margin,
-            Manifold to) {
+            Core core, int i, int j, boolean upper, HeightMap map, double margin, Manifold to) {
         Separation nearest = to.nearest;
         Triangle t = nearest.triangle;
         nearest.cells.triangle(i, j, upper, map, t);
-        int met = nearest.polytopes.measure(core, t, nearest);
+        if (t.gap(core, t.nx, t.ny, t.nz) > margin) {
+            return;
+        }
+        int met = nearest.polytopes.measure(core, t, margin, nearest);
         if (nearest.distance > margin) {
             return;
         }
@@ -96,9 +93,7 @@ final class FloorContacts {
         for (int k = 0; k < 1 << core.dimensions; k++) {
             core.corner(k);
             double gap = t.height(core.cx, core.cy, core.cz) - core.radius;
-            if (gap <= margin
-                    && gap >= least
-                    && t.isBelow(core.cx, core.cy, core.cz)) {
+            if (gap <= margin && gap >= least && t.isBelow(core.cx, core.cy, core.cz)) {
                 double back = core.radius + gap / 2;
                 once(
                         core,

@@ -121,15 +121,7 @@ public final class Manifold {
             nearest.pz = z[i];
             nearest.normal(nx[i], ny[i], nz[i]);
             nearest.toWorld(pose);
-            put(
-                    i,
-                    nearest.px,
-                    nearest.py,
-                    nearest.pz,
-                    nearest.nx,
-                    nearest.ny,
-                    nearest.nz,
-                    gap[i]);
+            put(i, nearest.px, nearest.py, nearest.pz, nearest.nx, nearest.ny, nearest.nz, gap[i]);
         }
     }
 

@@ -107,8 +107,7 @@ public record Part(
         double z = Turn.componentBack(2, nx, ny, nz, q.w(), q.x(), q.y(), q.z());
         return switch (volume) {
             case Sphere sphere -> along + sphere.radius();
-            case Capsule capsule ->
-                    along + capsule.length() / 2 * Math.abs(x) + capsule.radius();
+            case Capsule capsule -> along + capsule.length() / 2 * Math.abs(x) + capsule.radius();
             case Box box ->
                     along
                             + (box.size().x() * Math.abs(x)

@@ -30,7 +30,7 @@ final class Polytopes {
         axis.search(a, b, difference);
         to.normal(axis.nx, axis.ny, axis.nz);
         if (axis.gap > 0) {
-            double distance = approach(axis.gap, a.reach + b.reach, to);
+            double distance = approach(axis.gap, Double.POSITIVE_INFINITY, a.reach + b.reach, to);
             to.swell(
                     distance,
                     a.radius,
@@ -46,13 +46,14 @@ final class Polytopes {
     /**
      * Completes {@code to} for a solid and a triangle of a height map, in the map's coordinates.
      *
+     * @param enough if the distance is more (m), how much more does not matter
      * @return which of the triangle's corners the nearest point comes from, a bit each; all three
      *     if the solid's core crosses the triangle
      */
-    int measure(Core a, Triangle triangle, Separation to) {
+    int measure(Core a, Triangle triangle, double enough, Separation to) {
         difference.take(a, triangle);
         to.normal(triangle.nx, triangle.ny, triangle.nz);
-        double distance = approach(Double.NEGATIVE_INFINITY, a.reach, to);
+        double distance = approach(Double.NEGATIVE_INFINITY, enough + a.radius, a.reach, to);
         if (distance > 0) {
             to.swell(
                     distance,
@@ -71,7 +72,7 @@ final class Polytopes {
     }
 
     /** Improves the normal until it is that of the nearest points; returns the gap across it. */
-    private double approach(double known, double size, Separation to) {
+    private double approach(double known, double enough, double size, Separation to) {
         double best = known;
         double last = Double.POSITIVE_INFINITY;
         simplex.clear();
@@ -93,6 +94,7 @@ final class Polytopes {
                 to.normal(nx, ny, nz);
             }
             if (length - gap <= OF_DISTANCE * length + OF_SIZE * size
+                    || best > enough
                     || simplex.has(difference.corner)) {
                 break;
             }

@@ -53,6 +53,18 @@ public final class Separation {
         return keptDistance;
     }
 
+    double keptNx() {
+        return keptNx;
+    }
+
+    double keptNy() {
+        return keptNy;
+    }
+
+    double keptNz() {
+        return keptNz;
+    }
+
     /** Keeps this result if its distance is less than that of the kept one. */
     void keepIfLess() {
         if (distance < keptDistance) {

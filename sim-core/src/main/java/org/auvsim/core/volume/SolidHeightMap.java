@@ -4,8 +4,8 @@ package org.auvsim.core.volume;
  * A bounded volume and a height map, in the map's coordinates: the nearest triangle of the surface
  * decides, or if a part's centre is under the surface, the way up out of it.
  *
- * <p>Triangles are looked at only as far off as a few cells: if none is nearer than that, that is the
- * answer, less than the true distance.
+ * <p>Triangles are looked at only as far off as a few cells: if none is nearer than that, that is
+ * the answer, less than the true distance.
  */
 final class SolidHeightMap<A extends Volume> implements SolidQuery<A, HeightMap> {
     /** How far, in cells, the surface is searched. */
@@ -35,7 +35,7 @@ final class SolidHeightMap<A extends Volume> implements SolidQuery<A, HeightMap>
         if (core.z <= map.height(core.x, core.y)) {
             buried(core, to.triangle, to);
         } else {
-            to.polytopes.measure(core, to.triangle, to);
+            to.polytopes.measure(core, to.triangle, to.keptDistance(), to);
         }
         to.keepIfLess();
         cells.around(core, Math.max(0, to.keptDistance()), map);
@@ -51,9 +51,16 @@ final class SolidHeightMap<A extends Volume> implements SolidQuery<A, HeightMap>
 
     private static void offer(
             Core core, int i, int j, boolean upper, HeightMap map, Separation to) {
-        to.cells.triangle(i, j, upper, map, to.triangle);
-        to.polytopes.measure(core, to.triangle, to);
-        to.keepIfLess();
+        Triangle t = to.triangle;
+        double kept = to.keptDistance();
+        to.cells.triangle(i, j, upper, map, t);
+        boolean mayBeNearer =
+                t.gap(core, t.nx, t.ny, t.nz) < kept
+                        && (kept <= 0 || t.gap(core, to.keptNx(), to.keptNy(), to.keptNz()) < kept);
+        if (mayBeNearer) {
+            to.polytopes.measure(core, t, kept, to);
+            to.keepIfLess();
+        }
     }
 
     /** A solid whose centre is under a triangle: out along the triangle's normal. */
@@ -71,8 +78,7 @@ final class SolidHeightMap<A extends Volume> implements SolidQuery<A, HeightMap>
     }
 
     @Override
-    public void manifold(
-            A a, Pose poseA, HeightMap b, Pose poseB, double margin, Manifold to) {
+    public void manifold(A a, Pose poseA, HeightMap b, Pose poseB, double margin, Manifold to) {
         to.clear();
         Separation nearest = to.nearest;
         poseA.seenFrom(poseB, nearest.seen);

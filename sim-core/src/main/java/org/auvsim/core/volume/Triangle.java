@@ -45,6 +45,17 @@ final class Triangle {
         return (x - corners[0]) * nx + (y - corners[1]) * ny + (z - corners[2]) * nz;
     }
 
+    /**
+     * The gap to a solid across two planes with this unit normal, no more than the distance (m).
+     */
+    double gap(Core core, double x, double y, double z) {
+        double top = x * corners[0] + y * corners[1] + z * corners[2];
+        top = Math.max(top, x * corners[3] + y * corners[4] + z * corners[5]);
+        top = Math.max(top, x * corners[6] + y * corners[7] + z * corners[8]);
+        double centre = x * core.x + y * core.y + z * core.z;
+        return centre - top - core.along(x, y, z) - core.radius;
+    }
+
     /** Whether the foot of a point's perpendicular on the plane is in the triangle. */
     boolean isBelow(double x, double y, double z) {
         return isInsideEdge(0, 3, x, y, z)

@@ -43,8 +43,7 @@ class CompoundTest {
         Sphere ball = new Sphere(0.5);
         Compound dumbbell = new Compound(List.of(at(ball, 2, 0, 0), at(ball, -2, 0, 0)));
         double own = 2.0 / 5 * 3 * 0.25;
-        assertNear(
-                dumbbell.inertia(6), Mat3.diagonal(2 * own, 2 * own + 24, 2 * own + 24), 1e-12);
+        assertNear(dumbbell.inertia(6), Mat3.diagonal(2 * own, 2 * own + 24, 2 * own + 24), 1e-12);
         assertNear(dumbbell.centreOfMass(), Vec3.ZERO, 1e-15);
         assertThat(dumbbell.boundingRadius()).isEqualTo(2.5);
         assertThat(dumbbell.isBounded()).isTrue();
@@ -77,8 +76,7 @@ class CompoundTest {
                         List.of(
                                 new Part(half, turn.rotate(new Vec3(0.5, 0, 0)), turn),
                                 new Part(half, turn.rotate(new Vec3(-0.5, 0, 0)), turn)));
-        Mat3 expected =
-                turn.toMatrix().times(whole.inertia(5)).times(turn.toMatrix().transposed());
+        Mat3 expected = turn.toMatrix().times(whole.inertia(5)).times(turn.toMatrix().transposed());
         assertNear(halves.inertia(5), expected, 1e-14);
         assertThat(halves.boundingRadius()).isCloseTo(whole.boundingRadius(), within(1e-15));
         assertThat(halves.inertia(5).isSymmetric()).isTrue();
@@ -215,8 +213,7 @@ class CompoundTest {
                         "the position of a compound's part must be finite, but is (0.0, NaN, 0.0)"
                                 + " m");
         assertThatIllegalArgumentException()
-                .isThrownBy(
-                        () -> new Part(new Sphere(1), Vec3.ZERO, new Quat(Double.NaN, 0, 0, 0)))
+                .isThrownBy(() -> new Part(new Sphere(1), Vec3.ZERO, new Quat(Double.NaN, 0, 0, 0)))
                 .withMessage(
                         "the orientation of a compound's part must be finite, but is (NaN, 0.0,"
                                 + " 0.0, 0.0)");

@@ -86,8 +86,7 @@ class HeightMapTest {
                 assertThat(distance).as("%s", volume).isBetween(expected - 1e-12, 1e-12);
             }
             if (distance < 3.99 * SPACING && expected > 0) {
-                assertNear(
-                        new Vec3(found.nx, found.ny, found.nz), world.rotate(normal), 1e-10);
+                assertNear(new Vec3(found.nx, found.ny, found.nz), world.rotate(normal), 1e-10);
             }
         }
     }
@@ -267,7 +266,8 @@ class HeightMapTest {
     @Test
     void missingCellsAreNamed() {
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> new HeightMap(1, rows(new double[3], new double[3], new double[2])))
+                .isThrownBy(
+                        () -> new HeightMap(1, rows(new double[3], new double[3], new double[2])))
                 .withMessage(
                         "row 3 of a height map has 2 heights, but row 1 has 3; give every row the"
                                 + " same number");
@@ -286,9 +286,7 @@ class HeightMapTest {
     void aHeightThatIsNoNumberIsNamed() {
         assertThatIllegalArgumentException()
                 .isThrownBy(
-                        () ->
-                                new HeightMap(
-                                        1, rows(new double[2], new double[] {0, Double.NaN})))
+                        () -> new HeightMap(1, rows(new double[2], new double[] {0, Double.NaN})))
                 .withMessage("height 2 of row 2 of a height map must be finite, but is NaN m");
     }
 

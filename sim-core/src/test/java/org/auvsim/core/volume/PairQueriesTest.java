@@ -87,8 +87,7 @@ class PairQueriesTest {
                                 new HeightMap.Row(Numbers.of(0, 0))));
         Volume half = new HalfSpace();
         assertThatExceptionOfType(UnsupportedOperationException.class)
-                .isThrownBy(
-                        () -> queries.distance(half, ORIGIN, floor, ORIGIN, new Separation()))
+                .isThrownBy(() -> queries.distance(half, ORIGIN, floor, ORIGIN, new Separation()))
                 .withMessage(
                         "a HalfSpace and a HeightMap never meet: both go on for ever; make the"
                                 + " objects fixed");

@@ -19,12 +19,12 @@ final class CountedStages {
     /** The stepper with its stages counted here; it does the same. */
     SnapshotStepper count(SnapshotStepper stepper) {
         return new SnapshotStepper(
-                counted(stepper.restricter()),
-                counted(stepper.partitioner()),
-                counted(stepper.finder()));
+                restricter(stepper.restricter()),
+                partitioner(stepper.partitioner()),
+                finder(stepper.finder()));
     }
 
-    private TimeStepRestricter counted(TimeStepRestricter stage) {
+    private TimeStepRestricter restricter(TimeStepRestricter stage) {
         return (Motion motion, double wanted) -> {
             long before = motion.operations();
             double dt = stage.restrict(motion, wanted);
@@ -33,7 +33,7 @@ final class CountedStages {
         };
     }
 
-    private CollisionPartitioner counted(CollisionPartitioner stage) {
+    private CollisionPartitioner partitioner(CollisionPartitioner stage) {
         return (Motion motion, double dt, CollisionSets sets) -> {
             long before = motion.operations();
             stage.partition(motion, dt, sets);
@@ -41,7 +41,7 @@ final class CountedStages {
         };
     }
 
-    private CollisionFinder counted(CollisionFinder stage) {
+    private CollisionFinder finder(CollisionFinder stage) {
         return (Motion motion, CollisionSets sets, double dt) -> {
             long before = motion.operations();
             double earliest = stage.earliest(motion, sets, dt);

@@ -78,6 +78,7 @@ public final class OverlapCheck {
     /** Cells that fall together by chance cost time alone: distances are compared anyway. */
     private int slot(long x, long y, long z) {
         long h = x * 0x9E3779B97F4A7C15L + y * 0xC2B2AE3D27D4EB4FL + z * 0x165667B19E3779F9L;
-        return (int) ((h ^ h >>> 29) * 0xBF58476D1CE4E5B9L >>> 33) & heads.length - 1;
+        long mixed = (h ^ (h >>> 29)) * 0xBF58476D1CE4E5B9L;
+        return (int) (mixed >>> 33) & (heads.length - 1);
     }
 }

@@ -12,6 +12,7 @@ import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.BlockEffect;
 import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.entity.Current;
+import org.auvsim.core.entity.SpatialInertia;
 import org.auvsim.core.math.Vec3;
 
 import java.util.Arrays;
@@ -21,6 +22,9 @@ import java.util.List;
  * The rigid-body equations in momenta (thesis, Table 5.1; Witkin &amp; Baraff 1997):
  *
  * <pre>dS/dt = P/m    dq/dt = 1/2 [0, w] q    dP/dt = F    dL/dt = tau    w = R I^-1 R^T L</pre>
+ *
+ * <p>Those of a body whose origin is not its centre of mass, or that has added mass or a mount, are
+ * in {@link SpatialInertia}.
  *
  * <p>One call evaluates a block of bodies. A block whose bodies neither turn nor meet anything that
  * may turn them is spared what has to do with it.
@@ -63,7 +67,8 @@ public final class EquationsOfMotion {
         }
         bodies.loadMasses(block);
         bodies.applied().load(block);
-        block.turning = effectsTurn || spins(block) || bodies.applied().turns(block);
+        block.turning =
+                effectsTurn || block.hasSpatial || spins(block) || bodies.applied().turns(block);
         if (!block.turning) {
             keepOrientations(block);
         }
@@ -101,17 +106,23 @@ public final class EquationsOfMotion {
 
     /** Fills rotations, velocities, forces, torques and rates of the block from its state. */
     public void evaluate(Block b) {
-        velocities(b);
+        plainVelocities(b);
+        waterVelocities(b);
         if (b.turns()) {
             turn(b);
         }
-        waterVelocities(b);
         bodies.applied().write(b);
         for (BlockEffect effect : effects) {
             effect.add(b);
         }
         if (b.hasContactForces) {
             b.addContactForces();
+        }
+        for (int i = 0; b.hasSpatial && i < b.count; i++) {
+            SpatialInertia spatial = b.inertia(i);
+            if (spatial != null) {
+                spatial.complete(b, i);
+            }
         }
         if (b.hasFixed) {
             holdFixed(b);
@@ -125,14 +136,35 @@ public final class EquationsOfMotion {
         }
         Rotation.matrices(b);
         Rotation.bodyRates(b);
-        Rotation.quaternionRates(b);
         if (effects.length > 0) {
             b.toWorld(b.wx, b.wy, b.wz, b.bodyWx, b.bodyWy, b.bodyWz);
+        }
+        if (b.hasSpatial) {
+            spatialVelocities(b);
+        }
+        Rotation.quaternionRates(b);
+    }
+
+    private void spatialVelocities(Block b) {
+        for (int i = 0; i < b.count; i++) {
+            SpatialInertia spatial = b.inertia(i);
+            if (spatial != null) {
+                spatial.move(b, i);
+            }
         }
     }
 
     /** Fills the velocities of the origins alone from the state of the block. */
     public void velocities(Block b) {
+        plainVelocities(b);
+        if (b.hasSpatial) {
+            waterVelocities(b);
+            Rotation.matrices(b);
+            spatialVelocities(b);
+        }
+    }
+
+    private static void plainVelocities(Block b) {
         scale(b, b.vx, b.state[PX]);
         scale(b, b.vy, b.state[PY]);
         scale(b, b.vz, b.state[PZ]);

@@ -7,7 +7,6 @@ import org.auvsim.core.entity.BodyMotion;
 import org.auvsim.core.entity.Change;
 import org.auvsim.core.entity.CollisionResponse;
 import org.auvsim.core.entity.Contact;
-import org.auvsim.core.math.Mat3;
 import org.auvsim.core.math.Vec3;
 
 import java.util.List;
@@ -62,8 +61,7 @@ public record ImpulseResponse() implements CollisionResponse {
     private static double yielding(BodyMotion body, Contact contact) {
         Vec3 n = contact.normal();
         Vec3 r = contact.point().minus(body.state().position());
-        Vec3 spin = body.inverseInertia().times(r.cross(n));
-        return body.inverseMass() + n.dot(spin.cross(r));
+        return n.dot(body.mobility().velocityAt(r, n));
     }
 
     /** The impulse (N s) on self. Always solved from the side of the lower id: the same bits. */
@@ -99,14 +97,6 @@ public record ImpulseResponse() implements CollisionResponse {
         bodies.v[v + 3] = body.angularVelocity().x();
         bodies.v[v + 4] = body.angularVelocity().y();
         bodies.v[v + 5] = body.angularVelocity().z();
-        int k = ContactBodies.RESPONSES * i;
-        bodies.k[k] = body.inverseMass();
-        bodies.k[k + 7] = body.inverseMass();
-        bodies.k[k + 14] = body.inverseMass();
-        Mat3 m = body.inverseInertia();
-        double[] angular = {m.xx(), m.xy(), m.xz(), m.yx(), m.yy(), m.yz(), m.zx(), m.zy(), m.zz()};
-        for (int row = 0; row < 3; row++) {
-            System.arraycopy(angular, 3 * row, bodies.k, k + 21 + 6 * row, 3);
-        }
+        body.mobility().write(bodies.k, ContactBodies.RESPONSES * i);
     }
 }

@@ -1,6 +1,7 @@
 package org.auvsim.core.entity;
 
 import org.auvsim.core.math.Vec3;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Up to {@value #SIZE} bodies while they are integrated: one array a quantity, index {@code i} for
@@ -115,6 +116,17 @@ public final class Block {
     /** Free for an effect's own use while it adds; what it left there is lost afterwards. */
     public final double[][] scratch = new double[8][SIZE];
 
+    /** Whether one of the bodies has an inertia of its own kind, {@link BodyState#spatial}. */
+    public boolean hasSpatial;
+
+    /** What momenta carried along turn a body by (N m, world): u x p_A - v x P. */
+    final double[] carriedTx = new double[SIZE];
+
+    final double[] carriedTy = new double[SIZE];
+    final double[] carriedTz = new double[SIZE];
+    final @Nullable SpatialInertia[] inertia = new @Nullable SpatialInertia[SIZE];
+    final double[] spatial = new double[SpatialInertia.SCRATCH];
+
     /** Resultants of named forces and propulsors, as {@link AppliedForces} lays them out. */
     final double[][] applied = new double[AppliedForces.COLUMNS][SIZE];
 
@@ -145,6 +157,11 @@ public final class Block {
     /** Whether a body may turn while they are integrated. */
     public boolean turns() {
         return turning || hasContactForces;
+    }
+
+    /** The inertia of body {@code i} if it is more than mass and tensor about its origin. */
+    public @Nullable SpatialInertia inertia(int i) {
+        return inertia[i];
     }
 
     /** Slot of body {@code i}. */

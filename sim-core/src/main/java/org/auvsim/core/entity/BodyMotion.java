@@ -1,6 +1,5 @@
 package org.auvsim.core.entity;
 
-import org.auvsim.core.math.Mat3;
 import org.auvsim.core.math.Vec3;
 
 /**
@@ -9,8 +8,7 @@ import org.auvsim.core.math.Vec3;
  * @param state position, orientation and momenta
  * @param velocity of the origin (m/s, world)
  * @param angularVelocity (rad/s, world)
- * @param inverseMass (1/kg); 0 for a fixed body
- * @param inverseInertia (1/(kg m^2), world axes); zeros for a fixed body
+ * @param mobility the inverse of its inertia, world axes
  * @param restitution share of the approach speed that is left after a bounce, 0 to 1
  * @param friction coefficient of Coulomb friction, 0 or more
  */
@@ -18,8 +16,7 @@ public record BodyMotion(
         MovementState state,
         Vec3 velocity,
         Vec3 angularVelocity,
-        double inverseMass,
-        Mat3 inverseInertia,
+        Mobility mobility,
         double restitution,
         double friction) {
     /** Velocity (m/s, world) of the body's material at a point (m, world). */

@@ -1,8 +1,12 @@
 package org.auvsim.core.entity;
 
 import org.auvsim.core.math.Mat3;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.jspecify.annotations.Nullable;
 
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * The numbers of all rigid bodies of a world: one array a quantity, one slot a body.
@@ -47,6 +51,10 @@ public final class BodyState {
     private int withProducts;
 
     private int fixed;
+    private int withSpatial;
+    private @Nullable SpatialInertia[] spatial = new @Nullable SpatialInertia[16];
+    private List<Current> currents = List.of();
+    private double time;
     private final double[][] columns;
     private final double[][] inverseInertia;
     private double[] mass;
@@ -92,6 +100,10 @@ public final class BodyState {
                         applied.copy());
         copy.withProducts = withProducts;
         copy.fixed = fixed;
+        copy.withSpatial = withSpatial;
+        copy.spatial = spatial.clone();
+        copy.currents = currents;
+        copy.time = time;
         copy.inverseMass = inverseMass.clone();
         copy.mobility = mobility.clone();
         copy.radius = radius.clone();
@@ -137,13 +149,18 @@ public final class BodyState {
 
     /** Whether a column is of orientation or angular momentum. */
     public static boolean isRotational(int column) {
-        return column >= LX || column >= QW && column <= QZ;
+        return column >= LX || (column >= QW && column <= QZ);
     }
 
     /** Copies the masses of the block's bodies into it. */
     public void loadMasses(Block b) {
         b.gather(mass, b.mass);
         b.gather(inverseMass, b.inverseMass);
+        b.hasSpatial = false;
+        for (int i = 0; withSpatial > 0 && i < b.count; i++) {
+            b.inertia[i] = spatial[b.slot(i)];
+            b.hasSpatial |= b.inertia[i] != null;
+        }
         b.hasFixed = false;
         for (int i = 0; fixed > 0 && i < b.count; i++) {
             b.hasFixed |= b.inverseMass[i] == 0;
@@ -174,6 +191,33 @@ public final class BodyState {
         return inverseInertia[IXY][slot] != 0
                 || inverseInertia[IXZ][slot] != 0
                 || inverseInertia[IYZ][slot] != 0;
+    }
+
+    /**
+     * The inertia of a body whose centre of mass is not its origin, or that has added mass or a
+     * mount; empty for any other.
+     */
+    public @Nullable SpatialInertia spatial(int slot) {
+        return spatial[slot];
+    }
+
+    /** States how the water moves, on which the velocity of a body with added mass depends. */
+    public void setCurrents(List<Current> all) {
+        currents = List.copyOf(all);
+    }
+
+    /** States the world's time (s) of the state. */
+    public void setTime(double now) {
+        time = now;
+    }
+
+    /** Velocity of the water (m/s, world) at a place (m, world), now. */
+    Vec3 waterAt(Vec3 position) {
+        Vec3 sum = Vec3.ZERO;
+        for (Current current : currents) {
+            sum = sum.plus(current.valueAt(position, time));
+        }
+        return sum;
     }
 
     /** Masses (kg) by slot; 0 for a fixed body. */
@@ -210,6 +254,11 @@ public final class BodyState {
     public void inverseInertia6(
             int slot, double qw, double qx, double qy, double qz, double[] to, int at) {
         Arrays.fill(to, at, at + 36, 0);
+        SpatialInertia general = spatial[slot];
+        if (general != null) {
+            general.inverse(new Quat(qw, qx, qy, qz), to, at);
+            return;
+        }
         to[at] = inverseMass[slot];
         to[at + 7] = inverseMass[slot];
         to[at + 14] = inverseMass[slot];
@@ -256,6 +305,8 @@ public final class BodyState {
         columns[QW][slot] = 1;
         radius[slot] = definition.volume().boundingRadius();
         setConstants(slot, definition);
+        spatial[slot] = definition.spatialInertia().orElse(null);
+        withSpatial += spatial[slot] == null ? 0 : 1;
         withProducts += hasProducts(slot) ? 1 : 0;
         fixed += definition.fixed() ? 1 : 0;
         applied.clear(slot);
@@ -288,6 +339,8 @@ public final class BodyState {
     /** Removes the body in {@code slot}; those behind it move down by one. */
     void remove(int slot) {
         withProducts -= hasProducts(slot) ? 1 : 0;
+        withSpatial -= spatial[slot] == null ? 0 : 1;
+        System.arraycopy(spatial, slot + 1, spatial, slot, count - slot - 1);
         fixed -= inverseMass[slot] == 0 ? 1 : 0;
         for (double[] column : columns) {
             closeGap(column, slot);
@@ -310,6 +363,7 @@ public final class BodyState {
     private void grow(int capacity) {
         growAll(columns, capacity);
         growAll(inverseInertia, capacity);
+        spatial = Arrays.copyOf(spatial, capacity);
         mass = Arrays.copyOf(mass, capacity);
         inverseMass = Arrays.copyOf(inverseMass, capacity);
         mobility = Arrays.copyOf(mobility, capacity);

@@ -94,8 +94,8 @@ public class RigidBody implements Collidable {
 
     /** Whether neither of the two ignores the other's layer. */
     public final boolean meetsLayerOf(RigidBody other) {
-        return (ignoredLayers() >>> other.layer() & 1) == 0
-                && (other.ignoredLayers() >>> layer() & 1) == 0;
+        return ((ignoredLayers() >>> other.layer()) & 1) == 0
+                && ((other.ignoredLayers() >>> layer()) & 1) == 0;
     }
 
     /** Its shape. */
@@ -174,9 +174,11 @@ public class RigidBody implements Collidable {
         return vector(BodyState.PX);
     }
 
-    /** Replaces the linear momentum (kg m/s, world); that of a fixed body stays zero. */
+    /** Replaces the linear momentum (kg m/s, world); that of a fixed or held body stays zero. */
     public final void setLinearMomentum(Vec3 momentum) {
-        setVector(BodyState.PX, momentum.times(state.mobility()[slot]), "linear momentum");
+        SpatialInertia spatial = state.spatial(slot);
+        Vec3 free = spatial == null ? momentum : spatial.freeLinear(momentum);
+        setVector(BodyState.PX, free.times(state.mobility()[slot]), "linear momentum");
     }
 
     /** Angular momentum about the origin (kg m^2/s, world). */
@@ -184,42 +186,69 @@ public class RigidBody implements Collidable {
         return vector(BodyState.LX);
     }
 
-    /** Replaces the angular momentum (kg m^2/s, world); that of a fixed body stays zero. */
+    /** Replaces the angular momentum (kg m^2/s, world); that of a fixed or held body stays zero. */
     public final void setAngularMomentum(Vec3 momentum) {
-        setVector(BodyState.LX, momentum.times(state.mobility()[slot]), "angular momentum");
+        SpatialInertia spatial = state.spatial(slot);
+        Vec3 free = spatial == null ? momentum : spatial.freeAngular(momentum);
+        setVector(BodyState.LX, free.times(state.mobility()[slot]), "angular momentum");
     }
 
     /** Velocity of the origin (m/s, world). */
     public final Vec3 velocity() {
-        return velocityOf(linearMomentum());
+        return twist().velocity();
     }
 
-    /** The velocity (m/s, world) that a linear momentum (kg m/s, world) would give it. */
-    public final Vec3 velocityOf(Vec3 momentum) {
-        return momentum.times(state.inverseMass()[slot]);
+    /** Velocity and angular velocity. */
+    public final Twist twist() {
+        return twistOf(movementState());
     }
 
-    /** Sets the linear momentum to that of this velocity (m/s, world). */
+    /** Velocity and angular velocity that it would have in a state. */
+    public final Twist twistOf(MovementState at) {
+        SpatialInertia spatial = state.spatial(slot);
+        if (spatial != null) {
+            return spatial.twist(at, water(spatial, at.position()));
+        }
+        return new Twist(
+                at.linearMomentum().times(state.inverseMass()[slot]),
+                inverseInertia(at.orientation()).times(at.angularMomentum()));
+    }
+
+    private Vec3 water(SpatialInertia spatial, Vec3 position) {
+        return spatial.hasAddedMass() ? state.waterAt(position) : Vec3.ZERO;
+    }
+
+    private void setTwist(SpatialInertia spatial, Twist twist) {
+        Vec3[] momenta = spatial.momenta(twist, orientation(), water(spatial, position()));
+        setVector(BodyState.PX, momenta[0], "linear momentum");
+        setVector(BodyState.LX, momenta[1], "angular momentum");
+    }
+
+    /** Sets the momenta to those of this velocity (m/s, world) and the present angular velocity. */
     public final void setVelocity(Vec3 velocity) {
+        SpatialInertia spatial = state.spatial(slot);
+        if (spatial != null) {
+            setTwist(spatial, new Twist(velocity, angularVelocity()));
+            return;
+        }
         setLinearMomentum(velocity.times(mass()));
     }
 
     /** Angular velocity (rad/s, world). */
     public final Vec3 angularVelocity() {
-        return angularVelocityOf(angularMomentum(), orientation());
+        return twist().angularVelocity();
     }
 
     /**
-     * The angular velocity (rad/s, world) that an angular momentum (kg m^2/s, world) would give it
-     * in an orientation.
+     * Sets the momenta to those of this angular velocity (rad/s, world) and the present velocity.
      */
-    public final Vec3 angularVelocityOf(Vec3 momentum, Quat orientation) {
-        return inverseInertia(orientation).times(momentum);
-    }
-
-    /** Sets the angular momentum to that of this angular velocity (rad/s, world). */
     public final void setAngularVelocity(Vec3 angularVelocity) {
         if (isFixed()) {
+            return;
+        }
+        SpatialInertia spatial = state.spatial(slot);
+        if (spatial != null) {
+            setTwist(spatial, new Twist(velocity(), angularVelocity));
             return;
         }
         Quat turn = orientation();
@@ -228,9 +257,12 @@ public class RigidBody implements Collidable {
         setAngularMomentum(turn.rotate(inBody));
     }
 
-    /** Inverse inertia tensor in the world's axes (1/(kg m^2)); zeros for a fixed body. */
-    public final Mat3 inverseInertia() {
-        return inverseInertia(orientation());
+    /** The inverse of its inertia in the world's axes; zeros for a fixed body. */
+    public final Mobility mobility() {
+        Quat q = orientation();
+        double[] k = new double[36];
+        state.inverseInertia6(slot, q.w(), q.x(), q.y(), q.z(), k, 0);
+        return Mobility.of(k);
     }
 
     private Mat3 inverseInertia(Quat orientation) {
@@ -271,8 +303,7 @@ public class RigidBody implements Collidable {
                 movementState(),
                 velocity(),
                 angularVelocity(),
-                state.inverseMass()[slot],
-                inverseInertia(),
+                mobility(),
                 definition.restitution(),
                 definition.friction());
     }

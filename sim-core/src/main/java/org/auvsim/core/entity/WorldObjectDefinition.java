@@ -25,8 +25,12 @@ import java.util.OptionalLong;
  *     counts
  * @param layer of collisions, 0 to 31
  * @param ignores the layers whose objects it does not meet
- * @param inertia moments and products of inertia; empty: those of the volume with its mass
- * @param position of the origin, which is the centre of mass (m, world)
+ * @param inertia moments and products of inertia about the centre of mass; empty: those of the
+ *     volume with its mass
+ * @param centreOfMass (m, body); empty: that of the volume
+ * @param addedMass of the water that it carries with it
+ * @param mount what holds it to some of its ways of motion; empty: it is free
+ * @param position of the origin (m, world)
  * @param orientation body to world; normalised here
  * @param velocity of the origin (m/s, world)
  * @param angularVelocity (rad/s, world)
@@ -43,6 +47,9 @@ public record WorldObjectDefinition(
         List<IgnoredLayer> ignores,
         Volume volume,
         Optional<Inertia> inertia,
+        @Unit("m") Optional<Vec3> centreOfMass,
+        Optional<AddedMass> addedMass,
+        Optional<Mount> mount,
         @Unit("m") @Default("0 0 0") Vec3 position,
         @Default("1 0 0 0") Quat orientation,
         @Unit("m/s") @Default("0 0 0") Vec3 velocity,
@@ -78,6 +85,13 @@ public record WorldObjectDefinition(
         }
         IgnoredLayer.requireLayer(layer);
         ignores = List.copyOf(ignores);
+        if (!centreOfMass.orElse(Vec3.ZERO).isFinite()) {
+            throw new IllegalArgumentException(
+                    "the centre of mass of '"
+                            + name
+                            + "' must be finite, but is "
+                            + centreOfMass.get());
+        }
         if (!(position.isFinite() && velocity.isFinite() && angularVelocity.isFinite())) {
             throw new IllegalArgumentException(
                     "position and velocities of '" + name + "' must be finite numbers");
@@ -122,6 +136,23 @@ public record WorldObjectDefinition(
         return massProperties(mass, volume, inertia);
     }
 
+    /** Mass about the origin in full; empty for a plain body, and for a fixed one. */
+    Optional<SpatialInertia> spatialInertia() {
+        Vec3 centre = centreOfMass.orElse(volume.centreOfMass());
+        boolean plain = addedMass.isEmpty() && mount.isEmpty() && centre.norm() == 0;
+        if (fixed || plain) {
+            return Optional.empty();
+        }
+        return massProperties()
+                .map(
+                        dry ->
+                                new SpatialInertia(
+                                        dry,
+                                        centre,
+                                        addedMass.map(AddedMass::matrix).orElse(new double[36]),
+                                        mount.stream().toList()));
+    }
+
     /** The same with another id, or without one. */
     public WorldObjectDefinition withId(OptionalLong otherId) {
         return new WorldObjectDefinition(
@@ -135,6 +166,9 @@ public record WorldObjectDefinition(
                 ignores,
                 volume,
                 inertia,
+                centreOfMass,
+                addedMass,
+                mount,
                 position,
                 orientation,
                 velocity,
@@ -162,6 +196,9 @@ public record WorldObjectDefinition(
         private final List<IgnoredLayer> ignores = new ArrayList<>();
         private Optional<Volume> volume = Optional.empty();
         private Optional<Inertia> inertia = Optional.empty();
+        private Optional<Vec3> centreOfMass = Optional.empty();
+        private Optional<AddedMass> addedMass = Optional.empty();
+        private Optional<Mount> mount = Optional.empty();
         private Vec3 position = Vec3.ZERO;
         private Quat orientation = Quat.IDENTITY;
         private Vec3 velocity = Vec3.ZERO;
@@ -226,6 +263,24 @@ public record WorldObjectDefinition(
         /** Inertia that differs from that of its volume with constant density. */
         public Builder inertia(Inertia inertia) {
             this.inertia = Optional.of(inertia);
+            return this;
+        }
+
+        /** Centre of mass (m, body) that differs from that of its volume. */
+        public Builder centreOfMass(Vec3 centreOfMass) {
+            this.centreOfMass = Optional.of(centreOfMass);
+            return this;
+        }
+
+        /** Added mass of the water. */
+        public Builder addedMass(AddedMass addedMass) {
+            this.addedMass = Optional.of(addedMass);
+            return this;
+        }
+
+        /** Holds it to some of its ways of motion. */
+        public Builder mount(Mount mount) {
+            this.mount = Optional.of(mount);
             return this;
         }
 
@@ -302,6 +357,9 @@ public record WorldObjectDefinition(
                                     new IllegalArgumentException(
                                             "world object '" + name + "' needs a volume")),
                     inertia,
+                    centreOfMass,
+                    addedMass,
+                    mount,
                     position,
                     orientation,
                     velocity,

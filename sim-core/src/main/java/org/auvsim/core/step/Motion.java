@@ -8,8 +8,10 @@ import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.entity.Collidable;
 import org.auvsim.core.entity.CollisionResponse;
 import org.auvsim.core.entity.Contact;
+import org.auvsim.core.entity.MovementState;
 import org.auvsim.core.entity.Participant;
 import org.auvsim.core.entity.RigidBody;
+import org.auvsim.core.entity.Twist;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.ContactPoint;
@@ -103,6 +105,7 @@ public final class Motion {
     /** Begins a step from the bodies' present state, at the world's {@code time} (s). */
     public void begin(double time) {
         this.time = time;
+        bodies.setTime(time);
         end.forget();
         probe.forget();
     }
@@ -317,7 +320,8 @@ public final class Motion {
                         column(offset, BodyState.QY)[slot],
                         column(offset, BodyState.QZ)[slot]);
         RigidBody body = (RigidBody) collidables.get(i);
-        return body.velocityOf(p).plus(body.angularVelocityOf(l, turn).cross(r));
+        Twist twist = body.twistOf(new MovementState(point.minus(r), turn, p, l));
+        return twist.velocity().plus(twist.angularVelocity().cross(r));
     }
 
     private Vec3 vector(double offset, int column, int slot) {

@@ -1,6 +1,7 @@
 package org.auvsim.core.world;
 
 import org.auvsim.core.entity.Bodies;
+import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.RigidBody;
 import org.auvsim.core.entity.WorldObject;
@@ -107,6 +108,7 @@ final class Population {
 
     private void enter(Entity entity) {
         byId.put(entity.id(), entity);
+        waterChanged(entity);
         idsByName.put(entity.name(), entity.id());
         nextId = Math.max(nextId, entity.id() + 1);
         objects = Optional.empty();
@@ -147,6 +149,19 @@ final class Population {
             bodies.remove(object);
         }
         objects = Optional.empty();
+        waterChanged(entity);
+    }
+
+    private void waterChanged(Entity entity) {
+        if (entity instanceof Current) {
+            List<Current> currents = new ArrayList<>();
+            for (Entity other : byId.values()) {
+                if (other instanceof Current current) {
+                    currents.add(current);
+                }
+            }
+            bodies.state().setCurrents(currents);
+        }
     }
 
     /** Puts an entity that is no body in the place of its former self. */
@@ -162,6 +177,7 @@ final class Population {
                             .formatted(before.id(), before.name(), changed.id(), changed.name()));
         }
         byId.put(changed.id(), changed);
+        waterChanged(changed);
     }
 
     private WorldException unknown(String what) {

@@ -49,6 +49,7 @@ final class Flight {
     /** Adds a current. */
     Flight in(Current current) {
         currents.add(current);
+        bodies.state().setCurrents(currents);
         equations = new EquationsOfMotion(bodies.state(), effects, currents);
         return this;
     }

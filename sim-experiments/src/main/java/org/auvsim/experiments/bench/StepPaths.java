@@ -60,7 +60,7 @@ final class StepPaths {
     private void meet(double time, Participant participant, Vec3 impulse) {
         BodyMotion before = participant.body().orElseThrow();
         List<Knot> path = paths.get((int) participant.id() - 1);
-        Vec3 change = impulse.times(before.inverseMass());
+        Vec3 change = before.mobility().linear().times(impulse);
         Vec3 arriving = before.velocity();
         Vec3 place = before.state().position();
         if (isLast(path, time, arriving)) {

@@ -149,17 +149,16 @@ final class WorldNews implements WorldListener {
 
     private static KinematicStateMessage kinematics(
             double time, WorldObject object, MovementState state) {
-        var velocity = object.velocityOf(state.linearMomentum());
-        var turning = object.angularVelocityOf(state.angularMomentum(), state.orientation());
+        var twist = object.twistOf(state);
         return new KinematicStateMessage(
                 time,
                 object.id(),
                 state.position(),
                 state.orientation(),
-                velocity,
-                turning,
-                state.orientation().rotateInverse(velocity),
-                state.orientation().rotateInverse(turning));
+                twist.velocity(),
+                twist.angularVelocity(),
+                state.orientation().rotateInverse(twist.velocity()),
+                state.orientation().rotateInverse(twist.angularVelocity()));
     }
 
     /** Tells of a correction. */

@@ -1,0 +1,88 @@
+package org.auvsim.core.entity;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import org.auvsim.core.math.Vec3;
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+
+class AddedMassTest {
+    private static final Vec3 ONES = new Vec3(1, 1, 1);
+
+    private static AddedMassTerm term(MotionAxis row, MotionAxis column, double value) {
+        return new AddedMassTerm(row, column, value);
+    }
+
+    private static AddedMass with(AddedMassTerm... terms) {
+        return new AddedMass(ONES, ONES, List.of(terms));
+    }
+
+    @Test
+    void anElementStandsForItsMirrorImage() {
+        double[] matrix = with(term(MotionAxis.SWAY, MotionAxis.YAW, 0.25)).matrix();
+        assertThat(matrix[6 + 5]).isEqualTo(0.25);
+        assertThat(matrix[30 + 1]).isEqualTo(0.25);
+        assertThat(matrix[0]).isEqualTo(1);
+        assertThat(matrix[35]).isEqualTo(1);
+    }
+
+    @Test
+    void ofTwoThatAreNearlyEqualTheMeanCounts() {
+        // As printed for the RexROV, a hundredth of it.
+        double[] matrix =
+                with(
+                                term(MotionAxis.SWAY, MotionAxis.ROLL, 0.10774),
+                                term(MotionAxis.ROLL, MotionAxis.SWAY, 0.10775))
+                        .matrix();
+        assertThat(matrix[6 + 3]).isEqualTo(matrix[18 + 1]).isBetween(0.10774, 0.10775);
+    }
+
+    @Test
+    void asymmetryIsRefused() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(
+                        () ->
+                                with(
+                                        term(MotionAxis.SWAY, MotionAxis.YAW, 0.25),
+                                        term(MotionAxis.YAW, MotionAxis.SWAY, -0.25)))
+                .withMessage(
+                        "an added mass matrix is symmetric, but YAW by SWAY is -0.25 and SWAY by"
+                                + " YAW is 0.25");
+    }
+
+    @Test
+    void whatWouldGiveEnergyIsRefused() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> with(term(MotionAxis.SWAY, MotionAxis.YAW, 1.1)))
+                .withMessageContaining("positive semi-definite");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new AddedMass(new Vec3(-1, 0, 0), ONES, List.of()))
+                .withMessageContaining("positive semi-definite");
+        assertThatIllegalArgumentException()
+                .isThrownBy(
+                        () ->
+                                new AddedMass(
+                                        new Vec3(1, 0, 1),
+                                        ONES,
+                                        List.of(term(MotionAxis.SWAY, MotionAxis.YAW, 0.1))))
+                .withMessageContaining("positive semi-definite");
+    }
+
+    @Test
+    void zerosAreAllowed() {
+        assertThat(new AddedMass(Vec3.ZERO, Vec3.ZERO, List.of()).matrix()).containsOnly(0);
+        assertThat(with(term(MotionAxis.SWAY, MotionAxis.YAW, 1)).matrix()[11]).isEqualTo(1);
+    }
+
+    @Test
+    void anElementIsStatedOnceAndNotOnTheDiagonal() {
+        AddedMassTerm term = term(MotionAxis.SURGE, MotionAxis.PITCH, 0.1);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> with(term, term))
+                .withMessage("the added mass of SURGE by PITCH is stated twice");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> term(MotionAxis.SURGE, MotionAxis.SURGE, 1));
+    }
+}

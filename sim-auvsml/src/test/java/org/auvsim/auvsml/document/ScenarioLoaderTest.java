@@ -154,6 +154,9 @@ class ScenarioLoaderTest {
                     delta="0.01"          | delta="0"           | line 4, column 3: the time step must be above 0 s, but is 0.0 s
                     delta="0.01"          | delta="-1"          | line 4, column 3: the time step must be above 0 s
                     <sphere radius="0.5"/>| ``                  | line 22, column 3: <world-object> needs a volume: one of the elements box
+                    <sphere radius="0.5"/>| <compound/>         | line 22, column 39: a compound needs at least one part
+                    <sphere radius="0.5"/>| <height-map spacing="1"><row heights="0 x"/></height-map> | line 22, column 68: expected finite numbers with blanks between them, but found '0 x'
+                    <sphere radius="0.5"/>| <height-map spacing="1"><row heights="0 1"/><row heights="0"/></height-map> | line 22, column 39: row 2 of a height map has 1 heights, but row 1 has 2
                     <gravity/>            | <gravty/>           | line 19, column 5: unknown element 'gravty'; the nearest known name is 'gravity'
                     <gravity/>            | <gravity>           | line 21, column 16: unexpected close tag
                     wait="0.02"           | wait="-1"           | line 9, column 3: the wait for feedback must be above 0 s

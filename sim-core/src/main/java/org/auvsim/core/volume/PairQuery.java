@@ -5,8 +5,8 @@ import org.auvsim.core.math.Vec3;
 /**
  * Answers for one pair of kinds of volume whether and where two of them touch.
  *
- * <p>Distance and manifold follow from {@link #contact} unless a query knows better; then its depth
- * must be right, or too small by amount, for volumes that are far apart too.
+ * <p>Distance and manifold follow from {@link #contact} unless a query knows better. For that, the
+ * depth of volumes far apart must be right too, or say that they are nearer than they are.
  */
 public interface PairQuery<A extends Volume, B extends Volume> {
     /** Whether the two share a point; touching surfaces do. */

@@ -34,6 +34,7 @@ public final class EquationsOfMotion {
     private final BlockEffect[] effects;
     private final Current[] currents;
     private final boolean effectsTurn;
+    private final boolean mayBeStiff;
 
     /**
      * The equations for the bodies of a world.
@@ -44,6 +45,7 @@ public final class EquationsOfMotion {
     public EquationsOfMotion(BodyState bodies, List<BlockEffect> effects, List<Current> currents) {
         this.bodies = bodies;
         this.effects = effects.toArray(BlockEffect[]::new);
+        this.mayBeStiff = effects.stream().anyMatch(BlockEffect::mayBeStiff);
         this.effectsTurn = effects.stream().anyMatch(BlockEffect::mayTurn);
         this.currents = currents.toArray(Current[]::new);
     }
@@ -168,6 +170,11 @@ public final class EquationsOfMotion {
         scale(b, b.vx, b.state[PX]);
         scale(b, b.vy, b.state[PY]);
         scale(b, b.vz, b.state[PZ]);
+    }
+
+    /** Whether an effect may need shorter steps than those of the world. */
+    public boolean mayBeStiff() {
+        return mayBeStiff;
     }
 
     /** Scales the quaternions of the block back to length 1; a zero comes out without its sign. */

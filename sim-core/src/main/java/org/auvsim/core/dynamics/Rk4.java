@@ -27,6 +27,9 @@ public record Rk4() implements Integrator {
         begin(block, start, NODE[1] * dt, sum, WEIGHT[0] * dt);
         for (int stage = 1; stage < LAST; stage++) {
             equations.evaluate(block);
+            if (stage == 2 && equations.mayBeStiff()) {
+                Stiffness.estimate(block, start, sum, dt);
+            }
             block.time = begin + NODE[stage + 1] * dt;
             goOn(block, start, NODE[stage + 1] * dt, sum, WEIGHT[stage] * dt);
         }

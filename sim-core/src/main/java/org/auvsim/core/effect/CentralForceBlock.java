@@ -52,6 +52,11 @@ final class CentralForceBlock implements BlockEffect {
             public boolean mayTurn() {
                 return false;
             }
+
+            @Override
+            public boolean mayBeStiff() {
+                return false;
+            }
         };
     }
 
@@ -92,6 +97,11 @@ final class CentralForceBlock implements BlockEffect {
 
     @Override
     public boolean mayTurn() {
+        return false;
+    }
+
+    @Override
+    public boolean mayBeStiff() {
         return false;
     }
 

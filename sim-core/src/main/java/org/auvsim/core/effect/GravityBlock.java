@@ -42,4 +42,9 @@ final class GravityBlock implements BlockEffect {
     public boolean mayTurn() {
         return false;
     }
+
+    @Override
+    public boolean mayBeStiff() {
+        return false;
+    }
 }

@@ -3,6 +3,8 @@ package org.auvsim.core.entity;
 import org.auvsim.core.math.Vec3;
 import org.jspecify.annotations.Nullable;
 
+import java.util.Arrays;
+
 /**
  * Up to {@value #SIZE} bodies while they are integrated: one array a quantity, index {@code i} for
  * the body in slot {@code slot(i)}, for {@code i < count}.
@@ -13,6 +15,9 @@ import org.jspecify.annotations.Nullable;
 public final class Block {
     /** The number of bodies that fit: large enough for long loops, small enough for the cache. */
     public static final int SIZE = 128;
+
+    /** No step of a body is cut into more parts than this. */
+    public static final int MOST_SUB_STEPS = 4096;
 
     /** Number of bodies in use. */
     public int count;
@@ -130,6 +135,8 @@ public final class Block {
     /** Resultants of named forces and propulsors, as {@link AppliedForces} lays them out. */
     final double[][] applied = new double[AppliedForces.COLUMNS][SIZE];
 
+    private final int[] subSteps = new int[SIZE];
+    private boolean hasSubSteps;
     private final int[] slots = new int[SIZE];
     private boolean neighbours = true;
     private double[][][] work = new double[0][][];
@@ -138,6 +145,7 @@ public final class Block {
     public void take(int firstSlot, int count) {
         this.count = count;
         hasContactForces = false;
+        hasSubSteps = false;
         hasInertia = false;
         neighbours = true;
         for (int i = 0; i < count; i++) {
@@ -152,6 +160,28 @@ public final class Block {
         hasInertia = false;
         neighbours = false;
         System.arraycopy(ofSlots, 0, slots, 0, count);
+    }
+
+    /**
+     * Into how many parts the step that an integrator has just made should have been cut for body
+     * {@code i}; 1 if it is fine.
+     */
+    public int subSteps(int i) {
+        return hasSubSteps ? subSteps[i] : 1;
+    }
+
+    /** Whether a body's step should have been cut. */
+    public boolean hasSubSteps() {
+        return hasSubSteps;
+    }
+
+    /** An integrator states its opinion on its step of body {@code i}. */
+    public void setSubSteps(int i, int parts) {
+        if (!hasSubSteps && parts > 1) {
+            hasSubSteps = true;
+            Arrays.fill(subSteps, 1);
+        }
+        subSteps[i] = parts;
     }
 
     /** Whether a body may turn while they are integrated. */

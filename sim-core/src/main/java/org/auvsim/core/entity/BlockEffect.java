@@ -12,4 +12,12 @@ public interface BlockEffect {
     default boolean mayTurn() {
         return true;
     }
+
+    /**
+     * Whether it ever depends on how a body moves, so that a time step may be too long for it; only
+     * where one says yes is it looked after.
+     */
+    default boolean mayBeStiff() {
+        return true;
+    }
 }

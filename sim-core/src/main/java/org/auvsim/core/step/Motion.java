@@ -22,6 +22,7 @@ import org.auvsim.core.volume.Volume;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 
 /**
  * How all collidables of a world would move on from the present snapshot: what the stages of a step
@@ -97,8 +98,10 @@ public final class Motion {
         }
         sets = new CollisionSets(this);
         Block block = new Block();
-        end = new Projection(this.bodies, equations, integrator, block);
-        probe = new Projection(this.bodies, equations, integrator, block);
+        Block single = new Block();
+        IntFunction<String> names = slot -> bodies.objects().get(slot).name();
+        end = new Projection(this.bodies, equations, integrator, block, single, names);
+        probe = new Projection(this.bodies, equations, integrator, block, single, names);
         kept = new Snapshot(this.bodies);
     }
 
@@ -345,6 +348,7 @@ public final class Motion {
         if (offset > 0) {
             Projection there = allAt(offset);
             requireFinite(there.anyNotFinite(), offset);
+            tally.subSteps += there.subSteps();
             there.commit();
             begin(time + offset);
         }

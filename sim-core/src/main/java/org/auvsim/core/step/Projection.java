@@ -2,9 +2,12 @@ package org.auvsim.core.step;
 
 import org.auvsim.core.dynamics.EquationsOfMotion;
 import org.auvsim.core.dynamics.Integrator;
+import org.auvsim.core.dynamics.SubSteps;
 import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.volume.Pose;
+
+import java.util.function.IntFunction;
 
 /**
  * The bodies as they will be at one instant, if nothing collides before: integrated from the
@@ -18,6 +21,10 @@ final class Projection {
     private final EquationsOfMotion equations;
     private final Integrator integrator;
     private final Block block;
+    private final Block single;
+    private final IntFunction<String> names;
+    private final int[] one = new int[1];
+    private final int[] parts;
     private final double[][] columns;
     private final int[] known;
     private final int[] wanted = new int[Block.SIZE];
@@ -28,11 +35,25 @@ final class Projection {
     private double now;
     private double offset = Double.NaN;
 
-    Projection(BodyState bodies, EquationsOfMotion equations, Integrator integrator, Block block) {
+    /**
+     * Of these bodies; both blocks are used only while something is integrated.
+     *
+     * @param names of the bodies, by slot, for sentences
+     */
+    Projection(
+            BodyState bodies,
+            EquationsOfMotion equations,
+            Integrator integrator,
+            Block block,
+            Block single,
+            IntFunction<String> names) {
         this.bodies = bodies;
         this.equations = equations;
         this.integrator = integrator;
         this.block = block;
+        this.single = single;
+        this.names = names;
+        this.parts = new int[bodies.count()];
         this.columns = new double[BodyState.COLUMNS][bodies.count()];
         this.known = new int[bodies.count()];
     }
@@ -149,7 +170,45 @@ final class Projection {
         }
         for (int i = 0; i < block.count; i++) {
             known[block.slot(i)] = round;
+            parts[block.slot(i)] = block.subSteps(i);
         }
+        for (int i = 0; block.hasSubSteps() && i < block.count; i++) {
+            if (block.subSteps(i) > 1) {
+                cut(block.slot(i), block.subSteps(i));
+            }
+        }
+    }
+
+    /** Integrates a body with stiff forces again, in parts. */
+    private void cut(int slot, int atLeast) {
+        one[0] = slot;
+        parts[slot] =
+                SubSteps.integrate(
+                        integrator,
+                        equations,
+                        single,
+                        b -> equations.load(b, one, 1, now),
+                        offset,
+                        atLeast);
+        if (parts[slot] == 0) {
+            throw new StepException(
+                    "the forces on '%s' are too stiff at %s s: %d parts of a step of %s s are not enough;"
+                                    .formatted(names.apply(slot), now, Block.MOST_SUB_STEPS, offset)
+                            + " lessen its damping or the time step");
+        }
+        for (int c = 0; c < BodyState.COLUMNS; c++) {
+            columns[c][slot] = single.state[c][0];
+        }
+    }
+
+    /** How many parts were integrated in place of whole steps; of all bodies. */
+    long subSteps() {
+        integrateAll();
+        long sum = 0;
+        for (int of : parts) {
+            sum += of > 1 ? of : 0;
+        }
+        return sum;
     }
 
     /** The slot of a body that has a number which is not finite, -1 if none has. */

@@ -21,7 +21,7 @@ final class Encounter {
         this.a = a;
         this.flightB = flightB;
         this.b = b;
-        spin = flightA.spinBound() * a.reach() + flightB.spinBound() * b.reach();
+        spin = flightA.spinBound() * a.swing() + flightB.spinBound() * b.swing();
     }
 
     /** Gap (m) at an instant; 0 or less if they share a point. */

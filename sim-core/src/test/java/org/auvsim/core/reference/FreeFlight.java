@@ -1,5 +1,9 @@
 package org.auvsim.core.reference;
 
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.Pose;
+
 /**
  * The exact motion of a body under a constant force at its centre of mass: a parabola, and the free
  * rotation about it, whose angular momentum is constant (Goldstein, Classical Mechanics, 3rd ed.,
@@ -63,6 +67,15 @@ final class FreeFlight implements Flight {
         advance(turn, t - before * STEP);
         now.set(along(0, t), along(1, t), along(2, t), turn);
         return now;
+    }
+
+    /** The same for the engine. */
+    Pose pose(double t) {
+        Placement place = at(t);
+        Quat q = new Quat(turn[0], turn[1], turn[2], turn[3]).normalized();
+        Pose pose = new Pose();
+        pose.set(new Vec3(place.at[0], place.at[1], place.at[2]), q);
+        return pose;
     }
 
     private double along(int axis, double t) {

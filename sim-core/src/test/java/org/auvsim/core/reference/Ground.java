@@ -2,21 +2,30 @@ package org.auvsim.core.reference;
 
 import java.util.List;
 
-/** All points at or below a plane, given by a unit normal and its distance from the origin. */
-record Ground(double nx, double ny, double nz, double distance) implements Solid {
+/** All points that lie at least {@code depth} (m) below the plane z = 0 of its own axes. */
+record Ground(double depth, double[] plane) implements Solid {
+    /** The half-space itself. */
+    Ground() {
+        this(0, new double[4]);
+    }
+
     @Override
-    public double reach() {
+    public double swing() {
         return 0;
     }
 
     @Override
     public Ground eroded(double margin) {
-        return new Ground(nx, ny, nz, distance - margin);
+        return new Ground(depth + margin, new double[4]);
     }
 
     @Override
     public void follow(Placement body) {
-        // It never moves.
+        double[] r = body.turn;
+        plane[0] = r[2];
+        plane[1] = r[5];
+        plane[2] = r[8];
+        plane[3] = r[2] * body.at[0] + r[5] * body.at[1] + r[8] * body.at[2] - depth;
     }
 
     @Override
@@ -29,7 +38,10 @@ record Ground(double nx, double ny, double nz, double distance) implements Solid
         double least = Double.POSITIVE_INFINITY;
         double[] v = part.vertices;
         for (int i = 0; i < v.length; i += 3) {
-            least = Math.min(least, nx * v[i] + ny * v[i + 1] + nz * v[i + 2] - distance);
+            least =
+                    Math.min(
+                            least,
+                            plane[0] * v[i] + plane[1] * v[i + 1] + plane[2] * v[i + 2] - plane[3]);
         }
         return least - part.radius;
     }

@@ -48,6 +48,11 @@ final class Part {
         return Math.sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2]) + radius;
     }
 
+    /** Where its middle is now. */
+    double[] middle() {
+        return now.at;
+    }
+
     /** Smaller by {@code margin} (m) on all sides: what lies deeper than that. */
     Part eroded(double margin) {
         Part part =

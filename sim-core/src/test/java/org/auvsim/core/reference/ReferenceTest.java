@@ -14,6 +14,10 @@ import java.util.stream.LongStream;
 class ReferenceTest {
     private static final double[] ZERO = {0, 0, 0};
     private static final double[] UPRIGHT = {1, 0, 0, 0};
+
+    /** A quarter turn about x, backward: the body's z axis is the world's y axis. */
+    private static final double[] Y_UP = {Math.sqrt(0.5), -Math.sqrt(0.5), 0, 0};
+
     private static final double[] ROUND = {1, 1, 1};
 
     private static Union ball(double radius) {
@@ -180,8 +184,8 @@ class ReferenceTest {
                 new Encounter(
                         moving(0, 1.5, 1, -10),
                         ball(0.5),
-                        at(0, 0, 0, UPRIGHT),
-                        new Ground(0, 1, 0, 0));
+                        at(0, 0, 0, Y_UP),
+                        new Ground());
         assertThat(falling.firstWithin(0, 0, 2)).isEqualTo(Math.sqrt(0.2), within(1e-14));
     }
 
@@ -200,5 +204,63 @@ class ReferenceTest {
                         moving(-2, 1 + 1e-11, 2, 0), ball(0.5), moving(0, 0, 0, 0), ball(0.5));
         assertThat(miss.firstWithin(0, 0, 2)).isInfinite();
         assertThat(miss.least()).isEqualTo(1e-11, within(1e-14));
+    }
+
+    /** A map of an inclined plane is that plane, within its edges. */
+    @ParameterizedTest(name = "seed {0}")
+    @MethodSource("seeds")
+    void aMapOfAPlaneIsAsFarAsThePlane(long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        double a = random.nextDouble(-1, 1);
+        double b = random.nextDouble(-1, 1);
+        double[][] heights = new double[40][40];
+        for (int j = 0; j < 40; j++) {
+            for (int i = 0; i < 40; i++) {
+                heights[j][i] = 0.2 * (a * i + b * j);
+            }
+        }
+        Terrain map = new Terrain(0.2, heights);
+        Part part =
+                switch ((int) seed % 3) {
+                    case 0 -> new Part(0, 0, 0, random.nextDouble(0.5));
+                    case 1 -> new Part(random.nextDouble(0.5), 0, 0, random.nextDouble(0.5));
+                    default -> new Part(random.nextDouble(), random.nextDouble(0.5), 0.2, 0);
+                };
+        Placement place = placement(random);
+        double steepness = Math.sqrt(1 + a * a + b * b);
+        place.at[0] += 4;
+        place.at[1] += 4;
+        place.at[2] += a * place.at[0] + b * place.at[1] + random.nextDouble(2) * steepness;
+        part.follow(place);
+        map.follow(new Placement());
+
+        double plane = Double.POSITIVE_INFINITY;
+        for (int v = 0; v < part.vertices.length; v += 3) {
+            double above =
+                    part.vertices[v + 2] - a * part.vertices[v] - b * part.vertices[v + 1];
+            plane = Math.min(plane, above / steepness - part.radius);
+        }
+        if (map.gapTo(part) == Union.WIDE) {
+            assertThat(plane).isGreaterThanOrEqualTo(Union.WIDE);
+        } else if (plane > 0) {
+            assertThat(map.gapTo(part)).isEqualTo(plane, within(1e-12));
+        } else {
+            assertThat(map.gapTo(part)).isLessThanOrEqualTo(1e-12);
+        }
+    }
+
+    @Test
+    void aRidgeOfAMapAndAValley() {
+        // Along y = 0.5: up to 0.5 at x = 0.5 and down again.
+        Terrain roof = new Terrain(0.5, new double[][] {{0, 0.5, 0}, {0, 0.5, 0}, {0, 0.5, 0}});
+        roof.follow(new Placement());
+        Part ball = new Part(0, 0, 0, 0.1);
+
+        ball.follow(at(0.5, 0.4, 0.7, UPRIGHT).at(0));
+        assertThat(roof.gapTo(ball)).isEqualTo(0.1, within(1e-15));
+        ball.follow(at(-0.1, 0.4, 0.2, UPRIGHT).at(0));
+        assertThat(roof.gapTo(ball)).isEqualTo(0.1, within(1e-15));
+        ball.follow(at(0.1, 0.4, 0.3, UPRIGHT).at(0));
+        assertThat(roof.gapTo(ball)).isEqualTo(0.2 / Math.sqrt(2) - 0.1, within(1e-15));
     }
 }

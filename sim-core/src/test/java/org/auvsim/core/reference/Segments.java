@@ -35,6 +35,21 @@ final class Segments {
         return Math.min(least, ofPoint(wx + ux, wy + uy, wz + uz, vx, vy, vz, vv));
     }
 
+    /** Distance (m) of the point p[k] from the segment q[c] q[d]. */
+    static double ofPoint(double[] p, int k, double[] q, int c, int d) {
+        double ux = q[d] - q[c];
+        double uy = q[d + 1] - q[c + 1];
+        double uz = q[d + 2] - q[c + 2];
+        return ofPoint(
+                p[k] - q[c],
+                p[k + 1] - q[c + 1],
+                p[k + 2] - q[c + 2],
+                ux,
+                uy,
+                uz,
+                ux * ux + uy * uy + uz * uz);
+    }
+
     /** Distance of a point from the segment from the origin along u. */
     private static double ofPoint(
             double x, double y, double z, double ux, double uy, double uz, double uu) {

@@ -3,9 +3,9 @@ package org.auvsim.core.reference;
 import java.util.List;
 
 /** A volume of the reference: how far it is from another one. */
-sealed interface Solid permits Union, Ground {
-    /** Radius (m) of a sphere about the origin that holds it; 0 for what never moves. */
-    double reach();
+sealed interface Solid permits Union, Ground, Terrain {
+    /** Farthest that a point which turns with it is from its origin (m): 0 for a ball. */
+    double swing();
 
     /** Smaller by {@code margin} (m) on all sides. */
     Solid eroded(double margin);

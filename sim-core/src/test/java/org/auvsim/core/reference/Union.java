@@ -12,17 +12,14 @@ record Union(List<Part> parts) implements Solid {
     }
 
     @Override
-    public double reach() {
-        double reach = 0;
+    public double swing() {
+        double swing = 0;
         for (Part part : parts) {
             double[] at = part.inBody.at;
-            reach =
-                    Math.max(
-                            reach,
-                            part.reach()
-                                    + Math.sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]));
+            double away = Math.sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
+            swing = Math.max(swing, away + part.reach() - part.radius);
         }
-        return reach;
+        return swing;
     }
 
     @Override

@@ -43,16 +43,16 @@ record SpringSwarm(long seed, int n) {
 
     /**
      * The exact collisions up to a time (s), as long as places moved by 1e-9 m at the beginning
-     * change their times by less than 1e-6 s, and up to the first graze that a sampling search may
-     * overlook.
+     * change their times by less than 1e-6 s, and up to the first graze that is shallower than a
+     * depth (share of the radius).
      */
-    List<Swarm.Meeting> meetings(double end) {
+    List<Swarm.Meeting> meetings(double end, double depth) {
         List<Swarm.Meeting> exact = drawn().run(end);
         List<Swarm.Meeting> shaken = drawn().shaken(1e-9, seed).run(end);
         int count = 0;
         while (count < Math.min(exact.size(), shaken.size())
                 && same(exact.get(count), shaken.get(count))
-                && exact.get(count).depth() > 0.03) {
+                && exact.get(count).depth() > depth) {
             count++;
         }
         return exact.subList(0, count);
@@ -64,26 +64,43 @@ record SpringSwarm(long seed, int n) {
                 && Math.abs(a.time() - b.time()) < 1e-6;
     }
 
+    /** A collision as the exact solution tells it; its depth is not known. */
+    static Swarm.Meeting meeting(Collision collision) {
+        int self = (int) collision.contact().self().id() - 1;
+        int other = (int) collision.contact().other().id() - 1;
+        return new Swarm.Meeting(
+                collision.contact().time(), Math.min(self, other), Math.max(self, other), 0);
+    }
+
     /** The collisions of a world up to a time (s). */
     static List<Swarm.Meeting> collisions(World world, double end) {
         List<Swarm.Meeting> all = new ArrayList<>();
         world.addListener(
                 event -> {
                     if (event instanceof WorldEvent.Collided(double _, Collision collision)) {
-                        int self = (int) collision.contact().self().id() - 1;
-                        int other = (int) collision.contact().other().id() - 1;
-                        all.add(
-                                new Swarm.Meeting(
-                                        collision.contact().time(),
-                                        Math.min(self, other),
-                                        Math.max(self, other),
-                                        0));
+                        all.add(meeting(collision));
                     }
                 });
         while (world.time() < end) {
             world.advanceTimestep();
         }
         return all;
+    }
+
+    /** Deepest overlap of two balls (share of the lesser radius); negative if none overlap. */
+    double overlap(World world) {
+        Swarm swarm = drawn();
+        double deepest = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < n; i++) {
+            Vec3 place = world.object(i + 1).position();
+            for (int j = 0; j < i; j++) {
+                double reach = swarm.radius(i) + swarm.radius(j);
+                double overlap = reach - place.distance(world.object(j + 1).position());
+                double lesser = Math.min(swarm.radius(i), swarm.radius(j));
+                deepest = Math.max(deepest, overlap / lesser);
+            }
+        }
+        return deepest;
     }
 
     /** Greatest distance (m) of a ball from where the exact solution has it. */

@@ -29,6 +29,9 @@ import java.util.List;
 public abstract class StepperAccuracyContract {
     private static final double DT = 0.05;
 
+    /** Shallower grazes (share of the radius) may be overlooked by a search that samples. */
+    private static final double GRAZE = 0.03;
+
     /** The stepper, made to cope with speeds of up to 10 m/s. */
     protected abstract Stepper stepper();
 
@@ -36,7 +39,7 @@ public abstract class StepperAccuracyContract {
     @CsvSource({"10, 1, 1.5", "10, 2, 1.5", "20, 3, 1.2", "40, 4, 1.0", "100, 5, 0.6"})
     void onSmoothForcesTheCollisionsAreThoseOfTheExactSolution(int n, long seed, double end) {
         SpringSwarm swarm = new SpringSwarm(seed, n);
-        List<Swarm.Meeting> exact = swarm.meetings(end);
+        List<Swarm.Meeting> exact = swarm.meetings(end, GRAZE);
 
         List<Swarm.Meeting> met =
                 SpringSwarm.collisions(swarm.world(stepper(), 0.005), end).stream()

@@ -13,7 +13,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** The distances that the engine works with, held against the reference, for each pair of volumes. */
+/**
+ * The distances that the engine works with, held against the reference, for each pair of volumes.
+ */
 class DistancesTest {
     private static final int SEEDS = 300;
 

@@ -160,7 +160,9 @@ public final class DrawnPair {
         double possible = encounter.firstWithin(5.5 * error, 0, END);
         return new Meeting(
                 possible,
-                possible < END ? encounter.firstWithin(0, possible, END) : Double.POSITIVE_INFINITY);
+                possible < END
+                        ? encounter.firstWithin(0, possible, END)
+                        : Double.POSITIVE_INFINITY);
     }
 
     /** Gap (m) at an instant if it is below {@link Union#WIDE}, else a lower bound of it. */

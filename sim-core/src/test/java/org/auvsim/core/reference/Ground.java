@@ -3,10 +3,14 @@ package org.auvsim.core.reference;
 import java.util.List;
 
 /** All points that lie at least {@code depth} (m) below the plane z = 0 of its own axes. */
-record Ground(double depth, double[] plane) implements Solid {
-    /** The half-space itself. */
-    Ground() {
-        this(0, new double[4]);
+final class Ground implements Solid {
+    private final double depth;
+
+    /** Normal, and distance from the origin (m), where it is now. */
+    private final double[] plane = new double[4];
+
+    Ground(double depth) {
+        this.depth = depth;
     }
 
     @Override
@@ -16,7 +20,7 @@ record Ground(double depth, double[] plane) implements Solid {
 
     @Override
     public Ground eroded(double margin) {
-        return new Ground(depth + margin, new double[4]);
+        return new Ground(depth + margin);
     }
 
     @Override

@@ -10,7 +10,6 @@ import org.auvsim.core.volume.HalfSpace;
 import org.auvsim.core.volume.HeightMap;
 import org.auvsim.core.volume.Sphere;
 import org.auvsim.core.volume.Volume;
-
 import org.junit.jupiter.params.provider.Arguments;
 
 import java.util.ArrayList;
@@ -45,13 +44,12 @@ public enum Kind {
         }
     },
     COMPOUND {
-        /** Two equal parts on either side of the origin and one about it, each turned its own way. */
+        // Two equal parts on either side of the origin and one about it, each turned its own way.
         @Override
         Drawn draw(SplittableRandom random) {
-            Kind kind = Kind.values()[random.nextInt(3)];
-            Drawn middle = kind.draw(random);
-            Kind others = Kind.values()[random.nextInt(3)];
-            Drawn side = others.draw(random);
+            List<Kind> convex = List.of(SPHERE, BOX, CAPSULE);
+            Drawn middle = convex.get(random.nextInt(3)).draw(random);
+            Drawn side = convex.get(random.nextInt(3)).draw(random);
             Vec3 away = new Vec3(random.nextDouble(0.2, 0.6), random.nextDouble(0.4), 0);
             List<org.auvsim.core.volume.Part> engine = new ArrayList<>();
             List<Part> reference = new ArrayList<>();
@@ -75,7 +73,7 @@ public enum Kind {
     HALF_SPACE {
         @Override
         Drawn draw(SplittableRandom random) {
-            return new Drawn(new HalfSpace(), new Ground(), 0, new Vec3(0, 0, 0));
+            return new Drawn(new HalfSpace(), new Ground(0), 0, new Vec3(0, 0, 0));
         }
 
         @Override

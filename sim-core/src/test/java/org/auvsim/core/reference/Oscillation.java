@@ -1,10 +1,18 @@
 package org.auvsim.core.reference;
 
 /** The exact motion of a ball on a linear spring to a point, with angular frequency w (rad/s). */
-record Oscillation(double[] centre, double[] place, double[] speed, double w, Placement now)
-        implements Flight {
+final class Oscillation implements Flight {
+    private final double[] centre;
+    private final double[] place;
+    private final double[] speed;
+    private final double w;
+    private final Placement now = new Placement();
+
     Oscillation(double[] centre, double[] place, double[] speed, double w) {
-        this(centre, place, speed, w, new Placement());
+        this.centre = centre;
+        this.place = place;
+        this.speed = speed;
+        this.w = w;
     }
 
     @Override

@@ -31,7 +31,7 @@ final class Part {
             }
         }
         vertices = new double[3 << dimension];
-        edges = new int[dimension << dimension];
+        edges = new int[dimension * (1 << dimension)];
         int edge = 0;
         for (int vertex = 0; vertex < 1 << dimension; vertex++) {
             for (int bit = 0; bit < dimension; bit++) {

@@ -181,11 +181,7 @@ class ReferenceTest {
         assertThat(headOn.firstWithin(0.5, 0, 2)).isEqualTo(0.75, within(1e-14));
 
         Encounter falling =
-                new Encounter(
-                        moving(0, 1.5, 1, -10),
-                        ball(0.5),
-                        at(0, 0, 0, Y_UP),
-                        new Ground());
+                new Encounter(moving(0, 1.5, 1, -10), ball(0.5), at(0, 0, 0, Y_UP), new Ground(0));
         assertThat(falling.firstWithin(0, 0, 2)).isEqualTo(Math.sqrt(0.2), within(1e-14));
     }
 
@@ -236,8 +232,7 @@ class ReferenceTest {
 
         double plane = Double.POSITIVE_INFINITY;
         for (int v = 0; v < part.vertices.length; v += 3) {
-            double above =
-                    part.vertices[v + 2] - a * part.vertices[v] - b * part.vertices[v + 1];
+            double above = part.vertices[v + 2] - a * part.vertices[v] - b * part.vertices[v + 1];
             plane = Math.min(plane, above / steepness - part.radius);
         }
         if (map.gapTo(part) == Union.WIDE) {

@@ -4,14 +4,26 @@ import java.util.List;
 
 /**
  * All that lies below a surface of triangles over a square grid, lowered by {@code depth} (m). Each
- * cell is divided from its corner nearest to the origin; beyond its edge the surface goes on as high
- * as there.
- *
- * @param heights row by row (m)
+ * cell is divided from its corner nearest to the origin; beyond its edge the surface goes on as
+ * high as there.
  */
-record Terrain(double spacing, double[][] heights, double depth, Placement now) implements Solid {
+final class Terrain implements Solid {
+    private final double spacing;
+
+    /** Row by row (m). */
+    private final double[][] heights;
+
+    private final double depth;
+    private final Placement now = new Placement();
+
     Terrain(double spacing, double[][] heights) {
-        this(spacing, heights, 0, new Placement());
+        this(spacing, heights, 0);
+    }
+
+    private Terrain(double spacing, double[][] heights, double depth) {
+        this.spacing = spacing;
+        this.heights = heights;
+        this.depth = depth;
     }
 
     @Override
@@ -19,7 +31,9 @@ record Terrain(double spacing, double[][] heights, double depth, Placement now) 
         return 0;
     }
 
-    /** Lowered so far that the distance from the old surface is the margin at the steepest place. */
+    /**
+     * Lowered so far that the distance from the old surface is the margin at the steepest place.
+     */
     @Override
     public Terrain eroded(double margin) {
         double square = 0;
@@ -30,8 +44,7 @@ record Terrain(double spacing, double[][] heights, double depth, Placement now) 
                 square = Math.max(square, alongX * alongX + alongY * alongY);
             }
         }
-        return new Terrain(
-                spacing, heights, depth + margin * Math.sqrt(1 + square), new Placement());
+        return new Terrain(spacing, heights, depth + margin * Math.sqrt(1 + square));
     }
 
     /** The steeper of two edges: from (b, a) to (d, c) and from (f, e) to (h, g). */

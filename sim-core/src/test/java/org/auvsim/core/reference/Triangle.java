@@ -46,8 +46,7 @@ final class Triangle {
     /** Distance from the plane of a point that lies over the triangle, else infinity. */
     private static double above(double[] t, double[] v, int k) {
         double[] n = normal(t);
-        double d =
-                n[0] * (v[k] - t[0]) + n[1] * (v[k + 1] - t[1]) + n[2] * (v[k + 2] - t[2]);
+        double d = n[0] * (v[k] - t[0]) + n[1] * (v[k + 1] - t[1]) + n[2] * (v[k + 2] - t[2]);
         double x = v[k] - d * n[0];
         double y = v[k + 1] - d * n[1];
         double z = v[k + 2] - d * n[2];
@@ -56,8 +55,7 @@ final class Triangle {
 
     private static boolean pierced(double[] t, double[] v, int a, int b) {
         double[] n = normal(t);
-        double from =
-                n[0] * (v[a] - t[0]) + n[1] * (v[a + 1] - t[1]) + n[2] * (v[a + 2] - t[2]);
+        double from = n[0] * (v[a] - t[0]) + n[1] * (v[a + 1] - t[1]) + n[2] * (v[a + 2] - t[2]);
         double to = n[0] * (v[b] - t[0]) + n[1] * (v[b + 1] - t[1]) + n[2] * (v[b + 2] - t[2]);
         if (from > 0 == to > 0) {
             return false;

@@ -10,8 +10,8 @@ import java.util.function.BooleanSupplier;
  * What a world of so many bodies costs with the thesis' stages.
  *
  * @param restricter operations over {@value #ADVANCEMENTS} advancements, and likewise
- * @param partitioner and
- * @param finder
+ * @param partitioner operations likewise
+ * @param finder operations likewise
  * @param wallSeconds wall time of {@value #WORLD_SECONDS} s of world time
  */
 public record StageCost(

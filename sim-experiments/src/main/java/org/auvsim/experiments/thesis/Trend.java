@@ -3,20 +3,19 @@ package org.auvsim.experiments.thesis;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
-import java.util.function.ToDoubleFunction;
 
 /** A figure of the thesis: something that grows with the number of bodies, and its fit. */
 public enum Trend {
     /** Figure 8.4. */
-    RESTRICTER("Figure 8.4", "restricter", "operations", 1, 0.999991, StageCost::restricter),
+    RESTRICTER("Figure 8.4", "restricter", "operations", 1, 0.999991),
     /** Figure 8.5. */
-    OCTREE("Figure 8.5", "octree", "operations", 1, 0.999567, StageCost::partitioner),
+    OCTREE("Figure 8.5", "octree", "operations", 1, 0.999567),
     /** Figure 8.6. */
-    FINDER("Figure 8.6", "collision finder", "operations", 2, 0.991847, StageCost::finder),
+    FINDER("Figure 8.6", "collision finder", "operations", 2, 0.991847),
     /** Figure 8.7, whose R^2 the thesis does not give. */
-    WALL_TIME("Figure 8.7", "wall time", "s", 2, Double.NaN, StageCost::wallSeconds),
+    WALL_TIME("Figure 8.7", "wall time", "s", 2, Double.NaN),
     /** Figure 8.7, the other fit. */
-    WALL_TIME_CUBIC("Figure 8.7", "wall time", "s", 3, Double.NaN, StageCost::wallSeconds);
+    WALL_TIME_CUBIC("Figure 8.7", "wall time", "s", 3, Double.NaN);
 
     private static final List<String> ORDERS = List.of("linear", "quadratic", "cubic");
 
@@ -25,21 +24,18 @@ public enum Trend {
     private final String unit;
     private final int degree;
     private final double thesisRSquared;
-    private final ToDoubleFunction<StageCost> of;
 
     Trend(
             String figure,
             String what,
             String unit,
             int degree,
-            double thesisRSquared,
-            ToDoubleFunction<StageCost> of) {
+            double thesisRSquared) {
         this.figure = figure;
         this.what = what;
         this.unit = unit;
         this.degree = degree;
         this.thesisRSquared = thesisRSquared;
-        this.of = of;
     }
 
     /** What grows, and by which fit. */
@@ -65,7 +61,16 @@ public enum Trend {
 
     /** Its values, one for each number of bodies. */
     public double[] values(List<StageCost> costs) {
-        return costs.stream().mapToDouble(of).toArray();
+        return costs.stream().mapToDouble(this::value).toArray();
+    }
+
+    private double value(StageCost cost) {
+        return switch (this) {
+            case RESTRICTER -> cost.restricter();
+            case OCTREE -> cost.partitioner();
+            case FINDER -> cost.finder();
+            case WALL_TIME, WALL_TIME_CUBIC -> cost.wallSeconds();
+        };
     }
 
     /** Whether there are enough numbers of bodies for its fit. */

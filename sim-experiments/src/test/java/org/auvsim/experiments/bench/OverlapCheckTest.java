@@ -32,9 +32,10 @@ class OverlapCheckTest {
         int n = 1_000;
         double[] centres = new double[3 * n];
         for (int i = 0; i < n; i++) {
+            int layer = i / 100;
             centres[3 * i] = 2.2 * (i % 10) - 11 + random.nextDouble(0.1);
             centres[3 * i + 1] = 2.2 * (i / 10 % 10) - 11 + random.nextDouble(0.1);
-            centres[3 * i + 2] = 2.2 * (i / 100) - 11 + random.nextDouble(0.1);
+            centres[3 * i + 2] = 2.2 * layer - 11 + random.nextDouble(0.1);
         }
         OverlapCheck check = new OverlapCheck(n, 1);
         assertThat(check.largest(centres)).isZero();

@@ -15,6 +15,7 @@ final class Natives {
      *
      * @throws IllegalStateException if no jar has it
      */
+    @SuppressWarnings("restricted")
     static void load(String resource) {
         try (InputStream in = Natives.class.getClassLoader().getResourceAsStream(resource)) {
             if (in == null) {

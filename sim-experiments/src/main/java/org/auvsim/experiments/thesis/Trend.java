@@ -25,12 +25,7 @@ public enum Trend {
     private final int degree;
     private final double thesisRSquared;
 
-    Trend(
-            String figure,
-            String what,
-            String unit,
-            int degree,
-            double thesisRSquared) {
+    Trend(String figure, String what, String unit, int degree, double thesisRSquared) {
         this.figure = figure;
         this.what = what;
         this.unit = unit;

@@ -1,5 +1,8 @@
 package org.auvsim.core.step;
 
+import static org.auvsim.core.step.Trajectories.CURVE;
+import static org.auvsim.core.step.Trajectories.END;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntConsumer;
@@ -29,7 +32,10 @@ final class Frame {
     private final ColumnGrid.Pairs predictLate = this::predict;
     private final int[] movers = new int[2];
     private final List<Collision> collisions = new ArrayList<>();
+    private final List<Pair> touching = new ArrayList<>();
     private final StepTally tally;
+    private double interruption;
+    private double begin;
     private double length;
     private long events;
 
@@ -51,10 +57,12 @@ final class Frame {
 
     /** Integrates all bodies over the frame and predicts their contacts. */
     void begin(double wanted) {
+        begin = motion.time();
         length = wanted;
         events = 0;
         queue.clear();
         collisions.clear();
+        touching.clear();
         trajectories.begin(motion.time(), wanted);
         motion.requireFinite(trajectories.anyNotFinite(), wanted);
         grid.build();
@@ -96,11 +104,12 @@ final class Frame {
         boolean inOrder = traits.rank[a] < traits.rank[b];
         int first = inOrder ? a : b;
         int second = inOrder ? b : a;
-        queue.add(t, traits.rank[first], traits.rank[second], version[first], version[second]);
+        queue.add(
+                t, traits.rank[first], traits.rank[second], version[first], version[second]);
     }
 
     boolean hasNextEvent() {
-        return !queue.isEmpty() && queue.time() < length;
+        return touching.isEmpty() && !queue.isEmpty() && queue.time() < length;
     }
 
     /** Takes the earliest event. */
@@ -108,12 +117,17 @@ final class Frame {
         double t = queue.time();
         int a = slotOfRank[queue.first()];
         int b = slotOfRank[queue.second()];
-        boolean valid = version[a] == queue.firstVersion() && version[b] == queue.secondVersion();
+        boolean valid = isValid();
         queue.removeFirst();
         if (valid) {
             countEvent(a, b, t);
             collide(a, b, t);
         }
+    }
+
+    private boolean isValid() {
+        return version[slotOfRank[queue.first()]] == queue.firstVersion()
+                && version[slotOfRank[queue.second()]] == queue.secondVersion();
     }
 
     private void countEvent(int a, int b, double t) {
@@ -124,6 +138,10 @@ final class Frame {
     }
 
     private void collide(int a, int b, double t) {
+        if (!(traits.bounces[a] && traits.bounces[b])) {
+            interrupt(a, b, t);
+            return;
+        }
         moveTo(a, t);
         moveTo(b, t);
         if (bounce.between(a, b)) {
@@ -133,6 +151,35 @@ final class Frame {
             }
         }
         goOn(a, b, t);
+    }
+
+    /**
+     * A response of the user's own may change more than the two: the frame ends here for all, and
+     * what else happens at this instant happens there.
+     */
+    private void interrupt(int a, int b, double t) {
+        moveTo(a, t);
+        moveTo(b, t);
+        if (!motion.approaching(rank(a), rank(b), 0)) {
+            goOn(a, b, t);
+            return;
+        }
+        interruption = t;
+        addTouching(rank(a), rank(b));
+        while (!queue.isEmpty() && queue.time() <= t) {
+            if (isValid()) {
+                addTouching(queue.first(), queue.second());
+            }
+            queue.removeFirst();
+        }
+    }
+
+    private void addTouching(int i, int j) {
+        touching.add(new Pair(Math.min(i, j), Math.max(i, j)));
+    }
+
+    private int rank(int body) {
+        return traits.rank[body];
     }
 
     private void moveTo(int body, double t) {
@@ -162,12 +209,25 @@ final class Frame {
 
     /** The end of the frame becomes the present. */
     StepResult end() {
+        if (!touching.isEmpty()) {
+            return endEarly();
+        }
         trajectories.commit();
         motion.begin(motion.time() + length);
         return StepResult.of(length, collisions);
     }
 
+    private StepResult endEarly() {
+        trajectories.commitAt(interruption);
+        motion.begin(motion.time() + interruption);
+        StepResult last = Responses.to(motion, touching, interruption);
+        tally.collisions += last.collisions().size();
+        collisions.addAll(last.collisions());
+        return new StepResult(interruption, List.copyOf(collisions), last.changes(), true);
+    }
+
     void undo() {
         trajectories.undo();
+        motion.begin(begin);
     }
 }

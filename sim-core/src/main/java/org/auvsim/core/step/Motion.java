@@ -114,7 +114,7 @@ public final class Motion {
     }
 
     /** Whether somebody wants to be told of each collision. */
-    void setHeard(boolean heard) {
+    public void setHeard(boolean heard) {
         isHeard = heard;
     }
 

@@ -22,26 +22,23 @@ final class Responses {
     private Responses() {}
 
     /**
-     * Responds to all pairs of the sets that touch and approach now.
+     * Responds to all of these pairs, which touch and approach now.
      *
      * @throws StepException if a response fails, or what it changes is impossible; some momenta may
      *     have changed then
      */
-    static StepResult to(Motion motion, CollisionSets sets, double elapsed) {
+    static StepResult to(Motion motion, List<Pair> touching, double elapsed) {
         List<Collision> collisions = new ArrayList<>();
         List<Response> responses = new ArrayList<>();
         Map<Long, RigidBody> bodies = new TreeMap<>();
-        for (int k = 0; k < sets.pairCount(); k++) {
-            int i = sets.first(k);
-            int j = sets.second(k);
-            if (motion.overlap(i, j, 0) && motion.approaching(i, j, 0)) {
-                collisions.add(respond(motion, i, j, responses));
-                collectBody(motion, i, bodies);
-                collectBody(motion, j, bodies);
-            }
+        for (Pair pair : touching) {
+            collisions.add(respond(motion, pair.first(), pair.second(), responses));
+            collectBody(motion, pair.first(), bodies);
+            collectBody(motion, pair.second(), bodies);
         }
         responses.sort(Comparator.comparingLong(r -> r.responder().id()));
-        return new StepResult(elapsed, collisions, apply(responses, bodies, motion.time()));
+        List<Change> changes = apply(responses, bodies, motion.time());
+        return new StepResult(elapsed, collisions, changes, false);
     }
 
     private static Collision respond(Motion motion, int i, int j, List<Response> responses) {

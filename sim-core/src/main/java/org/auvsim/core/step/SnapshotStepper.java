@@ -2,6 +2,9 @@ package org.auvsim.core.step;
 
 import org.auvsim.core.description.Default;
 
+import java.util.ArrayList;
+import java.util.List;
+
 /**
  * The thesis' step (section 5.1): one snapshot a step, which ends at the earliest collision or
  * after the restricted time step.
@@ -31,7 +34,19 @@ public record SnapshotStepper(
             return collide(motion, sets, collision);
         }
         motion.commit(dt);
-        return StepResult.withoutCollision(dt);
+        return StepResult.of(dt, List.of());
+    }
+
+    private static List<Pair> touching(Motion motion, CollisionSets sets) {
+        List<Pair> touching = new ArrayList<>();
+        for (int k = 0; k < sets.pairCount(); k++) {
+            int i = sets.first(k);
+            int j = sets.second(k);
+            if (motion.overlap(i, j, 0) && motion.approaching(i, j, 0)) {
+                touching.add(new Pair(i, j));
+            }
+        }
+        return touching;
     }
 
     /** To the instant of a collision, and through it; all of it or nothing. */
@@ -39,7 +54,7 @@ public record SnapshotStepper(
         motion.keep();
         try {
             motion.commit(elapsed);
-            StepResult result = Responses.to(motion, sets, elapsed);
+            StepResult result = Responses.to(motion, touching(motion, sets), elapsed);
             motion.tally().events++;
             motion.tally().collisions += result.collisions().size();
             return result;

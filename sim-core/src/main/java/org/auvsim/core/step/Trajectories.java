@@ -46,6 +46,7 @@ final class Trajectories {
     private final double[] contactForce;
     private final boolean[] isPushed;
     private boolean anyPushed;
+    private boolean isCommitted;
     private double time;
     private double length;
 
@@ -109,6 +110,7 @@ final class Trajectories {
         this.time = time;
         this.length = length;
         Arrays.fill(version, 0);
+        isCommitted = false;
         log.clear();
         if (anyPushed) {
             Arrays.fill(isPushed, false);
@@ -214,10 +216,38 @@ final class Trajectories {
     /** Makes the ends of all segments the present state. */
     void commit() {
         bodies.exchange(end);
+        isCommitted = true;
+    }
+
+    /** Ends the frame early: makes the states at an offset the present one. */
+    void commitAt(double offset) {
+        Block block = workers[0].block;
+        for (int first = 0; first < count; first += Block.SIZE) {
+            equations.load(block, first, Math.min(Block.SIZE, count - first), time);
+            if (offset > 0) {
+                integrator.advance(equations, block, offset);
+            }
+            for (int c = 0; c < BodyState.COLUMNS; c++) {
+                block.scatter(block.state[c], end[c]);
+            }
+        }
+        for (int slot = 0; slot < count; slot++) {
+            if (version[slot] > 0 || startOf(slot) > 0) {
+                moveTo(slot, offset);
+                for (int c = 0; c < BodyState.COLUMNS; c++) {
+                    end[c][slot] = bodies.column(c)[slot];
+                }
+            }
+        }
+        commit();
     }
 
     /** Gives all bodies the state back that they had when the frame began. */
     void undo() {
+        if (isCommitted) {
+            bodies.exchange(end);
+            isCommitted = false;
+        }
         log.restore();
     }
 

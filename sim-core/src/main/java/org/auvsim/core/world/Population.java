@@ -26,6 +26,7 @@ final class Population {
     private final Map<String, Long> idsByName;
     private final Set<Long> left;
     private Optional<List<WorldObject>> objects = Optional.empty();
+    private Optional<List<Entity>> others = Optional.empty();
     private long nextId;
 
     Population() {
@@ -63,6 +64,18 @@ final class Population {
             objects = Optional.of(List.copyOf(list));
         }
         return objects.get();
+    }
+
+    /** All entities that are no world objects, in order of id. */
+    List<Entity> others() {
+        if (others.isEmpty()) {
+            others =
+                    Optional.of(
+                            byId.values().stream()
+                                    .filter(entity -> !(entity instanceof WorldObject))
+                                    .toList());
+        }
+        return others.get();
     }
 
     long nextId() {
@@ -112,6 +125,7 @@ final class Population {
         idsByName.put(entity.name(), entity.id());
         nextId = Math.max(nextId, entity.id() + 1);
         objects = Optional.empty();
+        others = Optional.empty();
     }
 
     private void requireFree(long id, String name) {
@@ -149,6 +163,7 @@ final class Population {
             bodies.remove(object);
         }
         objects = Optional.empty();
+        others = Optional.empty();
         waterChanged(entity);
     }
 
@@ -177,6 +192,7 @@ final class Population {
                             .formatted(before.id(), before.name(), changed.id(), changed.name()));
         }
         byId.put(changed.id(), changed);
+        others = Optional.empty();
         waterChanged(changed);
     }
 

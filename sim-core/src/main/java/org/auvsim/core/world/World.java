@@ -235,22 +235,39 @@ public final class World {
     }
 
     private double step(double wanted) {
+        double elapsed = 0;
+        boolean goesOn = true;
+        while (goesOn) {
+            StepResult result = part(wanted - elapsed);
+            elapsed += result.elapsed();
+            goesOn = result.isInterrupted() && elapsed < wanted;
+        }
+        publishMovements();
+        if (!announcements.isUnheard()) {
+            announcements.announce(new WorldEvent.StepAdvanced(time(), elapsed));
+        }
+        return elapsed;
+    }
+
+    /** A step, or as much of it as can be made before the world has to change. */
+    private StepResult part(double wanted) {
         Motion path = motion();
         path.begin(time());
+        path.setHeard(!announcements.isUnheard());
         StepResult result = stepper.advance(path, wanted);
         clock.advance(result.elapsed());
         guardAgainstStandstill(result);
         publishCollisions(result);
         result.changes().forEach(this::apply);
         removeWhatIsOver();
-        publishMovements();
-        announcements.announce(new WorldEvent.StepAdvanced(time(), result.elapsed()));
-        return result.elapsed();
+        return result;
     }
 
     private void letBehaviorsAct() {
-        for (WorldObject object : objects()) {
-            // By index: an iterator an object would be garbage an object a step.
+        List<WorldObject> objects = objects();
+        // By index: an iterator an object would be garbage an object a step.
+        for (int k = 0; k < objects.size(); k++) {
+            WorldObject object = objects.get(k);
             List<Behavior> behaviors = object.behaviors();
             for (int i = 0; i < behaviors.size(); i++) {
                 behaviors.get(i).act(time(), object);
@@ -356,8 +373,11 @@ public final class World {
     }
 
     private void removeWhatIsOver() {
+        if (population.others().isEmpty()) {
+            return;
+        }
         List<Long> over = new ArrayList<>();
-        for (Entity entity : population.entities()) {
+        for (Entity entity : population.others()) {
             if (entity.isOver(time())) {
                 over.add(entity.id());
             }
@@ -369,7 +389,9 @@ public final class World {
         result.collisions()
                 .forEach(
                         collision ->
-                                announcements.announce(new WorldEvent.Collided(time(), collision)));
+                                announcements.announce(
+                                        new WorldEvent.Collided(
+                                                collision.contact().time(), collision)));
     }
 
     private void publishMovements() {

@@ -156,6 +156,15 @@ public final class EquationsOfMotion {
         }
     }
 
+    /** Fills velocities and angular velocities (world) of the block from its state. */
+    public void motions(Block b) {
+        velocities(b);
+        if (b.turns()) {
+            turn(b);
+            b.toWorld(b.wx, b.wy, b.wz, b.bodyWx, b.bodyWy, b.bodyWz);
+        }
+    }
+
     /** Fills the velocities of the origins alone from the state of the block. */
     public void velocities(Block b) {
         plainVelocities(b);

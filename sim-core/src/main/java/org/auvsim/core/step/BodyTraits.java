@@ -53,6 +53,16 @@ final class BodyTraits {
         }
     }
 
+    /** The gap (m) below which two bodies are near each other: twice what resting contacts keep. */
+    double nearness(int a, int b) {
+        return 2 * RestingContacts.MARGIN * Math.min(radius[a], radius[b]);
+    }
+
+    /** Whether the two are spheres without friction: a collision does not turn them. */
+    boolean arePlainBalls(int a, int b) {
+        return isSphere[a] && isSphere[b] && friction[a] * friction[b] == 0;
+    }
+
     boolean mayCollide(int a, int b) {
         return !(isFixed[a] && isFixed[b])
                 && (ignored[a] >>> layer[b] & 1) == 0

@@ -11,12 +11,6 @@ import java.util.Arrays;
  * for a whole frame it keeps until the lanes are put together.
  */
 final class Encounters implements ColumnGrid.Pairs {
-    /**
-     * Bodies are near each other if the gap (m) is below this share of the smaller bounding radius:
-     * twice what resting contacts keep open.
-     */
-    static final double NEAR = 2 * RestingContacts.MARGIN;
-
     private final BodyTraits traits;
     private final double[] curve;
     private final SphereImpact spheres = new SphereImpact();
@@ -59,9 +53,7 @@ final class Encounters implements ColumnGrid.Pairs {
         double dx = curve[p] - curve[q];
         double dy = curve[p + 1] - curve[q + 1];
         double dz = curve[p + 2] - curve[q + 2];
-        double ra = traits.radius[a];
-        double rb = traits.radius[b];
-        double reach = ra + rb + NEAR * Math.min(ra, rb);
+        double reach = traits.radius[a] + traits.radius[b] + traits.nearness(a, b);
         return dx * dx + dy * dy + dz * dz <= reach * reach;
     }
 

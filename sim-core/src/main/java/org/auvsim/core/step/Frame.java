@@ -1,10 +1,11 @@
 package org.auvsim.core.step;
 
-import static org.auvsim.core.step.Trajectories.CURVE;
-import static org.auvsim.core.step.Trajectories.END;
+import org.auvsim.core.entity.Contact;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.IntConsumer;
 
 /**
@@ -27,10 +28,15 @@ final class Frame {
     private final Encounters[] encounters;
     private final ContactQueue queue = new ContactQueue();
     private final int[] slotOfRank;
-    private final Bounce bounce;
+    private final Encounters large;
+    private final Impacts impacts;
+    private final RestingContacts resting;
+    private final int[] batch;
+    private int batches;
     private final IntConsumer predictLane = this::predictLane;
-    private final ColumnGrid.Pairs predictLate = this::predict;
-    private final int[] movers = new int[2];
+    private final ColumnGrid.Pairs predictLate = this::predictOnce;
+    private int[] movers = new int[16];
+    private int moverCount;
     private final List<Collision> collisions = new ArrayList<>();
     private final List<Pair> touching = new ArrayList<>();
     private final StepTally tally;
@@ -52,7 +58,12 @@ final class Frame {
         for (int lane = 0; lane < encounters.length; lane++) {
             encounters[lane] = new Encounters(traits, trajectories.curves());
         }
-        bounce = new Bounce(motion.bodies(), traits);
+        large = new Encounters(traits, trajectories.curves());
+        Touch touch = new Touch(motion.bodies(), traits, motion.queries());
+        ContactProblem problem = new ContactProblem(motion.bodies(), traits, trajectories);
+        impacts = new Impacts(motion, traits, touch, problem);
+        resting = new RestingContacts(motion, traits, trajectories, touch, problem);
+        batch = new int[version.length];
     }
 
     /** Integrates all bodies over the frame and predicts their contacts. */
@@ -67,10 +78,14 @@ final class Frame {
         motion.requireFinite(trajectories.anyNotFinite(), wanted);
         grid.build();
         lanes.run(predictLane);
-        grid.sweepLarge(encounters[0]);
+        large.clear();
+        grid.sweepLarge(large);
+        resting.pairs().clear();
         for (Encounters found : encounters) {
             queueAll(found);
         }
+        queueAll(large);
+        settleAll();
     }
 
     private void predictLane(int lane) {
@@ -87,8 +102,52 @@ final class Frame {
             queueContact(found.time(k), found.firstOf(k), found.secondOf(k));
         }
         for (int k = 0; k < found.nearCount(); k++) {
-            predict(found.firstNear(k), found.secondNear(k));
+            int a = found.firstNear(k);
+            int b = found.secondNear(k);
+            if (!(answersItself(a, b) && resting.holdIfResting(a, b))) {
+                predict(a, b);
+            }
         }
+    }
+
+    /** Whether the engine answers a collision of the two, and no response of a user's own. */
+    private boolean answersItself(int a, int b) {
+        return traits.bounces[a] && traits.bounces[b];
+    }
+
+    /** Puts the contact forces on all that rests at the frame's beginning. */
+    private void settleAll() {
+        HeldPairs pairs = resting.pairs();
+        if (pairs.isEmpty()) {
+            return;
+        }
+        moverCount = 0;
+        for (int k = 0; k < pairs.count(); k++) {
+            int body = traits.isFixed[pairs.first(k)] ? pairs.second(k) : pairs.first(k);
+            if (version[body] == 0) {
+                pairs.findIsland(body);
+                settle(0);
+            }
+        }
+        predictMovers();
+    }
+
+    /** Settles the island that has been found; its bodies are to be predicted again. */
+    private void settle(double t) {
+        HeldPairs pairs = resting.pairs();
+        pairs.finishIsland();
+        tally.heldPairs += pairs.pairCount();
+        resting.settle(t, length, begin + t);
+        for (int k = 0; k < pairs.memberCount(); k++) {
+            addMover(pairs.members()[k]);
+        }
+    }
+
+    private void addMover(int body) {
+        if (moverCount == movers.length) {
+            movers = Arrays.copyOf(movers, 2 * moverCount);
+        }
+        movers[moverCount++] = body;
     }
 
     private void predict(int a, int b) {
@@ -138,17 +197,22 @@ final class Frame {
     }
 
     private void collide(int a, int b, double t) {
-        if (!(traits.bounces[a] && traits.bounces[b])) {
+        if (!answersItself(a, b)) {
             interrupt(a, b, t);
             return;
         }
         moveTo(a, t);
         moveTo(b, t);
-        if (bounce.between(a, b)) {
+        boolean heard = motion.isHeard();
+        Optional<Contact> contact =
+                heard ? Optional.of(motion.contact(rank(a), rank(b), begin + t)) : Optional.empty();
+        Impacts.Outcome outcome = impacts.meet(a, b, begin + t, heard);
+        if (outcome != Impacts.Outcome.NONE) {
             tally.collisions++;
-            if (motion.isHeard()) {
-                collisions.add(bounce.collision(motion, t));
-            }
+            contact.ifPresent(c -> collisions.add(new Collision(c, impacts.impulse())));
+        }
+        if (outcome == Impacts.Outcome.STAY) {
+            resting.pairs().hold(a, b);
         }
         goOn(a, b, t);
     }
@@ -188,22 +252,42 @@ final class Frame {
         }
     }
 
-    /** Begins new segments for the two and predicts what they meet on them. */
+    /** Begins new segments for the two, and what rests on them, and predicts what they meet. */
     private void goOn(int a, int b, double t) {
-        int count = 0;
-        if (!traits.isFixed[a]) {
-            movers[count++] = a;
+        HeldPairs pairs = resting.pairs();
+        moverCount = 0;
+        if (!pairs.isEmpty() && (pairs.holds(a) || pairs.holds(b))) {
+            pairs.findIsland(a);
+            pairs.addToIsland(b);
+            settle(t);
+        } else {
+            if (!traits.isFixed[a]) {
+                addMover(a);
+            }
+            if (!traits.isFixed[b]) {
+                addMover(b);
+            }
+            trajectories.restart(movers, moverCount, t);
         }
-        if (!traits.isFixed[b]) {
-            movers[count++] = b;
-        }
-        trajectories.restart(movers, count, t);
         motion.requireFinite(trajectories.anyNotFinite(), length);
-        for (int k = 0; k < count; k++) {
+        predictMovers();
+    }
+
+    private void predictMovers() {
+        batches++;
+        for (int k = 0; k < moverCount; k++) {
             grid.changed(movers[k]);
         }
-        for (int k = 0; k < count; k++) {
+        for (int k = 0; k < moverCount; k++) {
             grid.pairsOf(movers[k], predictLate);
+            batch[movers[k]] = batches;
+        }
+    }
+
+    /** A pair of two movers is met twice, and predicted the first time. */
+    private void predictOnce(int a, int b) {
+        if (batch[a] != batches && batch[b] != batches) {
+            predict(a, b);
         }
     }
 

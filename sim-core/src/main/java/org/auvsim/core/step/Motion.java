@@ -54,6 +54,7 @@ public final class Motion {
     private final Integrator integrator;
     private final Lanes lanes;
     private final StepTally tally;
+    private final ContactMemory memory;
     private Optional<Frame> frame = Optional.empty();
     private boolean isHeard;
     private final CollisionSets sets;
@@ -79,12 +80,14 @@ public final class Motion {
             CollisionResponse fallback,
             Lanes lanes,
             StepTally tally,
+            ContactMemory memory,
             double time) {
         this.population = bodies;
         this.equations = equations;
         this.integrator = integrator;
         this.lanes = lanes;
         this.tally = tally;
+        this.memory = memory;
         this.bodies = bodies.state();
         this.collidables = List.copyOf(collidables);
         this.queries = queries;
@@ -128,6 +131,14 @@ public final class Motion {
 
     StepTally tally() {
         return tally;
+    }
+
+    ContactMemory memory() {
+        return memory;
+    }
+
+    PairQueries queries() {
+        return queries;
     }
 
     BodyState bodies() {
@@ -398,10 +409,15 @@ public final class Motion {
 
     /** The contact of two that touch now, as {@code i} sees it. */
     public Contact contact(int i, int j) {
+        return contact(i, j, time);
+    }
+
+    /** The contact of two that touch in their present states, which are those of {@code when} (s). */
+    Contact contact(int i, int j, double when) {
         present(i, poseA);
         present(j, poseB);
         ContactPoint point = queries.contact(volume(i, 0), poseA, volume(j, 0), poseB);
-        return new Contact(time, point.point(), point.normal(), participant(i), participant(j));
+        return new Contact(when, point.point(), point.normal(), participant(i), participant(j));
     }
 
     /** The ids of what shares space now with the collidable of an id, in order. */

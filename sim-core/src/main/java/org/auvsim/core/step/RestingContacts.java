@@ -1,7 +1,239 @@
 package org.auvsim.core.step;
 
-/** Placeholder. */
+import org.auvsim.core.contact.ContactSolver;
+import org.auvsim.core.contact.RestitutionRule;
+import org.auvsim.core.entity.BodyState;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.Manifold;
+
+/**
+ * Bodies that stay in contact for the rest of a frame. Those that hang together are an island, and
+ * an island is solved as a whole: its bodies are integrated as if nothing held them; the impulses
+ * that bring the velocities at the frame's end to what the contacts allow are spread over the rest
+ * of the frame as constant forces, and the bodies are integrated again with these. A body at rest
+ * feels no net force and stays to the bit.
+ */
 final class RestingContacts {
     /** The gap (m) that resting contacts keep open, as a share of the smaller bounding radius. */
     static final double MARGIN = 1e-5;
+
+    /** The share of a wrong gap that is mended in one frame. */
+    private static final double MENDING = 0.2;
+
+    /** Overlap is mended no faster than this many bounding radii a second. */
+    private static final double FASTEST_MENDING = 0.5;
+
+    /** Contacts that approach slower than this (m/s) need no impulse at once: the forces mend it. */
+    private static final double SLOW = 1e-9;
+
+    private static final double TOLERANCE = 1e-9;
+    private static final int MOST_SWEEPS = 60;
+
+    private final BodyState bodies;
+    private final BodyTraits traits;
+    private final Trajectories trajectories;
+    private final Touch touch;
+    private final ContactProblem problem;
+    private final ContactMemory memory;
+    private final HeldPairs held;
+    private final Manifold manifold = new Manifold();
+    private final ContactSolver impacts = ContactSolver.forImpacts();
+    private final ContactSolver resting = ContactSolver.forResting(TOLERANCE, MOST_SWEEPS);
+    private double[] endVelocities = new double[6];
+    private final double[] force = new double[6];
+    private int[] firstPoint = new int[64];
+
+    RestingContacts(
+            Motion motion,
+            BodyTraits traits,
+            Trajectories trajectories,
+            Touch touch,
+            ContactProblem problem) {
+        this.bodies = motion.bodies();
+        this.traits = traits;
+        this.trajectories = trajectories;
+        this.touch = touch;
+        this.problem = problem;
+        this.memory = motion.memory();
+        this.held = new HeldPairs(traits);
+    }
+
+    HeldPairs pairs() {
+        return held;
+    }
+
+    /**
+     * Holds a pair that is near at the frame's beginning, if it rests: it neither parts nor meets
+     * faster than what would bounce.
+     */
+    boolean holdIfResting(int a, int b) {
+        touch.find(a, b, traits.nearness(a, b), manifold);
+        if (manifold.count == 0) {
+            return false;
+        }
+        problem.clear();
+        problem.add(a, b, manifold);
+        double approach = problem.fastestApproach(0);
+        if (isBounce(a, b, approach) || approach < -restSpeed(a, b)) {
+            return false;
+        }
+        held.hold(a, b);
+        return true;
+    }
+
+    private double restSpeed(int a, int b) {
+        return RestitutionRule.of(restitution(a, b)).restSpeed();
+    }
+
+    private boolean isBounce(int a, int b, double approach) {
+        return restitution(a, b) * approach >= restSpeed(a, b);
+    }
+
+    private double restitution(int a, int b) {
+        return Math.min(traits.restitution[a], traits.restitution[b]);
+    }
+
+    /**
+     * Moves the island on from an offset: its bodies, which have been found in {@link #pairs}, get
+     * new segments on which they stay in contact.
+     *
+     * @param length of the frame (s)
+     */
+    void settle(double offset, double length, double time) {
+        int[] members = held.members();
+        int count = held.memberCount();
+        problem.clear();
+        for (int k = 0; k < count; k++) {
+            trajectories.moveTo(members[k], offset);
+            trajectories.clearContactForce(members[k]);
+            problem.body(members[k]);
+        }
+        gatherContacts();
+        if (problem.contacts.count > 0 && problem.fastestApproach(0) > SLOW) {
+            impacts.solve(problem.bodies, problem.contacts);
+            problem.applyImpulses();
+        }
+        if (endVelocities.length < 6 * count) {
+            endVelocities = new double[12 * count];
+        }
+        trajectories.restart(members, count, offset, endVelocities);
+        if (problem.contacts.count > 0 && push(length - offset, time, count)) {
+            trajectories.restart(members, count, offset, endVelocities);
+        }
+    }
+
+    /** The points of all held pairs; those that would bounce, or no longer touch, are let go. */
+    private void gatherContacts() {
+        int[] pairs = held.pairs();
+        if (firstPoint.length <= held.pairCount()) {
+            firstPoint = new int[2 * held.pairCount() + 1];
+        }
+        for (int k = 0; k < held.pairCount(); k++) {
+            int a = held.first(pairs[k]);
+            int b = held.second(pairs[k]);
+            int before = problem.contacts.count;
+            firstPoint[k] = before;
+            touch.find(a, b, traits.nearness(a, b), manifold);
+            problem.add(a, b, manifold);
+            double approach = problem.fastestApproach(before);
+            if (manifold.count == 0 || isBounce(a, b, approach)) {
+                held.release(pairs[k]);
+                problem.contacts.count = before;
+            }
+        }
+        firstPoint[held.pairCount()] = problem.contacts.count;
+    }
+
+    /** Solves for the contact forces over {@code h} (s) and sets them; false if there are none. */
+    private boolean push(double h, double time, int count) {
+        for (int k = 0; k < count; k++) {
+            problem.setVelocity(k, endVelocities, 6 * k);
+        }
+        for (int k = 0; k < held.pairCount(); k++) {
+            aim(k, h, time);
+        }
+        resting.solve(problem.bodies, problem.contacts);
+        for (int k = 0; k < held.pairCount(); k++) {
+            remember(k, h, time);
+        }
+        boolean any = false;
+        for (int k = 0; k < count; k++) {
+            any |= setForce(k, h);
+        }
+        return any;
+    }
+
+    /** Sets what the contacts of a pair are to reach, and the solver's first guess. */
+    private void aim(int k, double h, double time) {
+        int a = held.first(held.pairs()[k]);
+        int b = held.second(held.pairs()[k]);
+        int entry = memory.entry(Math.min(a, b), Math.max(a, b), time);
+        double smaller = Math.min(traits.radius[a], traits.radius[b]);
+        for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
+            double mended = MENDING * (MARGIN * smaller - problem.gap(c)) / h;
+            problem.contacts.target[c] = Math.min(mended, FASTEST_MENDING * smaller);
+            Vec3 place = onBody(Math.min(a, b), c);
+            int found =
+                    memory.nearest(entry, place.x(), place.y(), place.z(), 0.05 * smaller);
+            if (found >= 0) {
+                double sign = a < b ? h : -h;
+                problem.contacts.guess(
+                        c,
+                        h * memory.force(found),
+                        sign * memory.force(found + 1),
+                        sign * memory.force(found + 2),
+                        sign * memory.force(found + 3));
+            } else {
+                problem.contacts.guess(c, 0, 0, 0, 0);
+            }
+        }
+    }
+
+    private void remember(int k, double h, double time) {
+        int a = held.first(held.pairs()[k]);
+        int b = held.second(held.pairs()[k]);
+        int entry = memory.entry(Math.min(a, b), Math.max(a, b), time);
+        double sign = a < b ? 1 / h : -1 / h;
+        memory.clearPoints(entry);
+        for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
+            Vec3 place = onBody(Math.min(a, b), c);
+            memory.addPoint(
+                    entry,
+                    place.x(),
+                    place.y(),
+                    place.z(),
+                    problem.contacts.jn[c] / h,
+                    sign * problem.contacts.jx[c],
+                    sign * problem.contacts.jy[c],
+                    sign * problem.contacts.jz[c]);
+        }
+    }
+
+    /** A contact's place (m) in the axes of a body. */
+    private Vec3 onBody(int slot, int c) {
+        Quat turn =
+                new Quat(
+                        bodies.column(BodyState.QW)[slot],
+                        bodies.column(BodyState.QX)[slot],
+                        bodies.column(BodyState.QY)[slot],
+                        bodies.column(BodyState.QZ)[slot]);
+        return turn.rotateInverse(
+                new Vec3(
+                        problem.contacts.px[c] - bodies.column(BodyState.X)[slot],
+                        problem.contacts.py[c] - bodies.column(BodyState.Y)[slot],
+                        problem.contacts.pz[c] - bodies.column(BodyState.Z)[slot]));
+    }
+
+    private boolean setForce(int body, double h) {
+        boolean any = false;
+        for (int c = 0; c < 6; c++) {
+            force[c] = problem.bodies.impulse[6 * body + c] / h;
+            any |= force[c] != 0;
+        }
+        if (any) {
+            trajectories.setContactForce(problem.slot(body), force, 0);
+        }
+        return any;
+    }
 }

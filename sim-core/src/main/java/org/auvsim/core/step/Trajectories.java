@@ -172,14 +172,54 @@ final class Trajectories {
      */
     void restart(int[] slots, int number, double offset) {
         for (int first = 0; first < number; first += Block.SIZE) {
-            int inBlock = Math.min(Block.SIZE, number - first);
-            System.arraycopy(slots, first, some, 0, inBlock);
-            equations.load(workers[0].block, some, inBlock, time + offset);
-            push(workers[0].block);
+            load(slots, first, Math.min(Block.SIZE, number - first), offset);
             integrate(workers[0], offset, length);
         }
         for (int k = 0; k < number; k++) {
             version[slots[k]]++;
+        }
+    }
+
+    /**
+     * The same, telling the velocities at the segments' ends: six numbers a body, of the origin
+     * (m/s), then angular (rad/s), world.
+     */
+    void restart(int[] slots, int number, double offset, double[] endVelocities) {
+        for (int first = 0; first < number; first += Block.SIZE) {
+            load(slots, first, Math.min(Block.SIZE, number - first), offset);
+            integrate(workers[0], offset, length);
+            tellVelocities(endVelocities, first);
+        }
+        for (int k = 0; k < number; k++) {
+            version[slots[k]]++;
+        }
+    }
+
+    /** Tells the velocities that bodies have in their present states, as {@link #restart} does. */
+    void velocitiesNow(int[] slots, int number, double[] to) {
+        for (int first = 0; first < number; first += Block.SIZE) {
+            load(slots, first, Math.min(Block.SIZE, number - first), 0);
+            tellVelocities(to, first);
+        }
+    }
+
+    private void load(int[] slots, int first, int number, double offset) {
+        System.arraycopy(slots, first, some, 0, number);
+        equations.load(workers[0].block, some, number, time + offset);
+        push(workers[0].block);
+    }
+
+    private void tellVelocities(double[] to, int first) {
+        Block block = workers[0].block;
+        equations.motions(block);
+        for (int i = 0; i < block.count; i++) {
+            int at = 6 * (first + i);
+            to[at] = block.vx[i];
+            to[at + 1] = block.vy[i];
+            to[at + 2] = block.vz[i];
+            to[at + 3] = block.wx[i];
+            to[at + 4] = block.wy[i];
+            to[at + 5] = block.wz[i];
         }
     }
 

@@ -12,6 +12,7 @@ import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.step.ContactMemory;
 import org.auvsim.core.step.Lanes;
 import org.auvsim.core.step.Motion;
 import org.auvsim.core.step.StepException;
@@ -47,6 +48,7 @@ public final class World {
     private int stepsAtOneInstant;
     private final Lanes lanes;
     private final StepTally tally;
+    private final ContactMemory memory;
     private Optional<List<BlockEffect>> effects = Optional.empty();
     private Optional<Motion> motion = Optional.empty();
 
@@ -60,6 +62,7 @@ public final class World {
         population = new Population();
         lanes = builder.lanes;
         tally = new StepTally();
+        memory = new ContactMemory();
     }
 
     private World(World original) {
@@ -74,6 +77,7 @@ public final class World {
         effects = original.effects;
         lanes = original.lanes;
         tally = original.tally.copy();
+        memory = original.memory.copy();
     }
 
     /** Starts to build a world. */
@@ -182,6 +186,7 @@ public final class World {
      */
     public void remove(long id) {
         population.remove(id);
+        memory.clear();
         structureChanged();
         announcements.announce(new WorldEvent.EntityRemoved(time(), id));
     }
@@ -307,6 +312,7 @@ public final class World {
                 response,
                 lanes,
                 tally,
+                memory,
                 time());
     }
 

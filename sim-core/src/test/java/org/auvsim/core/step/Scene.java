@@ -37,6 +37,7 @@ final class Scene {
                 new ImpulseResponse(),
                 Lanes.ONE,
                 new StepTally(),
+                new ContactMemory(),
                 0);
     }
 

@@ -1,0 +1,136 @@
+package org.auvsim.core.step;
+
+import org.auvsim.core.contact.ContactBodies;
+import org.auvsim.core.contact.Contacts;
+import org.auvsim.core.entity.BodyState;
+import org.auvsim.core.volume.Manifold;
+
+import java.util.Arrays;
+
+/** The bodies and contact points of one island, made ready for a solver; filled again and again. */
+final class ContactProblem {
+    private static final int NONE = -1;
+
+    /** What the solver sees. */
+    final ContactBodies bodies = new ContactBodies();
+
+    final Contacts contacts = new Contacts();
+
+    private final BodyState state;
+    private final BodyTraits traits;
+    private final Trajectories trajectories;
+    private final int[] local;
+    private int[] slots = new int[16];
+    private double[] gap = new double[16];
+    private final double[] speeds = new double[6];
+    private final int[] one = new int[1];
+
+    ContactProblem(BodyState state, BodyTraits traits, Trajectories trajectories) {
+        this.state = state;
+        this.traits = traits;
+        this.trajectories = trajectories;
+        local = new int[state.count()];
+        Arrays.fill(local, NONE);
+    }
+
+    void clear() {
+        for (int k = 0; k < bodies.count; k++) {
+            local[slots[k]] = NONE;
+        }
+        bodies.clear();
+        contacts.clear();
+    }
+
+    /** The number of a body, which is added with its present velocities if it is new. */
+    int body(int slot) {
+        if (local[slot] == NONE) {
+            add(slot);
+        }
+        return local[slot];
+    }
+
+    private void add(int slot) {
+        int k =
+                bodies.add(
+                        state.column(BodyState.X)[slot],
+                        state.column(BodyState.Y)[slot],
+                        state.column(BodyState.Z)[slot]);
+        local[slot] = k;
+        if (slots.length == k) {
+            slots = Arrays.copyOf(slots, 2 * k);
+        }
+        slots[k] = slot;
+        if (traits.isFixed[slot]) {
+            return;
+        }
+        state.inverseInertia6(
+                slot,
+                state.column(BodyState.QW)[slot],
+                state.column(BodyState.QX)[slot],
+                state.column(BodyState.QY)[slot],
+                state.column(BodyState.QZ)[slot],
+                bodies.k,
+                ContactBodies.RESPONSES * k);
+        one[0] = slot;
+        trajectories.velocitiesNow(one, 1, speeds);
+        setVelocity(k, speeds, 0);
+    }
+
+    void setVelocity(int body, double[] from, int at) {
+        System.arraycopy(from, at, bodies.v, ContactBodies.SPEEDS * body, ContactBodies.SPEEDS);
+    }
+
+    /** Adds the points where two bodies touch; a and b are slots. */
+    void add(int a, int b, Manifold points) {
+        int first = body(a);
+        int second = body(b);
+        double friction = Math.sqrt(traits.friction[a] * traits.friction[b]);
+        for (int k = 0; k < points.count; k++) {
+            int c =
+                    contacts.add(
+                            first,
+                            second,
+                            points.x[k],
+                            points.y[k],
+                            points.z[k],
+                            points.nx[k],
+                            points.ny[k],
+                            points.nz[k]);
+            contacts.friction[c] = friction;
+            if (c >= gap.length) {
+                gap = Arrays.copyOf(gap, 2 * gap.length);
+            }
+            gap[c] = points.gap[k];
+        }
+    }
+
+    /** The gap (m) at a contact; negative where the bodies overlap. */
+    double gap(int contact) {
+        return gap[contact];
+    }
+
+    int slot(int body) {
+        return slots[body];
+    }
+
+    /** How fast the bodies approach at the contacts from {@code from} on, where it is fastest (m/s). */
+    double fastestApproach(int from) {
+        double fastest = Double.NEGATIVE_INFINITY;
+        for (int c = from; c < contacts.count; c++) {
+            fastest = Math.max(fastest, -contacts.separationSpeed(c, bodies));
+        }
+        return fastest;
+    }
+
+    /** Gives the bodies the momenta that the solver's impulses add. */
+    void applyImpulses() {
+        for (int k = 0; k < bodies.count; k++) {
+            if (!traits.isFixed[slots[k]]) {
+                for (int c = 0; c < ContactBodies.SPEEDS; c++) {
+                    state.column(BodyState.PX + c)[slots[k]] +=
+                            bodies.impulse[ContactBodies.SPEEDS * k + c];
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,180 @@
+package org.auvsim.core.step;
+
+import java.util.Arrays;
+
+/**
+ * The pairs that touch and stay together for the rest of a frame, and the islands that they join
+ * bodies to. Fixed bodies join nothing.
+ */
+final class HeldPairs {
+    private static final int NONE = -1;
+
+    private final BodyTraits traits;
+    private int[] a = new int[64];
+    private int[] b = new int[64];
+    private boolean[] isHeld = new boolean[64];
+    private int count;
+
+    /** Chains of the pairs of each body: node 2 k belongs to the first of pair k, 2 k + 1 to the second. */
+    private final int[] chain;
+
+    private int[] next = new int[128];
+    private final boolean[] isMember;
+    private int[] members = new int[64];
+    private int memberCount;
+    private int[] pairs = new int[64];
+    private int pairCount;
+
+    HeldPairs(BodyTraits traits) {
+        this.traits = traits;
+        chain = new int[traits.rank.length];
+        Arrays.fill(chain, NONE);
+        isMember = new boolean[traits.rank.length];
+    }
+
+    /** Forgets all pairs. */
+    void clear() {
+        for (int k = 0; k < count; k++) {
+            chain[a[k]] = NONE;
+            chain[b[k]] = NONE;
+        }
+        count = 0;
+    }
+
+    boolean isEmpty() {
+        return count == 0;
+    }
+
+    int count() {
+        return count;
+    }
+
+    int first(int pair) {
+        return a[pair];
+    }
+
+    int second(int pair) {
+        return b[pair];
+    }
+
+    /** Whether a body is in a pair that is held. */
+    boolean holds(int body) {
+        for (int node = chain[body]; node != NONE; node = next[node]) {
+            if (isHeld[node >> 1]) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Holds a pair from now on; false if it is held already. */
+    boolean hold(int first, int second) {
+        for (int node = chain[first]; node != NONE; node = next[node]) {
+            int pair = node >> 1;
+            if (a[pair] == second || b[pair] == second) {
+                boolean isNew = !isHeld[pair];
+                isHeld[pair] = true;
+                return isNew;
+            }
+        }
+        add(first, second);
+        return true;
+    }
+
+    private void add(int first, int second) {
+        if (count == a.length) {
+            a = Arrays.copyOf(a, 2 * count);
+            b = Arrays.copyOf(b, 2 * count);
+            isHeld = Arrays.copyOf(isHeld, 2 * count);
+            next = Arrays.copyOf(next, 4 * count);
+        }
+        a[count] = first;
+        b[count] = second;
+        isHeld[count] = true;
+        next[2 * count] = chain[first];
+        chain[first] = 2 * count;
+        next[2 * count + 1] = chain[second];
+        chain[second] = 2 * count + 1;
+        count++;
+    }
+
+    void release(int pair) {
+        isHeld[pair] = false;
+    }
+
+    /** Finds all that hang together with a body; the body itself is the only one if it hangs free. */
+    void findIsland(int body) {
+        memberCount = 0;
+        pairCount = 0;
+        addToIsland(body);
+    }
+
+    /** Joins all that hang together with another body to the island. */
+    void addToIsland(int body) {
+        int from = memberCount;
+        addMember(body);
+        for (int k = from; k < memberCount; k++) {
+            for (int node = chain[members[k]]; node != NONE; node = next[node]) {
+                int pair = node >> 1;
+                if (isHeld[pair]) {
+                    addPair(pair);
+                    addMember(a[pair]);
+                    addMember(b[pair]);
+                }
+            }
+        }
+    }
+
+    private void addMember(int body) {
+        if (isMember[body] || traits.isFixed[body]) {
+            return;
+        }
+        if (memberCount == members.length) {
+            members = Arrays.copyOf(members, 2 * memberCount);
+        }
+        isMember[body] = true;
+        members[memberCount++] = body;
+    }
+
+    /** Each pair of two that move is met twice; {@link #finishIsland} drops the second. */
+    private void addPair(int pair) {
+        if (pairCount == pairs.length) {
+            pairs = Arrays.copyOf(pairs, 2 * pairCount);
+        }
+        pairs[pairCount++] = pair;
+    }
+
+    /** Puts members and pairs of the island into the order of slots and of holding. */
+    void finishIsland() {
+        for (int k = 0; k < memberCount; k++) {
+            isMember[members[k]] = false;
+        }
+        Arrays.sort(members, 0, memberCount);
+        Arrays.sort(pairs, 0, pairCount);
+        int kept = 0;
+        for (int k = 0; k < pairCount; k++) {
+            if (k == 0 || pairs[k] != pairs[k - 1]) {
+                pairs[kept++] = pairs[k];
+            }
+        }
+        pairCount = kept;
+    }
+
+    /** The slots of the island's bodies, none of them fixed, in order; {@link #memberCount} of them. */
+    int[] members() {
+        return members;
+    }
+
+    int memberCount() {
+        return memberCount;
+    }
+
+    /** The held pairs of the island; {@link #pairCount} of them. */
+    int[] pairs() {
+        return pairs;
+    }
+
+    int pairCount() {
+        return pairCount;
+    }
+}

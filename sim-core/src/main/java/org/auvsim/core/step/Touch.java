@@ -1,0 +1,67 @@
+package org.auvsim.core.step;
+
+import org.auvsim.core.entity.BodyState;
+import org.auvsim.core.volume.Manifold;
+import org.auvsim.core.volume.PairQueries;
+import org.auvsim.core.volume.Pose;
+
+/** Finds the points where two bodies touch in their present states. */
+final class Touch {
+    private final BodyState bodies;
+    private final BodyTraits traits;
+    private final PairQueries queries;
+    private final Pose poseA = new Pose();
+    private final Pose poseB = new Pose();
+
+    Touch(BodyState bodies, BodyTraits traits, PairQueries queries) {
+        this.bodies = bodies;
+        this.traits = traits;
+        this.queries = queries;
+    }
+
+    /** The points of two bodies where their surfaces are no farther apart than a margin (m). */
+    void find(int a, int b, double margin, Manifold to) {
+        if (traits.isSphere[a] && traits.isSphere[b]) {
+            findSpheres(a, b, margin, to);
+            return;
+        }
+        pose(a, poseA);
+        pose(b, poseB);
+        queries.manifold(traits.volume[a], poseA, traits.volume[b], poseB, margin, to);
+    }
+
+    private void findSpheres(int a, int b, double margin, Manifold to) {
+        double[] x = bodies.column(BodyState.X);
+        double[] y = bodies.column(BodyState.Y);
+        double[] z = bodies.column(BodyState.Z);
+        double nx = x[a] - x[b];
+        double ny = y[a] - y[b];
+        double nz = z[a] - z[b];
+        double distance = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        double gap = distance - traits.radius[a] - traits.radius[b];
+        to.clear();
+        if (gap > margin) {
+            return;
+        }
+        if (distance > 0) {
+            nx /= distance;
+            ny /= distance;
+            nz /= distance;
+        } else {
+            // Concentric balls have no direction to part in; upward is the same on every machine.
+            nz = 1;
+        }
+        double out = traits.radius[b] + gap / 2;
+        to.add(x[b] + nx * out, y[b] + ny * out, z[b] + nz * out, nx, ny, nz, gap);
+    }
+
+    private void pose(int body, Pose to) {
+        to.x = bodies.column(BodyState.X)[body];
+        to.y = bodies.column(BodyState.Y)[body];
+        to.z = bodies.column(BodyState.Z)[body];
+        to.qw = bodies.column(BodyState.QW)[body];
+        to.qx = bodies.column(BodyState.QX)[body];
+        to.qy = bodies.column(BodyState.QY)[body];
+        to.qz = bodies.column(BodyState.QZ)[body];
+    }
+}

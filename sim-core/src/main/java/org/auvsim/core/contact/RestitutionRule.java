@@ -20,7 +20,7 @@ public record RestitutionRule(double restSpeed, double contactTime, int mostRepe
      * The contact time of 10 ms is that of soft balls of some decimetres, and a fifth of a time
      * step of 50 ms.
      */
-    public static final RestitutionRule INELASTIC = new RestitutionRule(1e-2, 1e-2, 3);
+    public static final RestitutionRule INELASTIC = new RestitutionRule(5e-2, 1e-2, 1);
 
     /**
      * For restitution 1. Parting at 1 micrometre a second is rounding rather than motion; a hundred

@@ -151,7 +151,7 @@ final class Frame {
     }
 
     private void predict(int a, int b) {
-        if (traits.mayCollide(a, b)) {
+        if (traits.mayCollide(a, b) && !resting.pairs().isLeftAlone(a, b)) {
             double t = encounters[0].first(a, b);
             if (t < length) {
                 queueContact(t, a, b);
@@ -207,11 +207,11 @@ final class Frame {
         Optional<Contact> contact =
                 heard ? Optional.of(motion.contact(rank(a), rank(b), begin + t)) : Optional.empty();
         Impacts.Outcome outcome = impacts.meet(a, b, begin + t, heard);
-        if (outcome != Impacts.Outcome.NONE) {
+        if (outcome == Impacts.Outcome.BOUNCED || outcome == Impacts.Outcome.STAY) {
             tally.collisions++;
             contact.ifPresent(c -> collisions.add(new Collision(c, impacts.impulse())));
         }
-        if (outcome == Impacts.Outcome.STAY) {
+        if (outcome == Impacts.Outcome.STAY || outcome == Impacts.Outcome.PRESSED) {
             resting.pairs().hold(a, b);
         }
         goOn(a, b, t);

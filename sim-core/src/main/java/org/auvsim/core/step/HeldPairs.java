@@ -9,10 +9,14 @@ import java.util.Arrays;
 final class HeldPairs {
     private static final int NONE = -1;
 
+    /** A held pair may meet so often in a frame before it is left alone. */
+    private static final int MOST_MEETINGS = 3;
+
     private final BodyTraits traits;
     private int[] a = new int[64];
     private int[] b = new int[64];
     private boolean[] isHeld = new boolean[64];
+    private int[] meetings = new int[64];
     private int count;
 
     /** Chains of the pairs of each body: node 2 k belongs to the first of pair k, 2 k + 1 to the second. */
@@ -67,30 +71,50 @@ final class HeldPairs {
         return false;
     }
 
-    /** Holds a pair from now on; false if it is held already. */
-    boolean hold(int first, int second) {
-        for (int node = chain[first]; node != NONE; node = next[node]) {
+    /** Holds a pair from now on. */
+    void hold(int first, int second) {
+        int pair = find(first, second);
+        if (pair == NONE) {
+            add(first, second);
+        } else {
+            isHeld[pair] = true;
+            meetings[pair]++;
+        }
+    }
+
+    /**
+     * Whether a held pair has met again so often that the solver cannot hold it better: what is left
+     * is mended in the next frame.
+     */
+    boolean isLeftAlone(int first, int second) {
+        int pair = find(first, second);
+        return pair != NONE && isHeld[pair] && meetings[pair] > MOST_MEETINGS;
+    }
+
+    private int find(int first, int second) {
+        int from = traits.isFixed[first] ? second : first;
+        int to = from == first ? second : first;
+        for (int node = chain[from]; node != NONE; node = next[node]) {
             int pair = node >> 1;
-            if (a[pair] == second || b[pair] == second) {
-                boolean isNew = !isHeld[pair];
-                isHeld[pair] = true;
-                return isNew;
+            if (a[pair] == to || b[pair] == to) {
+                return pair;
             }
         }
-        add(first, second);
-        return true;
+        return NONE;
     }
 
     private void add(int first, int second) {
         if (count == a.length) {
             a = Arrays.copyOf(a, 2 * count);
             b = Arrays.copyOf(b, 2 * count);
+            meetings = Arrays.copyOf(meetings, 2 * count);
             isHeld = Arrays.copyOf(isHeld, 2 * count);
             next = Arrays.copyOf(next, 4 * count);
         }
         a[count] = first;
         b[count] = second;
         isHeld[count] = true;
+        meetings[count] = 0;
         next[2 * count] = chain[first];
         chain[first] = 2 * count;
         next[2 * count + 1] = chain[second];

@@ -34,7 +34,9 @@ final class Impacts {
     /** How a meeting ended. */
     enum Outcome {
         /** The two part already: nothing has happened. */
-        NONE,
+        PARTED,
+        /** They neither part nor meet, but are pressed together: nothing has happened yet. */
+        PRESSED,
         /** They part now. */
         BOUNCED,
         /** They are to stay together. */
@@ -73,7 +75,7 @@ final class Impacts {
                                 + ny * (py[a] * ma - py[b] * mb)
                                 + nz * (pz[a] * ma - pz[b] * mb));
         if (approach <= APPROACH_TOLERANCE) {
-            return Outcome.NONE;
+            return withoutApproach(approach);
         }
         double e = restitution(a, b, approach, time);
         double j = (1 + Math.max(e, 0)) * approach / (ma + mb) * k;
@@ -100,9 +102,12 @@ final class Impacts {
         problem.clear();
         touch.find(a, b, traits.nearness(a, b), manifold);
         problem.add(a, b, manifold);
-        double approach = manifold.count == 0 ? 0 : problem.fastestApproach(0);
+        if (manifold.count == 0) {
+            return Outcome.PARTED;
+        }
+        double approach = problem.fastestApproach(0);
         if (approach <= APPROACH_TOLERANCE) {
-            return Outcome.NONE;
+            return withoutApproach(approach);
         }
         double e = restitution(a, b, approach, time);
         for (int c = 0; c < problem.contacts.count; c++) {
@@ -117,6 +122,10 @@ final class Impacts {
             impulse = new Vec3(received[at], received[at + 1], received[at + 2]);
         }
         return e < 0 ? Outcome.STAY : Outcome.BOUNCED;
+    }
+
+    private static Outcome withoutApproach(double approach) {
+        return approach < -APPROACH_TOLERANCE ? Outcome.PARTED : Outcome.PRESSED;
     }
 
     /** The restitution of this meeting; -1 if the two are to stay together. */

@@ -37,6 +37,7 @@ final class ColumnGrid {
 
     private final int[] chain;
     private final int[] chained;
+    private final boolean[] isChained;
     private int chainedCount;
     private int[] nodeBody = new int[64];
     private int[] nodeVersion = new int[64];
@@ -59,6 +60,7 @@ final class ColumnGrid {
         fill = new int[size];
         chain = new int[size];
         chained = new int[size];
+        isChained = new boolean[size];
         Arrays.fill(chain, -1);
     }
 
@@ -207,6 +209,7 @@ final class ColumnGrid {
     private void forgetChanges() {
         for (int k = 0; k < chainedCount; k++) {
             chain[chained[k]] = -1;
+            isChained[chained[k]] = false;
         }
         chainedCount = 0;
         nodes = 0;
@@ -230,7 +233,8 @@ final class ColumnGrid {
             nodeVersion = Arrays.copyOf(nodeVersion, 2 * nodes);
             nodeNext = Arrays.copyOf(nodeNext, 2 * nodes);
         }
-        if (chain[column] < 0) {
+        if (!isChained[column]) {
+            isChained[column] = true;
             chained[chainedCount++] = column;
         }
         nodeBody[nodes] = i;
@@ -267,15 +271,26 @@ final class ColumnGrid {
                 pairs.meet(Math.min(i, b), Math.max(i, b));
             }
         }
+        int before = -1;
         for (int node = chain[column]; node >= 0; node = nodeNext[node]) {
             int b = nodeBody[node];
-            if (nodeVersion[node] == version[b]
-                    && overlap(6 * i, 6 * b)
-                    && isIn(column, i, b)
-                    && b != i
-                    && !isLarge(b)) {
+            if (nodeVersion[node] != version[b]) {
+                unchain(column, before, node);
+                continue;
+            }
+            before = node;
+            if (b != i && overlap(6 * i, 6 * b) && isIn(column, i, b) && !isLarge(b)) {
                 pairs.meet(Math.min(i, b), Math.max(i, b));
             }
+        }
+    }
+
+    /** Takes a node that no longer counts out of its column's chain. */
+    private void unchain(int column, int before, int node) {
+        if (before < 0) {
+            chain[column] = nodeNext[node];
+        } else {
+            nodeNext[before] = nodeNext[node];
         }
     }
 

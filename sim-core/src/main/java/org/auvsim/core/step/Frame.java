@@ -19,6 +19,9 @@ final class Frame {
 
     private static final long MOST_EVENTS_A_BODY = 100;
 
+    /** So often at most are islands settled anew at a frame's beginning, as they grow. */
+    private static final int MOST_PASSES = 4;
+
     private final Motion motion;
     private final BodyTraits traits;
     private final Trajectories trajectories;
@@ -33,6 +36,9 @@ final class Frame {
     private final RestingContacts resting;
     private final int[] batch;
     private int batches;
+    private final int[] pass;
+    private int passes;
+    private boolean isBeginning;
     private final IntConsumer predictLane = this::predictLane;
     private final ColumnGrid.Pairs predictLate = this::predictOnce;
     private int[] movers = new int[16];
@@ -64,6 +70,7 @@ final class Frame {
         impacts = new Impacts(motion, traits, touch, problem);
         resting = new RestingContacts(motion, traits, trajectories, touch, problem);
         batch = new int[version.length];
+        pass = new int[version.length];
     }
 
     /** Integrates all bodies over the frame and predicts their contacts. */
@@ -85,7 +92,9 @@ final class Frame {
             queueAll(found);
         }
         queueAll(large);
+        isBeginning = true;
         settleAll();
+        isBeginning = false;
     }
 
     private void predictLane(int lane) {
@@ -99,15 +108,23 @@ final class Frame {
 
     private void queueAll(Encounters found) {
         for (int k = 0; k < found.count(); k++) {
-            queueContact(found.time(k), found.firstOf(k), found.secondOf(k));
+            int a = found.firstOf(k);
+            int b = found.secondOf(k);
+            if (!hold(a, b)) {
+                queueContact(found.time(k), a, b);
+            }
         }
         for (int k = 0; k < found.nearCount(); k++) {
             int a = found.firstNear(k);
             int b = found.secondNear(k);
-            if (!(answersItself(a, b) && resting.holdIfResting(a, b))) {
+            if (!hold(a, b)) {
                 predict(a, b);
             }
         }
+    }
+
+    private boolean hold(int a, int b) {
+        return answersItself(a, b) && resting.holdIfResting(a, b, length);
     }
 
     /** Whether the engine answers a collision of the two, and no response of a user's own. */
@@ -115,21 +132,26 @@ final class Frame {
         return traits.bounces[a] && traits.bounces[b];
     }
 
-    /** Puts the contact forces on all that rests at the frame's beginning. */
+    /**
+     * Puts the contact forces on all that rests at the frame's beginning. With these forces bodies
+     * move differently and may come to rest against more: some passes find most of it.
+     */
     private void settleAll() {
         HeldPairs pairs = resting.pairs();
-        if (pairs.isEmpty()) {
-            return;
-        }
-        moverCount = 0;
-        for (int k = 0; k < pairs.count(); k++) {
-            int body = traits.isFixed[pairs.first(k)] ? pairs.second(k) : pairs.first(k);
-            if (version[body] == 0) {
-                pairs.findIsland(body);
-                settle(0);
+        int settled = 0;
+        for (int round = 0; round < MOST_PASSES && pairs.count() > settled; round++) {
+            settled = pairs.count();
+            passes++;
+            moverCount = 0;
+            for (int k = 0; k < settled; k++) {
+                int body = traits.isFixed[pairs.first(k)] ? pairs.second(k) : pairs.first(k);
+                if (pass[body] != passes) {
+                    pairs.findIsland(body);
+                    settle(0);
+                }
             }
+            predictMovers();
         }
-        predictMovers();
     }
 
     /** Settles the island that has been found; its bodies are to be predicted again. */
@@ -140,6 +162,7 @@ final class Frame {
         resting.settle(t, length, begin + t);
         for (int k = 0; k < pairs.memberCount(); k++) {
             addMover(pairs.members()[k]);
+            pass[pairs.members()[k]] = passes;
         }
     }
 
@@ -153,7 +176,7 @@ final class Frame {
     private void predict(int a, int b) {
         if (traits.mayCollide(a, b) && !resting.pairs().isLeftAlone(a, b)) {
             double t = encounters[0].first(a, b);
-            if (t < length) {
+            if (t < length && !(isBeginning && !resting.pairs().isHeld(a, b) && hold(a, b))) {
                 queueContact(t, a, b);
             }
         }
@@ -201,18 +224,19 @@ final class Frame {
             interrupt(a, b, t);
             return;
         }
+        double limit = resting.limitAt(a, b, t, length);
         moveTo(a, t);
         moveTo(b, t);
         boolean heard = motion.isHeard();
         Optional<Contact> contact =
                 heard ? Optional.of(motion.contact(rank(a), rank(b), begin + t)) : Optional.empty();
-        Impacts.Outcome outcome = impacts.meet(a, b, begin + t, heard);
+        Impacts.Outcome outcome = impacts.meet(a, b, begin + t, limit, heard);
         if (outcome == Impacts.Outcome.BOUNCED || outcome == Impacts.Outcome.STAY) {
             tally.collisions++;
             contact.ifPresent(c -> collisions.add(new Collision(c, impacts.impulse())));
         }
         if (outcome == Impacts.Outcome.STAY || outcome == Impacts.Outcome.PRESSED) {
-            resting.pairs().hold(a, b);
+            resting.stay(a, b, limit);
         }
         goOn(a, b, t);
     }

@@ -9,14 +9,16 @@ import java.util.Arrays;
 final class HeldPairs {
     private static final int NONE = -1;
 
-    /** A held pair may meet so often in a frame before it is left alone. */
-    private static final int MOST_MEETINGS = 3;
+    /** A held pair may meet again so often in a frame before it is left alone. */
+    private static final int MOST_MEETINGS = 0;
 
     private final BodyTraits traits;
     private int[] a = new int[64];
     private int[] b = new int[64];
     private boolean[] isHeld = new boolean[64];
     private int[] meetings = new int[64];
+    private double[] reach = new double[64];
+    private double[] limit = new double[64];
     private int count;
 
     /** Chains of the pairs of each body: node 2 k belongs to the first of pair k, 2 k + 1 to the second. */
@@ -71,15 +73,31 @@ final class HeldPairs {
         return false;
     }
 
-    /** Holds a pair from now on. */
-    void hold(int first, int second) {
+    /**
+     * Holds a pair from now on.
+     *
+     * @param reach gaps up to this (m) count as contacts of the two
+     * @param limit the pair bounces if it would part faster than this (m/s)
+     */
+    void hold(int first, int second, double reach, double limit) {
         int pair = find(first, second);
         if (pair == NONE) {
+            pair = count;
             add(first, second);
         } else {
             isHeld[pair] = true;
             meetings[pair]++;
         }
+        this.reach[pair] = reach;
+        this.limit[pair] = limit;
+    }
+
+    double reach(int pair) {
+        return reach[pair];
+    }
+
+    double limit(int pair) {
+        return limit[pair];
     }
 
     /**
@@ -89,6 +107,11 @@ final class HeldPairs {
     boolean isLeftAlone(int first, int second) {
         int pair = find(first, second);
         return pair != NONE && isHeld[pair] && meetings[pair] > MOST_MEETINGS;
+    }
+
+    boolean isHeld(int first, int second) {
+        int pair = find(first, second);
+        return pair != NONE && isHeld[pair];
     }
 
     private int find(int first, int second) {
@@ -107,6 +130,8 @@ final class HeldPairs {
         if (count == a.length) {
             a = Arrays.copyOf(a, 2 * count);
             b = Arrays.copyOf(b, 2 * count);
+            reach = Arrays.copyOf(reach, 2 * count);
+            limit = Arrays.copyOf(limit, 2 * count);
             meetings = Arrays.copyOf(meetings, 2 * count);
             isHeld = Arrays.copyOf(isHeld, 2 * count);
             next = Arrays.copyOf(next, 4 * count);

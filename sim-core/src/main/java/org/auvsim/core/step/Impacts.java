@@ -47,16 +47,17 @@ final class Impacts {
      * Lets two bodies meet that touch now.
      *
      * @param time of the world (s)
+     * @param limit below this speed (m/s) the two do not part
      * @param wantsImpulse whether {@link #impulse} will be asked for
      */
-    Outcome meet(int a, int b, double time, boolean wantsImpulse) {
+    Outcome meet(int a, int b, double time, double limit, boolean wantsImpulse) {
         return traits.arePlainBalls(a, b)
-                ? meetBalls(a, b, time, wantsImpulse)
-                : meetShapes(a, b, time, wantsImpulse);
+                ? meetBalls(a, b, time, limit, wantsImpulse)
+                : meetShapes(a, b, time, limit, wantsImpulse);
     }
 
     /** Balls without friction: the closed form, as nothing turns. */
-    private Outcome meetBalls(int a, int b, double time, boolean wantsImpulse) {
+    private Outcome meetBalls(int a, int b, double time, double limit, boolean wantsImpulse) {
         double[] x = bodies.column(BodyState.X);
         double[] y = bodies.column(BodyState.Y);
         double[] z = bodies.column(BodyState.Z);
@@ -77,7 +78,7 @@ final class Impacts {
         if (approach <= APPROACH_TOLERANCE) {
             return withoutApproach(approach);
         }
-        double e = restitution(a, b, approach, time);
+        double e = restitution(a, b, approach, time, limit);
         double j = (1 + Math.max(e, 0)) * approach / (ma + mb) * k;
         double jx = j * nx;
         double jy = j * ny;
@@ -98,7 +99,7 @@ final class Impacts {
         return e < 0 ? Outcome.STAY : Outcome.BOUNCED;
     }
 
-    private Outcome meetShapes(int a, int b, double time, boolean wantsImpulse) {
+    private Outcome meetShapes(int a, int b, double time, double limit, boolean wantsImpulse) {
         problem.clear();
         touch.find(a, b, traits.nearness(a, b), manifold);
         problem.add(a, b, manifold);
@@ -109,7 +110,7 @@ final class Impacts {
         if (approach <= APPROACH_TOLERANCE) {
             return withoutApproach(approach);
         }
-        double e = restitution(a, b, approach, time);
+        double e = restitution(a, b, approach, time, limit);
         for (int c = 0; c < problem.contacts.count; c++) {
             double closing = -problem.contacts.separationSpeed(c, problem.bodies);
             problem.contacts.target[c] = Math.max(e, 0) * Math.max(closing, 0);
@@ -129,10 +130,13 @@ final class Impacts {
     }
 
     /** The restitution of this meeting; -1 if the two are to stay together. */
-    private double restitution(int a, int b, double approach, double time) {
+    private double restitution(int a, int b, double approach, double time, double limit) {
         double e = Math.min(traits.restitution[a], traits.restitution[b]);
         RestitutionRule rule = RestitutionRule.of(e);
-        if (e == 1 && approach >= rule.restSpeed()) {
+        if (e * approach < limit) {
+            return -1;
+        }
+        if (e == 1) {
             // Nothing has to be remembered of what never comes to rest.
             return 1;
         }

@@ -18,6 +18,9 @@ final class RestingContacts {
     /** The gap (m) that resting contacts keep open, as a share of the smaller bounding radius. */
     static final double MARGIN = 1e-5;
 
+    /** A pair that stays together may part by this share of the smaller bounding radius. */
+    private static final double HOP = 0.02;
+
     /** The share of a wrong gap that is mended in one frame. */
     private static final double MENDING = 0.2;
 
@@ -27,8 +30,8 @@ final class RestingContacts {
     /** Contacts that approach slower than this (m/s) need no impulse at once: the forces mend it. */
     private static final double SLOW = 1e-9;
 
-    private static final double TOLERANCE = 1e-9;
-    private static final int MOST_SWEEPS = 60;
+    private static final double TOLERANCE = 1e-6;
+    private static final int MOST_SWEEPS = 400;
 
     private final BodyState bodies;
     private final BodyTraits traits;
@@ -64,30 +67,63 @@ final class RestingContacts {
     }
 
     /**
-     * Holds a pair that is near at the frame's beginning, if it rests: it neither parts nor meets
-     * faster than what would bounce.
+     * Holds a pair that touches, or will in this frame, if it is to rest: it meets so slowly that it
+     * would not part again within the frame.
+     *
+     * @param length of the frame (s), at whose beginning the pair is
      */
-    boolean holdIfResting(int a, int b) {
-        touch.find(a, b, traits.nearness(a, b), manifold);
+    boolean holdIfResting(int a, int b, double length) {
+        double reach = traits.nearness(a, b) + trajectories.relativeWay(a, b);
+        touch.find(a, b, reach, manifold);
         if (manifold.count == 0) {
             return false;
         }
         problem.clear();
         problem.add(a, b, manifold);
         double approach = problem.fastestApproach(0);
-        if (isBounce(a, b, approach) || approach < -restSpeed(a, b)) {
+        double gap = Double.POSITIVE_INFINITY;
+        double pressure = 0;
+        for (int k = 0; k < manifold.count; k++) {
+            gap = Math.min(gap, Math.max(manifold.gap[k], 0));
+            pressure = Math.max(pressure, pressure(a, b, 0, k));
+        }
+        double limit = limit(a, b, pressure, length);
+        double impact = Math.sqrt(approach * approach + 2 * pressure * gap);
+        if (restitution(a, b) * impact >= limit || approach < -limit) {
             return false;
         }
-        held.hold(a, b);
+        held.hold(a, b, reach, limit);
         return true;
     }
 
-    private double restSpeed(int a, int b) {
-        return RestitutionRule.of(restitution(a, b)).restSpeed();
+    /** Holds a pair that has met and is to stay together, even if it should part a little. */
+    void stay(int a, int b, double limit) {
+        double hop = HOP * Math.min(traits.radius[a], traits.radius[b]);
+        held.hold(a, b, Math.max(hop, traits.nearness(a, b)), limit);
     }
 
-    private boolean isBounce(int a, int b, double approach) {
-        return restitution(a, b) * approach >= restSpeed(a, b);
+    private double pressure(int a, int b, double offset, int k) {
+        return trajectories.pressure(
+                a, b, offset, manifold.nx[k], manifold.ny[k], manifold.nz[k]);
+    }
+
+    /**
+     * The speed (m/s) below which a pair does not part: that of its {@link RestitutionRule}, and
+     * that of a hop which would be over within one frame, as the pair is pressed together. A pair
+     * without loss bounces all the same.
+     */
+    double limit(int a, int b, double pressure, double length) {
+        double e = restitution(a, b);
+        double rest = RestitutionRule.of(e).restSpeed();
+        return e < 1 ? Math.max(rest, pressure * length / 2) : rest;
+    }
+
+    /** The same for two that meet at an offset. */
+    double limitAt(int a, int b, double offset, double length) {
+        if (restitution(a, b) == 1) {
+            return limit(a, b, 0, length);
+        }
+        return limit(a, b, Math.max(0, trajectories.pressure(a, b, offset)), length);
     }
 
     private double restitution(int a, int b) {
@@ -104,13 +140,13 @@ final class RestingContacts {
         int[] members = held.members();
         int count = held.memberCount();
         problem.clear();
+        trajectories.moveTo(members, count, offset);
         for (int k = 0; k < count; k++) {
-            trajectories.moveTo(members[k], offset);
             trajectories.clearContactForce(members[k]);
             problem.body(members[k]);
         }
         gatherContacts();
-        if (problem.contacts.count > 0 && problem.fastestApproach(0) > SLOW) {
+        if (aimAtImpact(length - offset)) {
             impacts.solve(problem.bodies, problem.contacts);
             problem.applyImpulses();
         }
@@ -134,15 +170,37 @@ final class RestingContacts {
             int b = held.second(pairs[k]);
             int before = problem.contacts.count;
             firstPoint[k] = before;
-            touch.find(a, b, traits.nearness(a, b), manifold);
+            touch.find(a, b, held.reach(pairs[k]), manifold);
             problem.add(a, b, manifold);
-            double approach = problem.fastestApproach(before);
-            if (manifold.count == 0 || isBounce(a, b, approach)) {
+            double parting = restitution(a, b) * problem.fastestApproach(before);
+            if (manifold.count == 0 || parting >= held.limit(pairs[k])) {
                 held.release(pairs[k]);
                 problem.contacts.count = before;
             }
         }
         firstPoint[held.pairCount()] = problem.contacts.count;
+    }
+
+    /**
+     * Asks of each contact that the bodies do not meet within {@code h} (s) at their present speeds;
+     * false if they do not.
+     */
+    private boolean aimAtImpact(double h) {
+        boolean any = false;
+        for (int k = 0; k < held.pairCount(); k++) {
+            double margin = margin(k);
+            for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
+                double target = Math.min(0, (margin - problem.gap(c)) / h);
+                problem.contacts.target[c] = target;
+                any |= problem.contacts.separationSpeed(c, problem.bodies) < target - SLOW;
+            }
+        }
+        return any;
+    }
+
+    private double margin(int k) {
+        int pair = held.pairs()[k];
+        return traits.nearness(held.first(pair), held.second(pair)) / 2;
     }
 
     /** Solves for the contact forces over {@code h} (s) and sets them; false if there are none. */
@@ -171,8 +229,11 @@ final class RestingContacts {
         int entry = memory.entry(Math.min(a, b), Math.max(a, b), time);
         double smaller = Math.min(traits.radius[a], traits.radius[b]);
         for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
-            double mended = MENDING * (MARGIN * smaller - problem.gap(c)) / h;
-            problem.contacts.target[c] = Math.min(mended, FASTEST_MENDING * smaller);
+            double missing = margin(k) - problem.gap(c);
+            problem.contacts.target[c] =
+                    missing < 0
+                            ? missing / h
+                            : Math.min(MENDING * missing / h, FASTEST_MENDING * smaller);
             Vec3 place = onBody(Math.min(a, b), c);
             int found =
                     memory.nearest(entry, place.x(), place.y(), place.z(), 0.05 * smaller);
@@ -226,13 +287,16 @@ final class RestingContacts {
     }
 
     private boolean setForce(int body, double h) {
+        int slot = problem.slot(body);
+        // A ball without friction is not turned, not even by rounding.
+        int kept = traits.isSphere[slot] && traits.friction[slot] == 0 ? 3 : 6;
         boolean any = false;
         for (int c = 0; c < 6; c++) {
-            force[c] = problem.bodies.impulse[6 * body + c] / h;
+            force[c] = c < kept ? problem.bodies.impulse[6 * body + c] / h : 0;
             any |= force[c] != 0;
         }
         if (any) {
-            trajectories.setContactForce(problem.slot(body), force, 0);
+            trajectories.setContactForce(slot, force, 0);
         }
         return any;
     }

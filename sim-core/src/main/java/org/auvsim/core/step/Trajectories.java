@@ -156,6 +156,41 @@ final class Trajectories {
         curve[CURVE * slot + START] = offset;
     }
 
+    /** The same for several bodies, most of which are on their first segment: those go in blocks. */
+    void moveTo(int[] slots, int number, double offset) {
+        int fresh = 0;
+        for (int k = 0; k < number; k++) {
+            if (startOf(slots[k]) != 0) {
+                moveTo(slots[k], offset);
+            } else if (offset > 0) {
+                some[fresh++] = slots[k];
+            }
+            if (fresh == Block.SIZE || k == number - 1) {
+                moveFresh(fresh, offset);
+                fresh = 0;
+            }
+        }
+    }
+
+    private void moveFresh(int number, double offset) {
+        if (number == 0) {
+            return;
+        }
+        Block block = workers[0].block;
+        equations.load(block, some, number, time);
+        push(block);
+        integrator.advance(equations, block, offset);
+        for (int i = 0; i < number; i++) {
+            int slot = some[i];
+            log.keep(slot);
+            double s = offset / curve[CURVE * slot + END];
+            for (int c = 0; c < BodyState.COLUMNS; c++) {
+                bodies.column(c)[slot] = c <= BodyState.Z ? at(slot, c, s) : block.state[c][i];
+            }
+            curve[CURVE * slot + START] = offset;
+        }
+    }
+
     /** A coordinate of the curve at a share of its segment (de Casteljau). */
     private double at(int slot, int axis, double s) {
         int p = CURVE * slot + axis;
@@ -384,6 +419,57 @@ final class Trajectories {
         double high2 = p2 < p3 ? p3 : p2;
         box[BOX * slot + axis] = (low < low2 ? low : low2) - r;
         box[BOX * slot + axis + 3] = (high > high2 ? high : high2) + r;
+    }
+
+    /**
+     * How strongly two bodies are pressed together (m/s^2) at an offset by what is no contact force:
+     * their relative acceleration against a direction that leads from b to a. Turning is left out.
+     */
+    double pressure(int a, int b, double offset, double nx, double ny, double nz) {
+        return nx * (acceleration(b, 0, offset) - acceleration(a, 0, offset))
+                + ny * (acceleration(b, 1, offset) - acceleration(a, 1, offset))
+                + nz * (acceleration(b, 2, offset) - acceleration(a, 2, offset));
+    }
+
+    /** The same along the line between their origins at the offset. */
+    double pressure(int a, int b, double offset) {
+        double nx = at(a, 0, share(a, offset)) - at(b, 0, share(b, offset));
+        double ny = at(a, 1, share(a, offset)) - at(b, 1, share(b, offset));
+        double nz = at(a, 2, share(a, offset)) - at(b, 2, share(b, offset));
+        double distance = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        return distance == 0 ? 0 : pressure(a, b, offset, nx, ny, nz) / distance;
+    }
+
+    private double share(int slot, double offset) {
+        double start = curve[CURVE * slot + START];
+        return (offset - start) / (curve[CURVE * slot + END] - start);
+    }
+
+    private double acceleration(int slot, int axis, double offset) {
+        int p = CURVE * slot + axis;
+        double start = curve[CURVE * slot + START];
+        double h = curve[CURVE * slot + END] - start;
+        double s = (offset - start) / h;
+        double first = curve[p] - 2 * curve[p + 3] + curve[p + 6];
+        double last = curve[p + 3] - 2 * curve[p + 6] + curve[p + 9];
+        double pushed = isPushed[slot] ? contactForce[6 * slot + axis] : 0;
+        return 6 * (first + s * (last - first)) / (h * h) - pushed * bodies.inverseMass()[slot];
+    }
+
+    /** No less than how far (m) two bodies move relative to each other over their segments. */
+    double relativeWay(int a, int b) {
+        double way = 0;
+        for (int k = 0; k < 9; k += 3) {
+            double squared = 0;
+            for (int axis = k; axis < k + 3; axis++) {
+                int p = CURVE * a + axis;
+                int q = CURVE * b + axis;
+                double d = curve[p + 3] - curve[p] - curve[q + 3] + curve[q];
+                squared += d * d;
+            }
+            way += Math.sqrt(squared);
+        }
+        return way;
     }
 
     /** The slot of a body whose end is not a finite number, the first one; -1 if there is none. */

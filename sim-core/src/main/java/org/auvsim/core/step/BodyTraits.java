@@ -14,6 +14,7 @@ import java.util.List;
 final class BodyTraits {
     final Volume[] volume;
     final boolean[] isSphere;
+    final boolean areAllSpheres;
     final boolean[] isFixed;
 
     /** Whether it answers a collision by the impulse that the engine computes itself. */
@@ -28,7 +29,11 @@ final class BodyTraits {
     /** Its place in the order of ids among all collidables. */
     final int[] rank;
 
-    BodyTraits(BodyState state, List<WorldObject> bySlot, CollisionResponse fallback) {
+    BodyTraits(
+            BodyState state,
+            List<WorldObject> bySlot,
+            CollisionResponse fallback,
+            boolean asBoundingSpheres) {
         int count = bySlot.size();
         volume = new Volume[count];
         isSphere = new boolean[count];
@@ -40,10 +45,13 @@ final class BodyTraits {
         layer = new int[count];
         ignored = new int[count];
         rank = new int[count];
+        boolean all = true;
         for (int slot = 0; slot < count; slot++) {
             RigidBody body = bySlot.get(slot);
-            volume[slot] = body.volume();
-            isSphere[slot] = body.volume() instanceof Sphere;
+            volume[slot] =
+                    asBoundingSpheres ? new Sphere(radius[slot]) : body.volume();
+            isSphere[slot] = volume[slot] instanceof Sphere;
+            all &= isSphere[slot];
             isFixed[slot] = body.isFixed();
             bounces[slot] = body.response().orElse(fallback) instanceof ImpulseResponse;
             restitution[slot] = body.definition().restitution();
@@ -51,6 +59,7 @@ final class BodyTraits {
             layer[slot] = body.layer();
             ignored[slot] = body.ignoredLayers();
         }
+        areAllSpheres = all;
     }
 
     /** The gap (m) below which two bodies are near each other: twice what resting contacts keep. */

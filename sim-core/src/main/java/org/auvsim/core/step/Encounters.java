@@ -4,6 +4,11 @@ import static org.auvsim.core.step.Trajectories.CURVE;
 import static org.auvsim.core.step.Trajectories.END;
 import static org.auvsim.core.step.Trajectories.START;
 
+import org.auvsim.core.entity.Collidable;
+import org.auvsim.core.volume.PairQueries;
+import org.auvsim.core.volume.Pose;
+import org.auvsim.core.volume.Separation;
+
 import java.util.Arrays;
 
 /**
@@ -12,24 +17,34 @@ import java.util.Arrays;
  */
 final class Encounters implements ColumnGrid.Pairs {
     private final BodyTraits traits;
+    private final Trajectories trajectories;
     private final double[] curve;
+    private final ConservativeAdvancement shapes;
+    private final EntityImpact entities;
+    private final PairQueries queries;
+    private final Pose poseA = new Pose();
+    private final Pose poseB = new Pose();
+    private final Separation gap = new Separation();
+    private final BodyCurve curveA = new BodyCurve();
+    private final BodyCurve curveB = new BodyCurve();
     private final SphereImpact spheres = new SphereImpact();
     private final double[] relative = new double[12];
     private final double[] cut = new double[12];
     private double[] times = new double[64];
     private int[] pairs = new int[128];
     private int count;
-    private int[] near = new int[64];
-    private int nearCount;
 
-    Encounters(BodyTraits traits, double[] curve) {
+    Encounters(BodyTraits traits, Trajectories trajectories, PairQueries queries) {
         this.traits = traits;
-        this.curve = curve;
+        this.trajectories = trajectories;
+        curve = trajectories.curves();
+        this.queries = queries;
+        shapes = new ConservativeAdvancement(queries);
+        entities = new EntityImpact(queries);
     }
 
     void clear() {
         count = 0;
-        nearCount = 0;
     }
 
     @Override
@@ -37,16 +52,13 @@ final class Encounters implements ColumnGrid.Pairs {
         if (!traits.mayCollide(a, b)) {
             return;
         }
-        if (areNear(a, b)) {
-            addNear(a, b);
-            return;
-        }
         double t = first(a, b);
-        if (t < Double.POSITIVE_INFINITY) {
+        if (t < Double.POSITIVE_INFINITY || areNear(a, b)) {
             add(t, a, b);
         }
     }
 
+    /** Whether two are so near each other at the frame's beginning that they may rest. */
     private boolean areNear(int a, int b) {
         int p = CURVE * a;
         int q = CURVE * b;
@@ -54,7 +66,16 @@ final class Encounters implements ColumnGrid.Pairs {
         double dy = curve[p + 1] - curve[q + 1];
         double dz = curve[p + 2] - curve[q + 2];
         double reach = traits.radius[a] + traits.radius[b] + traits.nearness(a, b);
-        return dx * dx + dy * dy + dz * dz <= reach * reach;
+        if (dx * dx + dy * dy + dz * dz > reach * reach) {
+            return false;
+        }
+        if (traits.isSphere[a] && traits.isSphere[b]) {
+            return true;
+        }
+        trajectories.pose(a, poseA);
+        trajectories.pose(b, poseB);
+        return queries.distance(traits.volume[a], poseA, traits.volume[b], poseB, gap)
+                <= traits.nearness(a, b);
     }
 
     /**
@@ -67,10 +88,29 @@ final class Encounters implements ColumnGrid.Pairs {
         if (!(from < to)) {
             return Double.POSITIVE_INFINITY;
         }
+        if (!(traits.isSphere[a] && traits.isSphere[b])) {
+            trajectories.load(a, curveA);
+            trajectories.load(b, curveB);
+            return shapes.first(curveA, traits.volume[a], curveB, traits.volume[b], from, to);
+        }
         relativePath(a, b, from, to);
         double reach = traits.radius[a] + traits.radius[b];
         double s = spheres.first(relative, 0, reach, reach);
         return s < Double.POSITIVE_INFINITY ? from + s * (to - from) : s;
+    }
+
+    /**
+     * The same for a body and what is none, such as a wave.
+     *
+     * @param epoch the world's time (s) at the frame's beginning
+     */
+    double first(int body, Collidable entity, double epoch) {
+        double from = curve[CURVE * body + START];
+        double to = curve[CURVE * body + END];
+        trajectories.load(body, curveA);
+        return from < to
+                ? entities.first(entity, epoch, curveA, traits.volume[body], from, to)
+                : Double.POSITIVE_INFINITY;
     }
 
     private void relativePath(int a, int b, double from, double to) {
@@ -135,15 +175,6 @@ final class Encounters implements ColumnGrid.Pairs {
         count++;
     }
 
-    private void addNear(int a, int b) {
-        if (2 * nearCount == near.length) {
-            near = Arrays.copyOf(near, 2 * near.length);
-        }
-        near[2 * nearCount] = a;
-        near[2 * nearCount + 1] = b;
-        nearCount++;
-    }
-
     int count() {
         return count;
     }
@@ -158,18 +189,5 @@ final class Encounters implements ColumnGrid.Pairs {
 
     int secondOf(int k) {
         return pairs[2 * k + 1];
-    }
-
-    /** Pairs that are near each other at the frame's beginning. */
-    int nearCount() {
-        return nearCount;
-    }
-
-    int firstNear(int k) {
-        return near[2 * k];
-    }
-
-    int secondNear(int k) {
-        return near[2 * k + 1];
     }
 }

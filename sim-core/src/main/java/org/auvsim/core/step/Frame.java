@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 
 /**
  * One frame of the {@link EventStepper}, from the prediction of all contacts to the last event.
@@ -20,7 +21,7 @@ final class Frame {
     private static final long MOST_EVENTS_A_BODY = 100;
 
     /** So often at most are islands settled anew at a frame's beginning, as they grow. */
-    private static final int MOST_PASSES = 4;
+    private static final int MOST_PASSES = 8;
 
     private final Motion motion;
     private final BodyTraits traits;
@@ -32,6 +33,10 @@ final class Frame {
     private final ContactQueue queue = new ContactQueue();
     private final int[] slotOfRank;
     private final Encounters large;
+
+    /** The ranks of what is no body. */
+    private final int[] entities;
+
     private final Impacts impacts;
     private final RestingContacts resting;
     private final int[] batch;
@@ -62,9 +67,10 @@ final class Frame {
         grid = new ColumnGrid(trajectories.boxes(), version, trajectories.count());
         encounters = new Encounters[lanes.count()];
         for (int lane = 0; lane < encounters.length; lane++) {
-            encounters[lane] = new Encounters(traits, trajectories.curves());
+            encounters[lane] = new Encounters(traits, trajectories, motion.queries());
         }
-        large = new Encounters(traits, trajectories.curves());
+        entities = IntStream.range(0, slotOfRank.length).filter(r -> slotOfRank[r] < 0).toArray();
+        large = new Encounters(traits, trajectories, motion.queries());
         Touch touch = new Touch(motion.bodies(), traits, motion.queries());
         ContactProblem problem = new ContactProblem(motion.bodies(), traits, trajectories);
         impacts = new Impacts(motion, traits, touch, problem);
@@ -95,6 +101,7 @@ final class Frame {
         isBeginning = true;
         settleAll();
         isBeginning = false;
+        predictEntities();
     }
 
     private void predictLane(int lane) {
@@ -110,15 +117,8 @@ final class Frame {
         for (int k = 0; k < found.count(); k++) {
             int a = found.firstOf(k);
             int b = found.secondOf(k);
-            if (!hold(a, b)) {
+            if (!hold(a, b) && found.time(k) < length) {
                 queueContact(found.time(k), a, b);
-            }
-        }
-        for (int k = 0; k < found.nearCount(); k++) {
-            int a = found.firstNear(k);
-            int b = found.secondNear(k);
-            if (!hold(a, b)) {
-                predict(a, b);
             }
         }
     }
@@ -173,6 +173,24 @@ final class Frame {
         movers[moverCount++] = body;
     }
 
+    /** The first meetings of all bodies with what is no body. */
+    private void predictEntities() {
+        for (int body = 0; entities.length > 0 && body < version.length; body++) {
+            predictEntities(body);
+        }
+    }
+
+    private void predictEntities(int body) {
+        for (int entity : entities) {
+            if (motion.mayCollide(rank(body), entity)) {
+                double t = encounters[0].first(body, motion.collidable(entity), begin);
+                if (t < length) {
+                    queue.add(t, rank(body), entity, version[body], 0);
+                }
+            }
+        }
+    }
+
     private void predict(int a, int b) {
         if (traits.mayCollide(a, b) && !resting.pairs().isLeftAlone(a, b)) {
             double t = encounters[0].first(a, b);
@@ -197,33 +215,36 @@ final class Frame {
     /** Takes the earliest event. */
     void next() {
         double t = queue.time();
-        int a = slotOfRank[queue.first()];
-        int b = slotOfRank[queue.second()];
+        int first = queue.first();
+        int second = queue.second();
         boolean valid = isValid();
         queue.removeFirst();
         if (valid) {
-            countEvent(a, b, t);
-            collide(a, b, t);
+            countEvent(first, second, t);
+            int a = slotOfRank[first];
+            int b = slotOfRank[second];
+            if (b >= 0 && answersItself(a, b)) {
+                collide(a, b, t);
+            } else {
+                interrupt(first, second, t);
+            }
         }
     }
 
     private boolean isValid() {
+        int b = slotOfRank[queue.second()];
         return version[slotOfRank[queue.first()]] == queue.firstVersion()
-                && version[slotOfRank[queue.second()]] == queue.secondVersion();
+                && (b < 0 || version[b] == queue.secondVersion());
     }
 
-    private void countEvent(int a, int b, double t) {
+    private void countEvent(int first, int second, double t) {
         tally.events++;
         if (++events > MOST_EVENTS + MOST_EVENTS_A_BODY * version.length) {
-            throw motion.endless(a, b, events, t);
+            throw motion.endless(first, second, events, t);
         }
     }
 
     private void collide(int a, int b, double t) {
-        if (!answersItself(a, b)) {
-            interrupt(a, b, t);
-            return;
-        }
         double limit = resting.limitAt(a, b, t, length);
         moveTo(a, t);
         moveTo(b, t);
@@ -245,15 +266,19 @@ final class Frame {
      * A response of the user's own may change more than the two: the frame ends here for all, and
      * what else happens at this instant happens there.
      */
-    private void interrupt(int a, int b, double t) {
+    private void interrupt(int first, int second, double t) {
+        int a = slotOfRank[first];
+        int b = slotOfRank[second];
         moveTo(a, t);
-        moveTo(b, t);
-        if (!motion.approaching(rank(a), rank(b), 0)) {
-            goOn(a, b, t);
-            return;
+        if (b >= 0) {
+            moveTo(b, t);
+            if (!motion.approaching(first, second, 0)) {
+                goOn(a, b, t);
+                return;
+            }
         }
         interruption = t;
-        addTouching(rank(a), rank(b));
+        addTouching(first, second);
         while (!queue.isEmpty() && queue.time() <= t) {
             if (isValid()) {
                 addTouching(queue.first(), queue.second());
@@ -304,6 +329,7 @@ final class Frame {
         }
         for (int k = 0; k < moverCount; k++) {
             grid.pairsOf(movers[k], predictLate);
+            predictEntities(movers[k]);
             batch[movers[k]] = batches;
         }
     }

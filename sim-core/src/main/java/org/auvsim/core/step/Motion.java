@@ -17,6 +17,7 @@ import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.ContactPoint;
 import org.auvsim.core.volume.PairQueries;
 import org.auvsim.core.volume.Pose;
+import org.auvsim.core.volume.Sphere;
 import org.auvsim.core.volume.Volume;
 
 import java.util.ArrayList;
@@ -46,6 +47,7 @@ public final class Motion {
     private final List<Collidable> collidables;
     private final int[] slots;
     private final boolean[] fixed;
+    private final boolean asBoundingSpheres;
     private final BodyState bodies;
     private final PairQueries queries;
     private final CollisionResponse fallback;
@@ -78,6 +80,7 @@ public final class Motion {
             Integrator integrator,
             PairQueries queries,
             CollisionResponse fallback,
+            boolean asBoundingSpheres,
             Lanes lanes,
             StepTally tally,
             ContactMemory memory,
@@ -85,6 +88,7 @@ public final class Motion {
         this.population = bodies;
         this.equations = equations;
         this.integrator = integrator;
+        this.asBoundingSpheres = asBoundingSpheres;
         this.lanes = lanes;
         this.tally = tally;
         this.memory = memory;
@@ -148,13 +152,14 @@ public final class Motion {
     /** What the event stepper works with, made when it is first asked for. */
     Frame frame() {
         if (frame.isEmpty()) {
-            BodyTraits traits = new BodyTraits(bodies, population.objects(), fallback);
+            BodyTraits traits = new BodyTraits(
+                            bodies, population.objects(), fallback, asBoundingSpheres);
             for (int rank = 0; rank < slots.length; rank++) {
                 if (slots[rank] >= 0) {
                     traits.rank[slots[rank]] = rank;
                 }
             }
-            Trajectories trajectories = new Trajectories(bodies, equations, integrator, lanes);
+            Trajectories trajectories = new Trajectories(bodies, traits, equations, integrator, lanes);
             frame = Optional.of(new Frame(this, traits, trajectories, slots));
         }
         return frame.get();
@@ -380,8 +385,8 @@ public final class Motion {
         return new StepException(
                 "'%s' and '%s' collide without end at %s s: %d events in one step; check their"
                                 .formatted(
-                                        population.objects().get(a).name(),
-                                        population.objects().get(b).name(),
+                                        collidables.get(a).name(),
+                                        collidables.get(b).name(),
                                         time + offset,
                                         events)
                         + " forces and restitution, or shorten the time step");
@@ -445,7 +450,8 @@ public final class Motion {
     }
 
     private Volume volume(int i, double offset) {
-        return collidables.get(i).volumeAt(time + offset);
+        Volume volume = collidables.get(i).volumeAt(time + offset);
+        return asBoundingSpheres ? new Sphere(volume.boundingRadius()) : volume;
     }
 
     private void present(int i, Pose to) {

@@ -4,6 +4,7 @@ import org.auvsim.core.dynamics.EquationsOfMotion;
 import org.auvsim.core.dynamics.Integrator;
 import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.BodyState;
+import org.auvsim.core.volume.Pose;
 
 import java.util.Arrays;
 import java.util.function.IntConsumer;
@@ -26,10 +27,13 @@ final class Trajectories {
     static final int START = 12;
     static final int END = 13;
 
+    private static final int SPIN = 6;
+
     /** Numbers of a box: min x, y, z, max x, y, z (m). */
     static final int BOX = 6;
 
     private final BodyState bodies;
+    private final BodyTraits traits;
     private final EquationsOfMotion equations;
     private final Integrator integrator;
     private final Lanes lanes;
@@ -38,6 +42,10 @@ final class Trajectories {
     private final double[] curve;
     private final double[] box;
     private final int[] version;
+
+    /** Angular velocities (rad/s, world) at start and end, where orientations matter at all. */
+    private final double[] spin;
+
     private final Worker[] workers;
     private final IntConsumer integrateLane = this::integrateLane;
     private final SegmentLog log;
@@ -46,6 +54,8 @@ final class Trajectories {
     private final double[] contactForce;
     private final boolean[] isPushed;
     private boolean anyPushed;
+    private final BodyCurve cut = new BodyCurve();
+    private final Pose place = new Pose();
     private boolean isCommitted;
     private double time;
     private double length;
@@ -53,6 +63,7 @@ final class Trajectories {
     /** What one lane needs for itself. */
     private static final class Worker {
         final Block block = new Block();
+        final Pose pose = new Pose();
         final double[] vx = new double[Block.SIZE];
         final double[] vy = new double[Block.SIZE];
         final double[] vz = new double[Block.SIZE];
@@ -60,8 +71,13 @@ final class Trajectories {
     }
 
     Trajectories(
-            BodyState bodies, EquationsOfMotion equations, Integrator integrator, Lanes lanes) {
+            BodyState bodies,
+            BodyTraits traits,
+            EquationsOfMotion equations,
+            Integrator integrator,
+            Lanes lanes) {
         this.bodies = bodies;
+        this.traits = traits;
         this.equations = equations;
         this.integrator = integrator;
         this.lanes = lanes;
@@ -70,6 +86,7 @@ final class Trajectories {
         curve = new double[CURVE * count];
         box = new double[BOX * count];
         version = new int[count];
+        spin = new double[traits.areAllSpheres ? 0 : SPIN * count];
         log = new SegmentLog(bodies);
         contactForce = new double[6 * count];
         isPushed = new boolean[count];
@@ -143,16 +160,31 @@ final class Trajectories {
         if (from == offset) {
             return;
         }
-        log.keep(slot);
         Block block = workers[0].block;
         one[0] = slot;
         equations.load(block, one, 1, time + from);
         push(block);
         integrator.advance(equations, block, offset - from);
-        double s = (offset - from) / (curve[CURVE * slot + END] - from);
-        for (int c = 0; c < BodyState.COLUMNS; c++) {
-            bodies.column(c)[slot] = c <= BodyState.Z ? at(slot, c, s) : block.state[c][0];
+        take(block, 0, offset);
+    }
+
+    /** Body {@code i} of the block has been integrated to an offset, where its segment ends now. */
+    private void take(Block block, int i, double offset) {
+        int slot = block.slot(i);
+        log.keep(slot);
+        load(slot, cut);
+        cut.poseAt(offset, place);
+        for (int c = BodyState.PX; c < BodyState.COLUMNS; c++) {
+            bodies.column(c)[slot] = block.state[c][i];
         }
+        bodies.column(BodyState.X)[slot] = place.x;
+        bodies.column(BodyState.Y)[slot] = place.y;
+        bodies.column(BodyState.Z)[slot] = place.z;
+        boolean turnsAlong = spin.length > 0;
+        bodies.column(BodyState.QW)[slot] = turnsAlong ? place.qw : block.state[BodyState.QW][i];
+        bodies.column(BodyState.QX)[slot] = turnsAlong ? place.qx : block.state[BodyState.QX][i];
+        bodies.column(BodyState.QY)[slot] = turnsAlong ? place.qy : block.state[BodyState.QY][i];
+        bodies.column(BodyState.QZ)[slot] = turnsAlong ? place.qz : block.state[BodyState.QZ][i];
         curve[CURVE * slot + START] = offset;
     }
 
@@ -181,13 +213,7 @@ final class Trajectories {
         push(block);
         integrator.advance(equations, block, offset);
         for (int i = 0; i < number; i++) {
-            int slot = some[i];
-            log.keep(slot);
-            double s = offset / curve[CURVE * slot + END];
-            for (int c = 0; c < BodyState.COLUMNS; c++) {
-                bodies.column(c)[slot] = c <= BodyState.Z ? at(slot, c, s) : block.state[c][i];
-            }
-            curve[CURVE * slot + START] = offset;
+            take(block, i, offset);
         }
     }
 
@@ -329,7 +355,7 @@ final class Trajectories {
     /** Integrates the loaded bodies from one offset to another and traces their segments. */
     private void integrate(Worker worker, double from, double to) {
         Block block = worker.block;
-        equations.velocities(block);
+        measure(block, 0);
         System.arraycopy(block.vx, 0, worker.vx, 0, block.count);
         System.arraycopy(block.vy, 0, worker.vy, 0, block.count);
         System.arraycopy(block.vz, 0, worker.vz, 0, block.count);
@@ -337,16 +363,59 @@ final class Trajectories {
         for (int c = 0; c < BodyState.COLUMNS; c++) {
             block.scatter(block.state[c], end[c]);
         }
-        equations.velocities(block);
+        measure(block, 3);
         for (int i = 0; i < block.count; i++) {
             trace(worker, i, from, to);
         }
+    }
+
+    /** Fills the velocities of the block, and notes the angular ones at start (0) or end (3). */
+    private void measure(Block block, int at) {
+        if (traits.areAllSpheres) {
+            equations.velocities(block);
+            return;
+        }
+        equations.motions(block);
+        for (int i = 0; i < block.count; i++) {
+            int to = SPIN * block.slot(i) + at;
+            spin[to] = block.wx[i];
+            spin[to + 1] = block.wy[i];
+            spin[to + 2] = block.wz[i];
+        }
+    }
+
+    /** Loads the curve of a body's segment. */
+    void load(int slot, BodyCurve to) {
+        int at = CURVE * slot;
+        to.path(curve[at + START], curve[at + END], curve, at);
+        double[] qw = bodies.column(BodyState.QW);
+        double[] qx = bodies.column(BodyState.QX);
+        double[] qy = bodies.column(BodyState.QY);
+        double[] qz = bodies.column(BodyState.QZ);
+        if (traits.isFixed[slot] || spin.length == 0) {
+            to.unturned(qw[slot], qx[slot], qy[slot], qz[slot]);
+            return;
+        }
+        int w = SPIN * slot;
+        to.turnFrom(qw[slot], qx[slot], qy[slot], qz[slot], spin[w], spin[w + 1], spin[w + 2]);
+        to.turnTo(
+                end[BodyState.QW][slot],
+                end[BodyState.QX][slot],
+                end[BodyState.QY][slot],
+                end[BodyState.QZ][slot],
+                spin[w + 3],
+                spin[w + 4],
+                spin[w + 5]);
     }
 
     /** Writes curve and box of body {@code i} of the block. */
     private void trace(Worker worker, int i, double from, double to) {
         Block block = worker.block;
         int slot = block.slot(i);
+        if (traits.isFixed[slot]) {
+            standStill(worker, slot, from, to);
+            return;
+        }
         double third = (to - from) / 3;
         double radius = bodies.radius()[slot];
         double[] x = bodies.column(BodyState.X);
@@ -392,7 +461,7 @@ final class Trajectories {
                         + block.state[BodyState.X][i]
                         + block.state[BodyState.Y][i]
                         + block.state[BodyState.Z][i];
-        if (!(sum - sum == 0) && worker.notFinite < 0) {
+        if (!(Math.abs(sum) <= Double.MAX_VALUE) && worker.notFinite < 0) {
             worker.notFinite = slot;
         }
     }
@@ -470,6 +539,30 @@ final class Trajectories {
             way += Math.sqrt(squared);
         }
         return way;
+    }
+
+    private void standStill(Worker worker, int slot, double from, double to) {
+        Pose pose = worker.pose;
+        pose(slot, pose);
+        for (int at = CURVE * slot; at < CURVE * slot + 12; at += 3) {
+            curve[at] = pose.x;
+            curve[at + 1] = pose.y;
+            curve[at + 2] = pose.z;
+        }
+        curve[CURVE * slot + START] = from;
+        curve[CURVE * slot + END] = to;
+        traits.volume[slot].bounds(pose, box, BOX * slot);
+    }
+
+    /** Where a body is in its present state. */
+    void pose(int slot, Pose to) {
+        to.x = bodies.column(BodyState.X)[slot];
+        to.y = bodies.column(BodyState.Y)[slot];
+        to.z = bodies.column(BodyState.Z)[slot];
+        to.qw = bodies.column(BodyState.QW)[slot];
+        to.qx = bodies.column(BodyState.QX)[slot];
+        to.qy = bodies.column(BodyState.QY)[slot];
+        to.qz = bodies.column(BodyState.QZ)[slot];
     }
 
     /** The slot of a body whose end is not a finite number, the first one; -1 if there is none. */

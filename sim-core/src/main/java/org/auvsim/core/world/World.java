@@ -46,6 +46,7 @@ public final class World {
     private final Clock clock;
     private final double timeStep;
     private int stepsAtOneInstant;
+    private final boolean asBoundingSpheres;
     private final Lanes lanes;
     private final StepTally tally;
     private final ContactMemory memory;
@@ -60,6 +61,7 @@ public final class World {
         timeStep = builder.timeStep;
         clock = new Clock(builder.startTime);
         population = new Population();
+        asBoundingSpheres = builder.asBoundingSpheres;
         lanes = builder.lanes;
         tally = new StepTally();
         memory = new ContactMemory();
@@ -75,6 +77,7 @@ public final class World {
         population = new Population(original.population);
         stepsAtOneInstant = original.stepsAtOneInstant;
         effects = original.effects;
+        asBoundingSpheres = original.asBoundingSpheres;
         lanes = original.lanes;
         tally = original.tally.copy();
         memory = original.memory.copy();
@@ -310,6 +313,7 @@ public final class World {
                 integrator,
                 queries,
                 response,
+                asBoundingSpheres,
                 lanes,
                 tally,
                 memory,

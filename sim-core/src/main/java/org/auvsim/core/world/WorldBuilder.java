@@ -24,6 +24,7 @@ public final class WorldBuilder {
     CollisionResponse response = new ImpulseResponse();
     PairQueries queries = PairQueries.standard();
     Lanes lanes = Lanes.ONE;
+    boolean asBoundingSpheres;
     private final List<Entity> entities = new ArrayList<>();
     private final List<WorldObjectDefinition> objects = new ArrayList<>();
 
@@ -70,6 +71,12 @@ public final class WorldBuilder {
     /** How volumes are found to touch. */
     public WorldBuilder queries(PairQueries queries) {
         this.queries = queries;
+        return this;
+    }
+
+    /** Lets every object collide as its bounding sphere, as the thesis does (section 5.1.2). */
+    public WorldBuilder asBoundingSpheres() {
+        asBoundingSpheres = true;
         return this;
     }
 

@@ -35,6 +35,7 @@ final class Scene {
                 new Rk4(),
                 queries,
                 new ImpulseResponse(),
+                /* asBoundingSpheres= */ false,
                 Lanes.ONE,
                 new StepTally(),
                 new ContactMemory(),

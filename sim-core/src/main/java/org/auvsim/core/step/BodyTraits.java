@@ -15,6 +15,10 @@ final class BodyTraits {
     final Volume[] volume;
     final boolean[] isSphere;
     final boolean areAllSpheres;
+
+    /** A sphere about its centre of mass, free in all directions and without added mass. */
+    final boolean[] isBall;
+
     final boolean[] isFixed;
 
     /** Whether it answers a collision by the impulse that the engine computes itself. */
@@ -38,6 +42,7 @@ final class BodyTraits {
         volume = new Volume[count];
         isSphere = new boolean[count];
         isFixed = new boolean[count];
+        isBall = new boolean[count];
         bounces = new boolean[count];
         radius = state.radius();
         restitution = new double[count];
@@ -51,6 +56,7 @@ final class BodyTraits {
             volume[slot] =
                     asBoundingSpheres ? new Sphere(radius[slot]) : body.volume();
             isSphere[slot] = volume[slot] instanceof Sphere;
+            isBall[slot] = isSphere[slot] && state.spatial(slot) == null;
             all &= isSphere[slot];
             isFixed[slot] = body.isFixed();
             bounces[slot] = body.response().orElse(fallback) instanceof ImpulseResponse;
@@ -67,9 +73,9 @@ final class BodyTraits {
         return 2 * RestingContacts.MARGIN * Math.min(radius[a], radius[b]);
     }
 
-    /** Whether the two are spheres without friction: a collision does not turn them. */
+    /** Whether the two are balls without friction between them: a collision does not turn them. */
     boolean arePlainBalls(int a, int b) {
-        return isSphere[a] && isSphere[b] && friction[a] * friction[b] == 0;
+        return isBall[a] && isBall[b] && friction[a] * friction[b] == 0;
     }
 
     boolean mayCollide(int a, int b) {

@@ -24,6 +24,7 @@ final class ContactProblem {
     private double[] gap = new double[16];
     private final double[] speeds = new double[6];
     private final int[] one = new int[1];
+    private final Corners corners = new Corners();
 
     ContactProblem(BodyState state, BodyTraits traits, Trajectories trajectories) {
         this.state = state;
@@ -85,23 +86,31 @@ final class ContactProblem {
         int first = body(a);
         int second = body(b);
         double friction = Math.sqrt(traits.friction[a] * traits.friction[b]);
-        for (int k = 0; k < points.count; k++) {
-            int c =
-                    contacts.add(
-                            first,
-                            second,
-                            points.x[k],
-                            points.y[k],
-                            points.z[k],
-                            points.nx[k],
-                            points.ny[k],
-                            points.nz[k]);
-            contacts.friction[c] = friction;
-            if (c >= gap.length) {
-                gap = Arrays.copyOf(gap, 2 * gap.length);
-            }
-            gap[c] = points.gap[k];
+        int chosen = corners.choose(points);
+        for (int k = 0; k < chosen; k++) {
+            add(first, second, points, corners.chosen()[k], friction);
         }
+        for (int k = 0; chosen < 0 && k < points.count; k++) {
+            add(first, second, points, k, friction);
+        }
+    }
+
+    private void add(int first, int second, Manifold points, int k, double friction) {
+        int c =
+                contacts.add(
+                        first,
+                        second,
+                        points.x[k],
+                        points.y[k],
+                        points.z[k],
+                        points.nx[k],
+                        points.ny[k],
+                        points.nz[k]);
+        contacts.friction[c] = friction;
+        if (c >= gap.length) {
+            gap = Arrays.copyOf(gap, 2 * gap.length);
+        }
+        gap[c] = points.gap[k];
     }
 
     /** The gap (m) at a contact; negative where the bodies overlap. */

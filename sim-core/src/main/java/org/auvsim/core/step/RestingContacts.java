@@ -27,8 +27,11 @@ final class RestingContacts {
     /** Overlap is mended no faster than this many bounding radii a second. */
     private static final double FASTEST_MENDING = 0.5;
 
-    /** Contacts that approach slower than this (m/s) need no impulse at once: the forces mend it. */
-    private static final double SLOW = 1e-9;
+    /**
+     * Contacts that approach slower than this (m/s), such as the last frame's rest of error, need no
+     * impulse at once: the forces mend it.
+     */
+    private static final double SLOW = 2e-6;
 
     private static final double TOLERANCE = 1e-6;
     private static final int MOST_SWEEPS = 400;
@@ -73,7 +76,7 @@ final class RestingContacts {
      * @param length of the frame (s), at whose beginning the pair is
      */
     boolean holdIfResting(int a, int b, double length) {
-        double reach = traits.nearness(a, b) + trajectories.relativeWay(a, b);
+        double reach = hop(a, b) + trajectories.relativeWay(a, b);
         touch.find(a, b, reach, manifold);
         if (manifold.count == 0) {
             return false;
@@ -98,8 +101,11 @@ final class RestingContacts {
 
     /** Holds a pair that has met and is to stay together, even if it should part a little. */
     void stay(int a, int b, double limit) {
-        double hop = HOP * Math.min(traits.radius[a], traits.radius[b]);
-        held.hold(a, b, Math.max(hop, traits.nearness(a, b)), limit);
+        held.hold(a, b, hop(a, b), limit);
+    }
+
+    private double hop(int a, int b) {
+        return HOP * Math.min(traits.radius[a], traits.radius[b]);
     }
 
     private double pressure(int a, int b, double offset, int k) {
@@ -289,7 +295,7 @@ final class RestingContacts {
     private boolean setForce(int body, double h) {
         int slot = problem.slot(body);
         // A ball without friction is not turned, not even by rounding.
-        int kept = traits.isSphere[slot] && traits.friction[slot] == 0 ? 3 : 6;
+        int kept = traits.isBall[slot] && traits.friction[slot] == 0 ? 3 : 6;
         boolean any = false;
         for (int c = 0; c < 6; c++) {
             force[c] = c < kept ? problem.bodies.impulse[6 * body + c] / h : 0;

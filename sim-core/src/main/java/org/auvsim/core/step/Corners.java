@@ -1,0 +1,108 @@
+package org.auvsim.core.step;
+
+import org.auvsim.core.volume.Manifold;
+
+/**
+ * Chooses four points of a flat contact that hold as much as all of them: its corners. Edges that
+ * nearly coincide cut each other anywhere; such points come and go and only make solving harder.
+ */
+final class Corners {
+    private static final int MOST = 4;
+
+    /** Normals whose cosine is above this belong to one flat contact. */
+    private static final double FLAT = 0.999;
+
+    private final int[] chosen = new int[MOST];
+
+    /** Numbers of the chosen points; {@link #choose} tells how many. */
+    int[] chosen() {
+        return chosen;
+    }
+
+    /** Chooses among the points of a contact; -1 if all are to be kept. */
+    int choose(Manifold m) {
+        if (m.count <= MOST || !isFlat(m)) {
+            return -1;
+        }
+        chosen[0] = outermost(m);
+        chosen[1] = farthest(m, chosen[0]);
+        chosen[2] = mostAside(m, 1);
+        chosen[3] = mostAside(m, -1);
+        int count = 2;
+        for (int k = 2; k < MOST; k++) {
+            if (chosen[k] >= 0) {
+                chosen[count++] = chosen[k];
+            }
+        }
+        return count;
+    }
+
+    private static boolean isFlat(Manifold m) {
+        for (int k = 1; k < m.count; k++) {
+            double cosine = m.nx[0] * m.nx[k] + m.ny[0] * m.ny[k] + m.nz[0] * m.nz[k];
+            if (cosine < FLAT) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** A corner in any case: the point that is farthest from the middle of all. */
+    private static int outermost(Manifold m) {
+        double x = 0;
+        double y = 0;
+        double z = 0;
+        for (int k = 0; k < m.count; k++) {
+            x += m.x[k] / m.count;
+            y += m.y[k] / m.count;
+            z += m.z[k] / m.count;
+        }
+        return farthest(m, x, y, z);
+    }
+
+    private static int farthest(Manifold m, int from) {
+        return farthest(m, m.x[from], m.y[from], m.z[from]);
+    }
+
+    private static int farthest(Manifold m, double x, double y, double z) {
+        int best = 0;
+        double most = -1;
+        for (int k = 0; k < m.count; k++) {
+            double dx = m.x[k] - x;
+            double dy = m.y[k] - y;
+            double dz = m.z[k] - z;
+            double squared = dx * dx + dy * dy + dz * dz;
+            if (squared > most) {
+                most = squared;
+                best = k;
+            }
+        }
+        return best;
+    }
+
+    /** The point farthest to one side of the line through the first two; -1 if there is none. */
+    private int mostAside(Manifold m, double side) {
+        int a = chosen[0];
+        int b = chosen[1];
+        double dx = m.x[b] - m.x[a];
+        double dy = m.y[b] - m.y[a];
+        double dz = m.z[b] - m.z[a];
+        double ax = dy * m.nz[a] - dz * m.ny[a];
+        double ay = dz * m.nx[a] - dx * m.nz[a];
+        double az = dx * m.ny[a] - dy * m.nx[a];
+        int best = -1;
+        double most = 1e-6 * (dx * dx + dy * dy + dz * dz);
+        for (int k = 0; k < m.count; k++) {
+            double aside =
+                    side
+                            * (ax * (m.x[k] - m.x[a])
+                                    + ay * (m.y[k] - m.y[a])
+                                    + az * (m.z[k] - m.z[a]));
+            if (aside > most) {
+                most = aside;
+                best = k;
+            }
+        }
+        return best;
+    }
+}

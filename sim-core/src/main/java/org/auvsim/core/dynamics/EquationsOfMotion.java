@@ -34,6 +34,7 @@ public final class EquationsOfMotion {
     private final BlockEffect[] effects;
     private final Current[] currents;
     private final boolean effectsTurn;
+    private final boolean effectsReadOrientation;
     private final boolean mayBeStiff;
 
     /**
@@ -46,6 +47,7 @@ public final class EquationsOfMotion {
         this.bodies = bodies;
         this.effects = effects.toArray(BlockEffect[]::new);
         this.mayBeStiff = effects.stream().anyMatch(BlockEffect::mayBeStiff);
+        this.effectsReadOrientation = effects.stream().anyMatch(BlockEffect::readsOrientation);
         this.effectsTurn = effects.stream().anyMatch(BlockEffect::mayTurn);
         this.currents = currents.toArray(Current[]::new);
     }
@@ -101,7 +103,7 @@ public final class EquationsOfMotion {
         Arrays.fill(b.wx, 0, b.count, 0);
         Arrays.fill(b.wy, 0, b.count, 0);
         Arrays.fill(b.wz, 0, b.count, 0);
-        if (effects.length > 0 || bodies.applied().haveBodyForces()) {
+        if (effectsReadOrientation || bodies.applied().haveBodyForces()) {
             Rotation.matrices(b);
         }
     }

@@ -54,6 +54,11 @@ final class CentralForceBlock implements BlockEffect {
             }
 
             @Override
+            public boolean readsOrientation() {
+                return false;
+            }
+
+            @Override
             public boolean mayBeStiff() {
                 return false;
             }
@@ -97,6 +102,11 @@ final class CentralForceBlock implements BlockEffect {
 
     @Override
     public boolean mayTurn() {
+        return false;
+    }
+
+    @Override
+    public boolean readsOrientation() {
         return false;
     }
 

@@ -44,6 +44,11 @@ final class GravityBlock implements BlockEffect {
     }
 
     @Override
+    public boolean readsOrientation() {
+        return false;
+    }
+
+    @Override
     public boolean mayBeStiff() {
         return false;
     }

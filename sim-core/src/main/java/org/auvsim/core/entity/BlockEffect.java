@@ -13,6 +13,11 @@ public interface BlockEffect {
         return true;
     }
 
+    /** Whether it reads the orientations of bodies that do not turn; only a no spares them. */
+    default boolean readsOrientation() {
+        return true;
+    }
+
     /**
      * Whether it ever depends on how a body moves, so that a time step may be too long for it; only
      * where one says yes is it looked after.

@@ -20,11 +20,20 @@ final class ColumnGrid {
     private static final double MEAN_BOXES_WIDE = 3;
     private static final int MOST_COLUMNS = 16;
 
+    /** So many boxes, spread over all, tell how wide the columns are to be. */
+    private static final int SAMPLE = 64;
+
+    /** Boxes that reach beyond this (m) go on for ever. */
+    private static final double FAR = 1e300;
+
     private final double[] box;
     private final int bodies;
     private final int mask;
     private final int[] starts;
     private final int[] fill;
+    private int[] listedBody = new int[64];
+    private int[] listedColumn = new int[64];
+    private int listed;
     private int[] entries = new int[16];
     private double[] entryX = new double[16];
     private int[] large = new int[4];
@@ -67,18 +76,8 @@ final class ColumnGrid {
     /** Puts all boxes into columns. */
     void build() {
         inverseWidth = 1 / (MEAN_BOXES_WIDE * meanExtent());
-        Arrays.fill(fill, 0);
         forgetChanges();
-        largeCount = 0;
-        for (int i = 0; i < bodies; i++) {
-            int columns = columns(i);
-            if (columns == 0) {
-                addLarge(i);
-            }
-            for (int k = 0; k < columns; k++) {
-                fill[columnsOf[k]]++;
-            }
-        }
+        listColumns();
         int sum = 0;
         for (int c = 0; c <= mask; c++) {
             starts[c] = sum;
@@ -90,12 +89,42 @@ final class ColumnGrid {
             entries = new int[2 * sum];
             entryX = new double[2 * sum];
         }
+        for (int k = 0; k < sum; k++) {
+            insert(listedColumn[k], listedBody[k]);
+        }
+    }
+
+    /** Lists each box with each of its columns and counts how many stand in each. */
+    private void listColumns() {
+        Arrays.fill(fill, 0);
+        largeCount = 0;
+        listed = 0;
         for (int i = 0; i < bodies; i++) {
+            int at = 6 * i;
+            int y = cell(box[at + 1]);
+            int z = cell(box[at + 2]);
+            if (cell(box[at + 4]) == y && cell(box[at + 5]) == z && box[at + 5] < FAR) {
+                list(column(y, z), i);
+                continue;
+            }
             int columns = columns(i);
+            if (columns == 0) {
+                addLarge(i);
+            }
             for (int k = 0; k < columns; k++) {
-                insert(columnsOf[k], i);
+                list(columnsOf[k], i);
             }
         }
+    }
+
+    private void list(int column, int body) {
+        if (listed == listedBody.length) {
+            listedBody = Arrays.copyOf(listedBody, 2 * listed);
+            listedColumn = Arrays.copyOf(listedColumn, 2 * listed);
+        }
+        listedBody[listed] = body;
+        listedColumn[listed++] = column;
+        fill[column]++;
     }
 
     /** Keeps the column sorted by the lower x, and equal ones by number. */
@@ -112,13 +141,14 @@ final class ColumnGrid {
         entries[at] = i;
     }
 
-    /** The mean edge (m) of the boxes that are not unbounded. */
+    /** The mean edge (m) of some of the boxes, without those that go on for ever. */
     private double meanExtent() {
         double sum = 0;
         int count = 0;
-        for (int i = 0; i < bodies; i++) {
+        int step = Math.max(1, bodies / SAMPLE);
+        for (int i = 0; i < bodies; i += step) {
             double extent = box[6 * i + 4] - box[6 * i + 1] + box[6 * i + 5] - box[6 * i + 2];
-            if (extent < Double.MAX_VALUE) {
+            if (extent < FAR) {
                 sum += extent;
                 count += 2;
             }
@@ -132,16 +162,16 @@ final class ColumnGrid {
      */
     private int columns(int i) {
         int at = 6 * i;
-        double y0 = cell(box[at + 1]);
-        double z0 = cell(box[at + 2]);
-        double y1 = cell(box[at + 4]);
-        double z1 = cell(box[at + 5]);
-        if (!((y1 - y0 + 1) * (z1 - z0 + 1) <= MOST_COLUMNS)) {
+        int y0 = cell(box[at + 1]);
+        int z0 = cell(box[at + 2]);
+        int y1 = cell(box[at + 4]);
+        int z1 = cell(box[at + 5]);
+        if (((long) y1 - y0 + 1) * ((long) z1 - z0 + 1) > MOST_COLUMNS || !(box[at + 5] < FAR)) {
             return 0;
         }
         int count = 0;
-        for (long y = (long) y0; y <= (long) y1; y++) {
-            for (long z = (long) z0; z <= (long) z1; z++) {
+        for (int y = y0; y <= y1; y++) {
+            for (int z = z0; z <= z1; z++) {
                 int column = column(y, z);
                 boolean known = false;
                 for (int k = 0; k < count; k++) {
@@ -155,14 +185,17 @@ final class ColumnGrid {
         return count;
     }
 
-    private double cell(double coordinate) {
-        return Math.floor(coordinate * inverseWidth);
+    /** The cell of a coordinate (m); the first or last one beyond two thousand million cells. */
+    private int cell(double coordinate) {
+        double scaled = coordinate * inverseWidth;
+        int cut = (int) scaled;
+        return scaled < cut ? cut - 1 : cut;
     }
 
-    private int column(long y, long z) {
-        long h = y * 0x9E3779B97F4A7C15L + z * 0xC2B2AE3D27D4EB4FL;
-        h ^= h >>> 32;
-        return (int) (h ^ (h >>> 15)) & mask;
+    private int column(int y, int z) {
+        int h = y * 0x9E3779B1 + z * 0x85EBCA77;
+        h ^= h >>> 15;
+        return (h ^ (h >>> 7)) & mask;
     }
 
     private void addLarge(int i) {
@@ -324,8 +357,8 @@ final class ColumnGrid {
 
     /** Of the columns that two boxes share, the one of their intersection's lower corner counts. */
     private boolean isIn(int column, int a, int b) {
-        double y = cell(Math.max(box[6 * a + 1], box[6 * b + 1]));
-        double z = cell(Math.max(box[6 * a + 2], box[6 * b + 2]));
-        return column((long) y, (long) z) == column;
+        int y = cell(Math.max(box[6 * a + 1], box[6 * b + 1]));
+        int z = cell(Math.max(box[6 * a + 2], box[6 * b + 2]));
+        return column(y, z) == column;
     }
 }

@@ -114,6 +114,14 @@ final class Encounters implements ColumnGrid.Pairs {
     }
 
     private void relativePath(int a, int b, double from, double to) {
+        int p = CURVE * a;
+        int q = CURVE * b;
+        if (curve[p + START] == curve[q + START] && curve[p + END] == curve[q + END]) {
+            for (int k = 0; k < 12; k++) {
+                relative[k] = curve[p + k] - curve[q + k];
+            }
+            return;
+        }
         piece(a, from, to, relative);
         piece(b, from, to, cut);
         for (int k = 0; k < 12; k++) {

@@ -246,8 +246,14 @@ final class Frame {
 
     private void collide(int a, int b, double t) {
         double limit = resting.limitAt(a, b, t, length);
-        moveTo(a, t);
-        moveTo(b, t);
+        moverCount = 0;
+        if (!traits.isFixed[a]) {
+            addMover(a);
+        }
+        if (!traits.isFixed[b]) {
+            addMover(b);
+        }
+        trajectories.moveTo(movers, moverCount, t);
         boolean heard = motion.isHeard();
         Optional<Contact> contact =
                 heard ? Optional.of(motion.contact(rank(a), rank(b), begin + t)) : Optional.empty();

@@ -2,12 +2,16 @@ package org.auvsim.core.entity;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 
 /** The world objects of a world and the arrays that hold their numbers; object i has slot i. */
 public final class Bodies {
     private final BodyState state;
     private final List<WorldObject> objects;
+    private Optional<List<WorldObject>> active = Optional.empty();
+    private int activeAt;
 
     /** No bodies. */
     public Bodies() {
@@ -38,6 +42,20 @@ public final class Bodies {
         return Collections.unmodifiableList(objects);
     }
 
+    /** The objects that have behaviors, in order of id. */
+    public List<WorldObject> active() {
+        if (active.isEmpty() || activeAt != state.behaviorChanges()) {
+            activeAt = state.behaviorChanges();
+            active =
+                    Optional.of(
+                            objects.stream()
+                                    .filter(object -> !object.behaviors().isEmpty())
+                                    .sorted(Comparator.comparingLong(WorldObject::id))
+                                    .toList());
+        }
+        return active.get();
+    }
+
     /** Number of objects. */
     public int count() {
         return objects.size();
@@ -53,6 +71,7 @@ public final class Bodies {
         try {
             WorldObject object = new WorldObject(id, definition, state);
             objects.add(object);
+            active = Optional.empty();
             return object;
         } catch (IllegalArgumentException e) {
             state.remove(objects.size());
@@ -64,6 +83,7 @@ public final class Bodies {
     public void remove(WorldObject object) {
         int slot = object.slot();
         objects.remove(slot);
+        active = Optional.empty();
         state.remove(slot);
         for (int i = slot; i < objects.size(); i++) {
             objects.get(i).moveToSlot(i);

@@ -46,6 +46,7 @@ public final class BodyState {
     public static final int ELEMENTS = 6;
 
     private int count;
+    private int behaviorChanges;
 
     /** How many bodies have products of inertia, and how many are fixed. */
     private int withProducts;
@@ -116,6 +117,15 @@ public final class BodyState {
             copies[i] = arrays[i].clone();
         }
         return copies;
+    }
+
+    /** How often the behaviors of an object have changed. */
+    int behaviorChanges() {
+        return behaviorChanges;
+    }
+
+    void behaviorsChanged() {
+        behaviorChanges++;
     }
 
     /** Number of bodies; slots 0 to {@code count() - 1} are in use. */

@@ -341,6 +341,10 @@ public class RigidBody implements Collidable {
         state.applied().set(slot, forces.values(), propulsors());
     }
 
+    final void behaviorsChanged() {
+        state.behaviorsChanged();
+    }
+
     /** The propulsors that push it. */
     public List<Propulsor> propulsors() {
         return List.of();

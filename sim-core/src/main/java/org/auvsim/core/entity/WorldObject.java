@@ -152,6 +152,9 @@ public final class WorldObject extends RigidBody {
 
     private void changed(Component component) {
         sort();
+        if (component instanceof Behavior) {
+            behaviorsChanged();
+        }
         if (component instanceof Propulsor) {
             resultantChanged();
         }

@@ -34,6 +34,10 @@ final class ColumnGrid {
     private int[] listedBody = new int[64];
     private int[] listedColumn = new int[64];
     private int listed;
+
+    /** Greatest extent (m) along x of the boxes in columns. */
+    private double widest;
+
     private int[] entries = new int[16];
     private double[] entryX = new double[16];
     private int[] large = new int[4];
@@ -73,7 +77,7 @@ final class ColumnGrid {
         Arrays.fill(chain, -1);
     }
 
-    /** Puts all boxes into columns. */
+    /** Puts all boxes into columns; each is sorted when it is swept, which comes next. */
     void build() {
         inverseWidth = 1 / (MEAN_BOXES_WIDE * meanExtent());
         forgetChanges();
@@ -90,7 +94,7 @@ final class ColumnGrid {
             entryX = new double[2 * sum];
         }
         for (int k = 0; k < sum; k++) {
-            insert(listedColumn[k], listedBody[k]);
+            entries[fill[listedColumn[k]]++] = listedBody[k];
         }
     }
 
@@ -99,6 +103,7 @@ final class ColumnGrid {
         Arrays.fill(fill, 0);
         largeCount = 0;
         listed = 0;
+        widest = 0;
         for (int i = 0; i < bodies; i++) {
             int at = 6 * i;
             int y = cell(box[at + 1]);
@@ -118,6 +123,7 @@ final class ColumnGrid {
     }
 
     private void list(int column, int body) {
+        widest = Math.max(widest, box[6 * body + 3] - box[6 * body]);
         if (listed == listedBody.length) {
             listedBody = Arrays.copyOf(listedBody, 2 * listed);
             listedColumn = Arrays.copyOf(listedColumn, 2 * listed);
@@ -127,18 +133,20 @@ final class ColumnGrid {
         fill[column]++;
     }
 
-    /** Keeps the column sorted by the lower x, and equal ones by number. */
-    private void insert(int column, int i) {
-        double x = box[6 * i];
-        int at = fill[column]++;
-        int begin = starts[column];
-        while (at > begin && entryX[at - 1] > x) {
-            entryX[at] = entryX[at - 1];
-            entries[at] = entries[at - 1];
-            at--;
+    /** Sorts a column by the lower x, equal ones by number: insertion, as most is in order. */
+    private void sort(int begin, int end) {
+        for (int p = begin; p < end; p++) {
+            int i = entries[p];
+            double x = box[6 * i];
+            int at = p;
+            while (at > begin && entryX[at - 1] > x) {
+                entryX[at] = entryX[at - 1];
+                entries[at] = entries[at - 1];
+                at--;
+            }
+            entryX[at] = x;
+            entries[at] = i;
         }
-        entryX[at] = x;
-        entries[at] = i;
     }
 
     /** The mean edge (m) of some of the boxes, without those that go on for ever. */
@@ -214,6 +222,7 @@ final class ColumnGrid {
     void sweep(int from, int to, Pairs pairs) {
         for (int column = from; column < to; column++) {
             int end = starts[column + 1];
+            sort(starts[column], end);
             for (int p = starts[column]; p < end; p++) {
                 int a = entries[p];
                 double maxX = box[6 * a + 3];
@@ -298,7 +307,7 @@ final class ColumnGrid {
     private void pairsIn(int column, int i, Pairs pairs) {
         double maxX = box[6 * i + 3];
         int end = starts[column + 1];
-        for (int p = starts[column]; p < end && entryX[p] <= maxX; p++) {
+        for (int p = firstAt(column, box[6 * i] - widest); p < end && entryX[p] <= maxX; p++) {
             int b = entries[p];
             if (version[b] == 0 && overlap(6 * i, 6 * b) && isIn(column, i, b) && b != i) {
                 pairs.meet(Math.min(i, b), Math.max(i, b));
@@ -316,6 +325,21 @@ final class ColumnGrid {
                 pairs.meet(Math.min(i, b), Math.max(i, b));
             }
         }
+    }
+
+    /** Where the entries of a column begin whose lower x is no less than a coordinate (m). */
+    private int firstAt(int column, double x) {
+        int low = starts[column];
+        int high = starts[column + 1];
+        while (low < high) {
+            int middle = (low + high) >>> 1;
+            if (entryX[middle] < x) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
     }
 
     /** Takes a node that no longer counts out of its column's chain. */

@@ -52,6 +52,8 @@ final class Frame {
     private final List<Pair> touching = new ArrayList<>();
     private final StepTally tally;
     private double interruption;
+    private Optional<Contact> before = Optional.empty();
+    private StepResult last = StepResult.of(0, List.of());
     private double begin;
     private double length;
     private long events;
@@ -255,12 +257,15 @@ final class Frame {
         }
         trajectories.moveTo(movers, moverCount, t);
         boolean heard = motion.isHeard();
-        Optional<Contact> contact =
-                heard ? Optional.of(motion.contact(rank(a), rank(b), begin + t)) : Optional.empty();
+        if (heard) {
+            before = Optional.of(motion.contact(rank(a), rank(b), begin + t));
+        }
         Impacts.Outcome outcome = impacts.meet(a, b, begin + t, limit, heard);
         if (outcome == Impacts.Outcome.BOUNCED || outcome == Impacts.Outcome.STAY) {
             tally.collisions++;
-            contact.ifPresent(c -> collisions.add(new Collision(c, impacts.impulse())));
+            if (heard) {
+                collisions.add(new Collision(before.orElseThrow(), impacts.impulse()));
+            }
         }
         if (outcome == Impacts.Outcome.STAY || outcome == Impacts.Outcome.PRESSED) {
             resting.stay(a, b, limit);
@@ -354,7 +359,10 @@ final class Frame {
         }
         trajectories.commit();
         motion.begin(motion.time() + length);
-        return StepResult.of(length, collisions);
+        if (last.elapsed() != length || !last.collisions().isEmpty() || !collisions.isEmpty()) {
+            last = StepResult.of(length, collisions);
+        }
+        return last;
     }
 
     private StepResult endEarly() {

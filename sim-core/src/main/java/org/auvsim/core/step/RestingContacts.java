@@ -48,6 +48,7 @@ final class RestingContacts {
     private final ContactSolver resting = ContactSolver.forResting(TOLERANCE, MOST_SWEEPS);
     private double[] endVelocities = new double[6];
     private final double[] force = new double[6];
+    private final double[] approaches = new double[2];
     private int[] firstPoint = new int[64];
 
     RestingContacts(
@@ -76,6 +77,9 @@ final class RestingContacts {
      * @param length of the frame (s), at whose beginning the pair is
      */
     boolean holdIfResting(int a, int b, double length) {
+        if (traits.arePlainBalls(a, b) && isFast(a, b)) {
+            return false;
+        }
         double reach = hop(a, b) + trajectories.relativeWay(a, b);
         touch.find(a, b, reach, manifold);
         if (manifold.count == 0) {
@@ -97,6 +101,13 @@ final class RestingContacts {
         }
         held.hold(a, b, reach, limit);
         return true;
+    }
+
+    /** Tells most pairs of balls that bounce without looking at their contact. */
+    private boolean isFast(int a, int b) {
+        trajectories.approaches(a, b, approaches);
+        double pressure = Math.max(0, approaches[1] - approaches[0]);
+        return restitution(a, b) * approaches[0] >= limit(a, b, pressure, 1);
     }
 
     /** Holds a pair that has met and is to stay together, even if it should part a little. */

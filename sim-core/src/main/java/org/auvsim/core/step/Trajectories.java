@@ -525,6 +525,27 @@ final class Trajectories {
         return 6 * (first + s * (last - first)) / (h * h) - pushed * bodies.inverseMass()[slot];
     }
 
+    /**
+     * How fast two bodies approach along the line between their origins at the frame's beginning:
+     * there (m/s), and with their velocities at the ends of their segments.
+     */
+    void approaches(int a, int b, double[] to) {
+        int p = CURVE * a;
+        int q = CURVE * b;
+        double squared = 0;
+        double start = 0;
+        double finish = 0;
+        for (int axis = 0; axis < 3; axis++, p++, q++) {
+            double d = curve[p] - curve[q];
+            squared += d * d;
+            start -= d * (curve[p + 3] - curve[p] - curve[q + 3] + curve[q]);
+            finish -= d * (curve[p + 9] - curve[p + 6] - curve[q + 9] + curve[q + 6]);
+        }
+        double k = 3 / (length * Math.sqrt(squared));
+        to[0] = k * start;
+        to[1] = k * finish;
+    }
+
     /** No less than how far (m) two bodies move relative to each other over their segments. */
     double relativeWay(int a, int b) {
         double way = 0;

@@ -12,6 +12,7 @@ import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.step.Collision;
 import org.auvsim.core.step.ContactMemory;
 import org.auvsim.core.step.Lanes;
 import org.auvsim.core.step.Motion;
@@ -266,13 +267,15 @@ public final class World {
         clock.advance(result.elapsed());
         guardAgainstStandstill(result);
         publishCollisions(result);
-        result.changes().forEach(this::apply);
+        for (Change change : result.changes()) {
+            apply(change);
+        }
         removeWhatIsOver();
         return result;
     }
 
     private void letBehaviorsAct() {
-        List<WorldObject> objects = objects();
+        List<WorldObject> objects = population.bodies().active();
         // By index: an iterator an object would be garbage an object a step.
         for (int k = 0; k < objects.size(); k++) {
             WorldObject object = objects.get(k);
@@ -396,12 +399,9 @@ public final class World {
     }
 
     private void publishCollisions(StepResult result) {
-        result.collisions()
-                .forEach(
-                        collision ->
-                                announcements.announce(
-                                        new WorldEvent.Collided(
-                                                collision.contact().time(), collision)));
+        for (Collision collision : result.collisions()) {
+            announcements.announce(new WorldEvent.Collided(collision.contact().time(), collision));
+        }
     }
 
     private void publishMovements() {

@@ -157,6 +157,7 @@ public final class Block {
     public void take(int[] ofSlots, int count) {
         this.count = count;
         hasContactForces = false;
+        hasSubSteps = false;
         hasInertia = false;
         neighbours = false;
         System.arraycopy(ofSlots, 0, slots, 0, count);

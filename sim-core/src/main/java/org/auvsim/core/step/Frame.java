@@ -90,7 +90,7 @@ final class Frame {
         collisions.clear();
         touching.clear();
         trajectories.begin(motion.time(), wanted);
-        motion.requireFinite(trajectories.anyNotFinite(), wanted);
+        requireMotions();
         grid.build();
         lanes.run(predictLane);
         large.clear();
@@ -100,10 +100,26 @@ final class Frame {
             queueAll(found);
         }
         queueAll(large);
+        for (int body = 0; trajectories.hasCuts() && body < version.length; body++) {
+            queueEnd(body);
+        }
         isBeginning = true;
         settleAll();
         isBeginning = false;
         predictEntities();
+    }
+
+    private void requireMotions() {
+        motion.requireMild(trajectories.anyTooStiff(), length);
+        motion.requireFinite(trajectories.anyNotFinite(), length);
+    }
+
+    /** A segment that is shorter than the frame has to be followed by another. */
+    private void queueEnd(int body) {
+        double t = trajectories.endOf(body);
+        if (t < length) {
+            queue.add(t, rank(body), ContactQueue.NONE, version[body], 0);
+        }
     }
 
     private void predictLane(int lane) {
@@ -162,6 +178,7 @@ final class Frame {
         pairs.finishIsland();
         tally.heldPairs += pairs.pairCount();
         resting.settle(t, length, begin + t);
+        requireMotions();
         for (int k = 0; k < pairs.memberCount(); k++) {
             addMover(pairs.members()[k]);
             pass[pairs.members()[k]] = passes;
@@ -221,7 +238,11 @@ final class Frame {
         int second = queue.second();
         boolean valid = isValid();
         queue.removeFirst();
-        if (valid) {
+        if (valid && second == ContactQueue.NONE) {
+            tally.events++;
+            tally.subSteps++;
+            goOnAlone(slotOfRank[first], t);
+        } else if (valid) {
             countEvent(first, second, t);
             int a = slotOfRank[first];
             int b = slotOfRank[second];
@@ -234,7 +255,7 @@ final class Frame {
     }
 
     private boolean isValid() {
-        int b = slotOfRank[queue.second()];
+        int b = queue.second() < 0 ? -1 : slotOfRank[queue.second()];
         return version[slotOfRank[queue.first()]] == queue.firstVersion()
                 && (b < 0 || version[b] == queue.secondVersion());
     }
@@ -291,7 +312,7 @@ final class Frame {
         interruption = t;
         addTouching(first, second);
         while (!queue.isEmpty() && queue.time() <= t) {
-            if (isValid()) {
+            if (queue.second() != ContactQueue.NONE && isValid()) {
                 addTouching(queue.first(), queue.second());
             }
             queue.removeFirst();
@@ -312,6 +333,12 @@ final class Frame {
         }
     }
 
+    /** A segment has ended that was short as its body's forces are stiff: the next one begins. */
+    private void goOnAlone(int body, double t) {
+        moveTo(body, t);
+        goOn(body, body, t);
+    }
+
     /** Begins new segments for the two, and what rests on them, and predicts what they meet. */
     private void goOn(int a, int b, double t) {
         HeldPairs pairs = resting.pairs();
@@ -324,12 +351,12 @@ final class Frame {
             if (!traits.isFixed[a]) {
                 addMover(a);
             }
-            if (!traits.isFixed[b]) {
+            if (b != a && !traits.isFixed[b]) {
                 addMover(b);
             }
             trajectories.restart(movers, moverCount, t);
+            requireMotions();
         }
-        motion.requireFinite(trajectories.anyNotFinite(), length);
         predictMovers();
     }
 
@@ -341,6 +368,7 @@ final class Frame {
         for (int k = 0; k < moverCount; k++) {
             grid.pairsOf(movers[k], predictLate);
             predictEntities(movers[k]);
+            queueEnd(movers[k]);
             batch[movers[k]] = batches;
         }
     }

@@ -395,6 +395,17 @@ public final class Motion {
     /**
      * Nothing if {@code slot} is -1.
      *
+     * @throws StepException naming the body in the slot, whose forces are too stiff for the step
+     */
+    void requireMild(int slot, double offset) {
+        if (slot >= 0) {
+            throw StepException.tooStiff(population.objects().get(slot).name(), time, offset);
+        }
+    }
+
+    /**
+     * Nothing if {@code slot} is -1.
+     *
      * @throws StepException naming the body in the slot, whose motion is not finite
      */
     void requireFinite(int slot, double offset) {

@@ -191,10 +191,7 @@ final class Projection {
                         offset,
                         atLeast);
         if (parts[slot] == 0) {
-            throw new StepException(
-                    "the forces on '%s' are too stiff at %s s: %d parts of a step of %s s are not enough;"
-                                    .formatted(names.apply(slot), now, Block.MOST_SUB_STEPS, offset)
-                            + " lessen its damping or the time step");
+            throw StepException.tooStiff(names.apply(slot), now, offset);
         }
         for (int c = 0; c < BodyState.COLUMNS; c++) {
             columns[c][slot] = single.state[c][0];

@@ -36,6 +36,9 @@ final class RestingContacts {
     private static final double TOLERANCE = 1e-6;
     private static final int MOST_SWEEPS = 400;
 
+    /** With sub-steps, each round leaves at most 0.6 of an error. */
+    private static final int MOST_ROUNDS = 16;
+
     private final BodyState bodies;
     private final BodyTraits traits;
     private final Trajectories trajectories;
@@ -47,6 +50,10 @@ final class RestingContacts {
     private final ContactSolver impacts = ContactSolver.forImpacts();
     private final ContactSolver resting = ContactSolver.forResting(TOLERANCE, MOST_SWEEPS);
     private double[] endVelocities = new double[6];
+
+    /** The velocities at the end if there were no contact forces, six numbers a body. */
+    private double[] free = new double[6];
+
     private final double[] force = new double[6];
     private final double[] approaches = new double[2];
     private int[] firstPoint = new int[64];
@@ -163,16 +170,35 @@ final class RestingContacts {
             problem.body(members[k]);
         }
         gatherContacts();
-        if (aimAtImpact(length - offset)) {
+        if (endVelocities.length < 6 * count) {
+            endVelocities = new double[12 * count];
+            free = new double[12 * count];
+        }
+        boolean mayEndEarly = trajectories.mayEndEarly();
+        double end = length;
+        if (mayEndEarly) {
+            end = trajectories.restartTogether(members, count, offset, end, endVelocities);
+        }
+        boolean isHit = aimAtImpact(end - offset);
+        if (isHit) {
             impacts.solve(problem.bodies, problem.contacts);
             problem.applyImpulses();
         }
-        if (endVelocities.length < 6 * count) {
-            endVelocities = new double[12 * count];
+        if (isHit || !mayEndEarly) {
+            end = trajectories.restartTogether(members, count, offset, end, endVelocities);
         }
-        trajectories.restart(members, count, offset, endVelocities);
-        if (problem.contacts.count > 0 && push(length - offset, time, count)) {
-            trajectories.restart(members, count, offset, endVelocities);
+        double reached = problem.contacts.count == 0 ? end : hold(offset, end, time);
+        while (reached < end) {
+            end = reached;
+            clearForces(count);
+            trajectories.restartTogether(members, count, offset, end, endVelocities);
+            reached = hold(offset, end, time);
+        }
+    }
+
+    private void clearForces(int count) {
+        for (int k = 0; k < count; k++) {
+            trajectories.clearContactForce(held.members()[k]);
         }
     }
 
@@ -220,13 +246,49 @@ final class RestingContacts {
         return traits.nearness(held.first(pair), held.second(pair)) / 2;
     }
 
+    /**
+     * Puts the contact forces on the island that hold it up to {@code end}. Where forces depend on
+     * how bodies move, an impulse does not change the end as much as an impact would: what is
+     * missing is solved for again, with the velocities that the forces so far have left.
+     *
+     * @return the offset up to which it could be integrated
+     */
+    private double hold(double offset, double end, double time) {
+        double h = end - offset;
+        int count = held.memberCount();
+        System.arraycopy(endVelocities, 0, free, 0, 6 * count);
+        for (int k = 0; k < held.pairCount(); k++) {
+            aim(k, h, time);
+        }
+        double reached = end;
+        boolean isDone = false;
+        for (int round = 0; !isDone && round < MOST_ROUNDS; round++) {
+            boolean any = push(h, time, count);
+            if (any || round > 0) {
+                reached =
+                        trajectories.restartTogether(
+                                held.members(), count, offset, end, endVelocities);
+            }
+            isDone = !any || reached < end || !trajectories.mayEndEarly() || isAsSolved(count);
+        }
+        return reached;
+    }
+
+    /** Whether the bodies end as fast as solved for; if not, notes what is missing. */
+    private boolean isAsSolved(int count) {
+        double worst = 0;
+        for (int k = 0; k < 6 * count; k++) {
+            double missing = endVelocities[k] - problem.bodies.v[k];
+            free[k] += missing;
+            worst = Math.max(worst, Math.abs(missing));
+        }
+        return worst <= TOLERANCE;
+    }
+
     /** Solves for the contact forces over {@code h} (s) and sets them; false if there are none. */
     private boolean push(double h, double time, int count) {
         for (int k = 0; k < count; k++) {
-            problem.setVelocity(k, endVelocities, 6 * k);
-        }
-        for (int k = 0; k < held.pairCount(); k++) {
-            aim(k, h, time);
+            problem.setVelocity(k, free, 6 * k);
         }
         resting.solve(problem.bodies, problem.contacts);
         for (int k = 0; k < held.pairCount(); k++) {

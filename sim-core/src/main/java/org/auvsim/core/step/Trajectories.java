@@ -29,6 +29,9 @@ final class Trajectories {
 
     private static final int SPIN = 6;
 
+    /** Parts of a stiff motion that are asked to be cut in no more than these are fine. */
+    private static final int FINE = 2;
+
     /** Numbers of a box: min x, y, z, max x, y, z (m). */
     static final int BOX = 6;
 
@@ -63,11 +66,15 @@ final class Trajectories {
     /** What one lane needs for itself. */
     private static final class Worker {
         final Block block = new Block();
+        final Block single = new Block();
+        final int[] one = new int[1];
         final Pose pose = new Pose();
         final double[] vx = new double[Block.SIZE];
         final double[] vy = new double[Block.SIZE];
         final double[] vz = new double[Block.SIZE];
         int notFinite = -1;
+        int tooStiff = -1;
+        boolean hasCuts;
     }
 
     Trajectories(
@@ -122,6 +129,10 @@ final class Trajectories {
         return curve[CURVE * body + START];
     }
 
+    double endOf(int body) {
+        return curve[CURVE * body + END];
+    }
+
     /** Integrates all bodies over a frame that begins at the world's {@code time} (s). */
     void begin(double time, double length) {
         this.time = time;
@@ -139,6 +150,8 @@ final class Trajectories {
     private void integrateLane(int lane) {
         Worker worker = workers[lane];
         worker.notFinite = -1;
+        worker.tooStiff = -1;
+        worker.hasCuts = false;
         int blocks = (count + Block.SIZE - 1) / Block.SIZE;
         int from = (int) ((long) blocks * lane / workers.length);
         int to = (int) ((long) blocks * (lane + 1) / workers.length);
@@ -158,6 +171,10 @@ final class Trajectories {
     void moveTo(int slot, double offset) {
         double from = startOf(slot);
         if (from == offset) {
+            return;
+        }
+        if (offset == endOf(slot)) {
+            takeEnd(slot, offset);
             return;
         }
         Block block = workers[0].block;
@@ -185,6 +202,14 @@ final class Trajectories {
         bodies.column(BodyState.QX)[slot] = turnsAlong ? place.qx : block.state[BodyState.QX][i];
         bodies.column(BodyState.QY)[slot] = turnsAlong ? place.qy : block.state[BodyState.QY][i];
         bodies.column(BodyState.QZ)[slot] = turnsAlong ? place.qz : block.state[BodyState.QZ][i];
+        curve[CURVE * slot + START] = offset;
+    }
+
+    private void takeEnd(int slot, double offset) {
+        log.keep(slot);
+        for (int c = 0; c < BodyState.COLUMNS; c++) {
+            bodies.column(c)[slot] = end[c][slot];
+        }
         curve[CURVE * slot + START] = offset;
     }
 
@@ -242,18 +267,56 @@ final class Trajectories {
     }
 
     /**
-     * The same, telling the velocities at the segments' ends: six numbers a body, of the origin
-     * (m/s), then angular (rad/s), world.
+     * The same for bodies that hang together: their segments end together, at {@code latest} or, if
+     * the forces on one of them are stiff, before.
+     *
+     * @param endVelocities receives the velocities at the segments' ends: six numbers a body, of
+     *     the origin (m/s), then angular (rad/s), world
+     * @return the offset where the segments end
      */
-    void restart(int[] slots, int number, double offset, double[] endVelocities) {
+    double restartTogether(
+            int[] slots, int number, double offset, double latest, double[] endVelocities) {
+        Worker worker = workers[0];
+        int notFinite = worker.notFinite;
+        double last = latest;
+        int fine = latest < length ? FINE : 1;
+        int wanted = project(slots, number, offset, last, endVelocities);
+        for (int parts = wanted; wanted > fine; parts *= 2) {
+            fine = FINE;
+            last = offset + (latest - offset) / parts;
+            if (isTooShort(offset, last)) {
+                worker.tooStiff = slots[0];
+                return latest;
+            }
+            worker.notFinite = notFinite;
+            wanted = project(slots, number, offset, last, endVelocities);
+        }
+        return last;
+    }
+
+    /** Traces bodies from one offset to another; into how many parts that should be cut. */
+    private int project(int[] slots, int number, double from, double to, double[] endVelocities) {
+        Worker worker = workers[0];
+        Block block = worker.block;
+        int parts = 1;
         for (int first = 0; first < number; first += Block.SIZE) {
-            load(slots, first, Math.min(Block.SIZE, number - first), offset);
-            integrate(workers[0], offset, length);
+            load(slots, first, Math.min(Block.SIZE, number - first), from);
+            advance(worker, block, from, to);
+            for (int i = 0; i < block.count; i++) {
+                trace(worker, block, i, from, to);
+                parts = Math.max(parts, block.subSteps(i));
+            }
             tellVelocities(endVelocities, first);
         }
         for (int k = 0; k < number; k++) {
             version[slots[k]]++;
         }
+        return parts;
+    }
+
+    /** Whether nothing is gained any more by parts as short as this. */
+    private boolean isTooShort(double from, double to) {
+        return (to - from) * 2 * Block.MOST_SUB_STEPS < length;
     }
 
     /** Tells the velocities that bodies have in their present states, as {@link #restart} does. */
@@ -352,9 +415,27 @@ final class Trajectories {
         log.restore();
     }
 
-    /** Integrates the loaded bodies from one offset to another and traces their segments. */
+    /**
+     * Integrates the loaded bodies from one offset to another and traces their segments; a body
+     * whose forces are too stiff for that gets a shorter segment.
+     */
     private void integrate(Worker worker, double from, double to) {
         Block block = worker.block;
+        advance(worker, block, from, to);
+        boolean areWhole = !block.hasSubSteps();
+        for (int i = 0; i < block.count; i++) {
+            if (areWhole || block.subSteps(i) == 1) {
+                trace(worker, block, i, from, to);
+            }
+        }
+        for (int i = 0; !areWhole && i < block.count; i++) {
+            if (block.subSteps(i) > 1) {
+                cut(worker, block.slot(i), block.subSteps(i), from, to);
+            }
+        }
+    }
+
+    private void advance(Worker worker, Block block, double from, double to) {
         measure(block, 0);
         System.arraycopy(block.vx, 0, worker.vx, 0, block.count);
         System.arraycopy(block.vy, 0, worker.vy, 0, block.count);
@@ -364,9 +445,27 @@ final class Trajectories {
             block.scatter(block.state[c], end[c]);
         }
         measure(block, 3);
-        for (int i = 0; i < block.count; i++) {
-            trace(worker, i, from, to);
-        }
+    }
+
+    /** Traces a segment that is as many times shorter than asked as makes it fine. */
+    private void cut(Worker worker, int slot, int atLeast, double from, double to) {
+        worker.hasCuts = true;
+        worker.one[0] = slot;
+        Block block = worker.single;
+        double last = to;
+        int parts = atLeast;
+        do {
+            last = from + (to - from) / parts;
+            if (isTooShort(from, last)) {
+                worker.tooStiff = slot;
+                return;
+            }
+            equations.load(block, worker.one, 1, time + from);
+            push(block);
+            advance(worker, block, from, last);
+            parts *= 2;
+        } while (block.subSteps(0) > FINE);
+        trace(worker, block, 0, from, last);
     }
 
     /** Fills the velocities of the block, and notes the angular ones at start (0) or end (3). */
@@ -409,8 +508,7 @@ final class Trajectories {
     }
 
     /** Writes curve and box of body {@code i} of the block. */
-    private void trace(Worker worker, int i, double from, double to) {
-        Block block = worker.block;
+    private void trace(Worker worker, Block block, int i, double from, double to) {
         int slot = block.slot(i);
         if (traits.isFixed[slot]) {
             standStill(worker, slot, from, to);
@@ -584,6 +682,31 @@ final class Trajectories {
         to.qx = bodies.column(BodyState.QX)[slot];
         to.qy = bodies.column(BodyState.QY)[slot];
         to.qz = bodies.column(BodyState.QZ)[slot];
+    }
+
+    /** Whether forces may be so stiff that a segment ends before its frame. */
+    boolean mayEndEarly() {
+        return equations.mayBeStiff();
+    }
+
+    /** Whether a segment of the frame's beginning is shorter than the frame. */
+    boolean hasCuts() {
+        boolean any = false;
+        for (Worker worker : workers) {
+            any |= worker.hasCuts;
+        }
+        return any;
+    }
+
+    /** The slot of a body whose forces are too stiff for the shortest segment; -1 if there is none. */
+    int anyTooStiff() {
+        int first = -1;
+        for (Worker worker : workers) {
+            if (worker.tooStiff >= 0 && (first < 0 || worker.tooStiff < first)) {
+                first = worker.tooStiff;
+            }
+        }
+        return first;
     }
 
     /** The slot of a body whose end is not a finite number, the first one; -1 if there is none. */

@@ -2,6 +2,7 @@ package org.auvsim.core.step;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 import static org.auvsim.core.math.Near.assertNear;
 
 import org.auvsim.core.effect.Damping;
@@ -12,11 +13,22 @@ import org.auvsim.core.entity.MotionAxis;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.volume.Box;
+import org.auvsim.core.volume.HalfSpace;
+import org.auvsim.core.volume.Sphere;
 import org.auvsim.core.world.World;
+import org.auvsim.core.world.WorldBuilder;
+import org.auvsim.core.world.WorldEvent;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.IntConsumer;
+import java.util.stream.IntStream;
 
 /**
  * The REMUS with its printed damping (Prestero 2001, as used with Yvv -1310, Mqq -188, Nrr -94),
@@ -45,16 +57,25 @@ class StiffBodiesTest {
                                 new Vec3(0.13, 188, 94)));
     }
 
-    private static World world(WorldObjectDefinition.Builder body, double dt) {
-        return World.builder()
-                .timeStep(dt)
-                .stepper(
-                        new SnapshotStepper(
-                                new NoRestricter(),
-                                new AllPairsPartitioner(),
-                                new EndOfStepFinder()))
-                .add(body.build())
-                .build();
+    static List<Stepper> steppers() {
+        Stepper snapshots =
+                new SnapshotStepper(
+                        new NoRestricter(), new AllPairsPartitioner(), new EndOfStepFinder());
+        return List.of(snapshots, EventStepper.standard());
+    }
+
+    private static World world(
+            Stepper stepper, double dt, WorldObjectDefinition.Builder... bodies) {
+        return world(stepper, dt, Lanes.ONE, bodies);
+    }
+
+    private static World world(
+            Stepper stepper, double dt, Lanes lanes, WorldObjectDefinition.Builder... bodies) {
+        WorldBuilder world = World.builder().timeStep(dt).stepper(stepper).lanes(lanes);
+        for (WorldObjectDefinition.Builder body : bodies) {
+            world.add(body.build());
+        }
+        return world.build();
     }
 
     private static WorldObject after(World world, int steps) {
@@ -64,12 +85,13 @@ class StiffBodiesTest {
         return world.object("REMUS");
     }
 
-    @Test
-    void theRemusSlowsDownAsWithAThousandTimesSmallerSteps() {
+    @ParameterizedTest
+    @MethodSource("steppers")
+    void theRemusSlowsDownAsWithAThousandTimesSmallerSteps(Stepper stepper) {
         WorldObjectDefinition.Builder sway = remus().velocity(1.5, 3, 0).angularVelocity(0, 3, 0.5);
-        World coarse = world(sway, 0.05);
+        World coarse = world(stepper, 0.05, sway);
         WorldObject body = after(coarse, 40);
-        WorldObject fine = after(world(sway, 0.00005), 40_000);
+        WorldObject fine = after(world(stepper, 0.00005, sway), 40_000);
         assertNear(body.velocity(), fine.velocity(), 0.02);
         assertNear(body.angularVelocity(), fine.angularVelocity(), 0.02);
         assertNear(body.position(), fine.position(), 0.03);
@@ -77,10 +99,13 @@ class StiffBodiesTest {
         assertThat(coarse.statistics().subSteps()).isBetween(2L, 400L);
     }
 
-    @Test
-    void ordinaryDampingIsNotCut() {
+    @ParameterizedTest
+    @MethodSource("steppers")
+    void ordinaryDampingIsNotCut(Stepper stepper) {
         World world =
                 world(
+                        stepper,
+                        0.05,
                         WorldObjectDefinition.named("REMUS")
                                 .volume(new Box(new Vec3(1, 1, 1)))
                                 .mass(30)
@@ -90,20 +115,21 @@ class StiffBodiesTest {
                                                 new Vec3(5, 5, 5),
                                                 new Vec3(10, 10, 10),
                                                 new Vec3(1, 1, 1),
-                                                Vec3.ZERO)),
-                        0.05);
+                                                Vec3.ZERO)));
         after(world, 100);
         assertThat(world.statistics().subSteps()).isZero();
     }
 
-    @Test
-    void whatIsTooStiffIsSaidAndNothingHasMoved() {
+    @ParameterizedTest
+    @MethodSource("steppers")
+    void whatIsTooStiffIsSaidAndNothingHasMoved(Stepper stepper) {
         Vec3 huge = new Vec3(1e9, 1e9, 1e9);
         World world =
                 world(
+                        stepper,
+                        0.05,
                         remus().velocity(1, 0, 0)
-                                .effect(new Damping(huge, Vec3.ZERO, Vec3.ZERO, Vec3.ZERO)),
-                        0.05);
+                                .effect(new Damping(huge, Vec3.ZERO, Vec3.ZERO, Vec3.ZERO)));
         long before = world.stateHash();
         assertThatThrownBy(world::advanceTimestep)
                 .isInstanceOf(StepException.class)
@@ -111,4 +137,138 @@ class StiffBodiesTest {
                 .hasMessageContaining("too stiff");
         assertThat(world.stateHash()).isEqualTo(before);
     }
+
+    private static final Damping THICK =
+            new Damping(
+                    new Vec3(100, 100, 100), Vec3.ZERO, new Vec3(20, 20, 20), new Vec3(1, 1, 1));
+
+    private static WorldObjectDefinition.Builder ball(String name) {
+        return WorldObjectDefinition.named(name).volume(new Sphere(0.5)).mass(1);
+    }
+
+    /** dv/dt = -100/s v: v = v0 exp(-100 t), x = x0 + v0/100 (1 - exp(-100 t)). */
+    @Test
+    void aStiffBodyMeetsAnotherWhereItIsWithinTheFrame() {
+        double speed = 30;
+        double gap = 0.2;
+        double hit = -StrictMath.log(1 - 100 * gap / speed) / 100;
+        List<Double> times = new ArrayList<>();
+        World world =
+                world(
+                        EventStepper.standard(),
+                        0.05,
+                        ball("stiff").velocity(speed, 0, 0).effect(THICK),
+                        ball("heavy").position(1 + gap, 0, 0).mass(1e6));
+        world.addListener(
+                event -> {
+                    if (event instanceof WorldEvent.Collided collided) {
+                        times.add(collided.collision().contact().time());
+                    }
+                });
+        world.advanceTimestep();
+        assertThat(times).hasSize(1);
+        assertThat(times.getFirst()).isCloseTo(hit, within(2e-4));
+        double back = -(speed - 100 * gap) * StrictMath.exp(-100 * (0.05 - hit));
+        assertThat(world.object("stiff").velocity().x()).isCloseTo(back, within(0.02));
+        assertThat(world.statistics().subSteps()).isPositive();
+    }
+
+    private static WorldObjectDefinition.Builder ground() {
+        return WorldObjectDefinition.named("ground")
+                .volume(new HalfSpace())
+                .position(0, 0, 0)
+                .fixed();
+    }
+
+    /** The drag in a fluid must not weaken what the ground bears: it sinks by nothing. */
+    @Test
+    void aDampedBodyRestsOnTheGround() {
+        Vec3 drag = new Vec3(10, 10, 10);
+        World world =
+                world(
+                        EventStepper.standard(),
+                        0.05,
+                        ground(),
+                        box("box")
+                                .position(0, 0, 0.6)
+                                .effect(new Damping(drag, Vec3.ZERO, drag, Vec3.ZERO))
+                                .effect(new Gravity(9.8)));
+        for (int k = 0; k < 200; k++) {
+            world.advanceTimestep();
+        }
+        assertThat(world.object("box").position().z()).isCloseTo(0.5, within(2e-5));
+        assertThat(world.object("box").velocity().norm()).isLessThan(1e-6);
+    }
+
+    @Test
+    void aStiffBodyComesToRestOnTheGroundWithAnotherOnTop() {
+        World world =
+                world(
+                        EventStepper.standard(),
+                        0.05,
+                        ground(),
+                        box("lower").position(0, 0, 0.6).effect(THICK).effect(new Gravity(9.8)),
+                        box("upper").position(0.1, 0, 1.7).effect(new Gravity(9.8)));
+        for (int k = 0; k < 200; k++) {
+            world.advanceTimestep();
+        }
+        assertThat(world.object("lower").position().z()).isCloseTo(0.5, within(1e-4));
+        assertThat(world.object("upper").position().z()).isCloseTo(1.5, within(2e-4));
+        assertThat(world.object("upper").velocity().norm()).isLessThan(1e-4);
+        assertThat(world.statistics().subSteps()).isPositive();
+    }
+
+    private static WorldObjectDefinition.Builder box(String name) {
+        return WorldObjectDefinition.named(name)
+                .volume(new Box(new Vec3(1, 1, 1)))
+                .mass(1)
+                .restitution(0)
+                .friction(0.5);
+    }
+
+    /** Stiff and plain balls among each other, in more than one block. */
+    private static World crowd(Lanes lanes) {
+        SplittableRandom random = new SplittableRandom(5);
+        WorldObjectDefinition.Builder[] balls = new WorldObjectDefinition.Builder[300];
+        for (int k = 0; k < balls.length; k++) {
+            balls[k] =
+                    ball("ball " + k)
+                            .position(1.1 * (k % 7), 1.1 * (k / 7 % 7), 1.1 * (k / 49))
+                            .velocity(
+                                    random.nextDouble(-9, 9),
+                                    random.nextDouble(-9, 9),
+                                    random.nextDouble(-9, 9));
+            if (k % 3 == 0) {
+                balls[k].effect(THICK);
+            }
+        }
+        return world(EventStepper.standard(), 0.05, lanes, balls);
+    }
+
+    @Test
+    void stiffBodiesMoveEquallyInOneLaneAndInMany() {
+        World one = crowd(Lanes.ONE);
+        World four = crowd(FOUR);
+        for (int k = 0; k < 10; k++) {
+            one.advanceTimestep();
+            four.advanceTimestep();
+            assertThat(four.stateHash()).isEqualTo(one.stateHash());
+        }
+        assertThat(one.statistics()).isEqualTo(four.statistics());
+        assertThat(one.statistics().subSteps()).isGreaterThan(100);
+        assertThat(one.statistics().collisions()).isGreaterThan(100);
+    }
+
+    private static final Lanes FOUR =
+            new Lanes() {
+                @Override
+                public int count() {
+                    return 4;
+                }
+
+                @Override
+                public void run(IntConsumer part) {
+                    IntStream.range(0, 4).parallel().forEach(part);
+                }
+            };
 }

@@ -28,8 +28,8 @@ final class RestingContacts {
     private static final double FASTEST_MENDING = 0.5;
 
     /**
-     * Contacts that approach slower than this (m/s), such as the last frame's rest of error, need no
-     * impulse at once: the forces mend it.
+     * Contacts that approach slower than this (m/s), such as the last frame's rest of error, need
+     * no impulse at once: the forces mend it.
      */
     private static final double SLOW = 2e-6;
 
@@ -78,8 +78,8 @@ final class RestingContacts {
     }
 
     /**
-     * Holds a pair that touches, or will in this frame, if it is to rest: it meets so slowly that it
-     * would not part again within the frame.
+     * Holds a pair that touches, or will in this frame, if it is to rest: it meets so slowly that
+     * it would not part again within the frame.
      *
      * @param length of the frame (s), at whose beginning the pair is
      */
@@ -127,8 +127,7 @@ final class RestingContacts {
     }
 
     private double pressure(int a, int b, double offset, int k) {
-        return trajectories.pressure(
-                a, b, offset, manifold.nx[k], manifold.ny[k], manifold.nz[k]);
+        return trajectories.pressure(a, b, offset, manifold.nx[k], manifold.ny[k], manifold.nz[k]);
     }
 
     /**
@@ -225,8 +224,8 @@ final class RestingContacts {
     }
 
     /**
-     * Asks of each contact that the bodies do not meet within {@code h} (s) at their present speeds;
-     * false if they do not.
+     * Asks of each contact that the bodies do not meet within {@code h} (s) at their present
+     * speeds; false if they do not.
      */
     private boolean aimAtImpact(double h) {
         boolean any = false;
@@ -314,8 +313,7 @@ final class RestingContacts {
                             ? missing / h
                             : Math.min(MENDING * missing / h, FASTEST_MENDING * smaller);
             Vec3 place = onBody(Math.min(a, b), c);
-            int found =
-                    memory.nearest(entry, place.x(), place.y(), place.z(), 0.05 * smaller);
+            int found = memory.nearest(entry, place.x(), place.y(), place.z(), 0.05 * smaller);
             if (found >= 0) {
                 double sign = a < b ? h : -h;
                 problem.contacts.guess(

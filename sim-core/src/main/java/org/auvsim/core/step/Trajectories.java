@@ -213,7 +213,9 @@ final class Trajectories {
         curve[CURVE * slot + START] = offset;
     }
 
-    /** The same for several bodies, most of which are on their first segment: those go in blocks. */
+    /**
+     * The same for several bodies, most of which are on their first segment: those go in blocks.
+     */
     void moveTo(int[] slots, int number, double offset) {
         int fresh = 0;
         for (int k = 0; k < number; k++) {
@@ -589,8 +591,9 @@ final class Trajectories {
     }
 
     /**
-     * How strongly two bodies are pressed together (m/s^2) at an offset by what is no contact force:
-     * their relative acceleration against a direction that leads from b to a. Turning is left out.
+     * How strongly two bodies are pressed together (m/s^2) at an offset by what is no contact
+     * force: their relative acceleration against a direction that leads from b to a. Turning is
+     * left out.
      */
     double pressure(int a, int b, double offset, double nx, double ny, double nz) {
         return nx * (acceleration(b, 0, offset) - acceleration(a, 0, offset))
@@ -698,7 +701,9 @@ final class Trajectories {
         return any;
     }
 
-    /** The slot of a body whose forces are too stiff for the shortest segment; -1 if there is none. */
+    /**
+     * The slot of a body whose forces are too stiff for the shortest segment; -1 if there is none.
+     */
     int anyTooStiff() {
         int first = -1;
         for (Worker worker : workers) {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import static org.auvsim.core.math.Near.assertNear;
 
 import org.auvsim.core.effect.Damping;
+import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.AddedMass;
 import org.auvsim.core.entity.AddedMassTerm;
 import org.auvsim.core.entity.Inertia;
@@ -13,7 +14,6 @@ import org.auvsim.core.entity.MotionAxis;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
-import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.volume.Box;
 import org.auvsim.core.volume.HalfSpace;
 import org.auvsim.core.volume.Sphere;

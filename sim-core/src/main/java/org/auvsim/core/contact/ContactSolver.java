@@ -50,12 +50,7 @@ public final class ContactSolver {
      * to just what keeps it, see {@link Solution#bounceKept()}.
      */
     public static ContactSolver forImpacts() {
-        return forImpacts(IMPACT_ACCURACY);
-    }
-
-    /** The same to another share of the fastest approach: for impacts that are solved again soon. */
-    public static ContactSolver forImpacts(double accuracy) {
-        return new ContactSolver(0, accuracy, IMPACT_SWEEPS, /* boundsEnergy= */ true);
+        return new ContactSolver(0, IMPACT_ACCURACY, IMPACT_SWEEPS, /* boundsEnergy= */ true);
     }
 
     /**

@@ -23,6 +23,8 @@ final class ColumnGrid {
     /** So many boxes, spread over all, tell how wide the columns are to be. */
     private static final int SAMPLE = 64;
 
+    private static final double OUTERMOST = 1e9;
+
     /** Boxes that reach beyond this (m) go on for ever. */
     private static final double FAR = 1e300;
 
@@ -193,9 +195,9 @@ final class ColumnGrid {
         return count;
     }
 
-    /** The cell of a coordinate (m); the first or last one beyond two thousand million cells. */
+    /** The cell of a coordinate (m); the outermost one for all that is farther off. */
     private int cell(double coordinate) {
-        double scaled = coordinate * inverseWidth;
+        double scaled = Math.min(Math.max(coordinate * inverseWidth, -OUTERMOST), OUTERMOST);
         int cut = (int) scaled;
         return scaled < cut ? cut - 1 : cut;
     }

@@ -33,10 +33,7 @@ final class RestingContacts {
      */
     private static final double SLOW = 2e-6;
 
-    /** What an impact leaves of the approach, as a share, the forces take away. */
-    private static final double IMPACT_ACCURACY = 1e-4;
-
-    private static final double TOLERANCE = 1e-5;
+    private static final double TOLERANCE = 1e-6;
     private static final int MOST_SWEEPS = 400;
 
     /** With sub-steps, each round leaves at most 0.6 of an error. */
@@ -50,7 +47,7 @@ final class RestingContacts {
     private final ContactMemory memory;
     private final HeldPairs held;
     private final Manifold manifold = new Manifold();
-    private final ContactSolver impacts = ContactSolver.forImpacts(IMPACT_ACCURACY);
+    private final ContactSolver impacts = ContactSolver.forImpacts();
     private final ContactSolver resting = ContactSolver.forResting(TOLERANCE, MOST_SWEEPS);
     private double[] endVelocities = new double[6];
 

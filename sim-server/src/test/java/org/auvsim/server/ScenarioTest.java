@@ -23,7 +23,7 @@ import java.util.Optional;
 class ScenarioTest {
     private static Scenario scenario(FeedbackTimestepping stepping, Optional<String> override) {
         return new Scenario(
-                0,
+                0, false, false,
                 new TimeStep(0.05),
                 SnapshotStepper.standard(),
                 stepping,

@@ -4,6 +4,7 @@ import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.step.Lanes;
 import org.auvsim.core.step.Stepper;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldBuilder;
@@ -15,6 +16,8 @@ import java.util.Optional;
  * A world and how it is to be run, as a file states it.
  *
  * @param startTime the world's time at the beginning
+ * @param boundingSpheres whether objects collide as their bounding spheres (thesis, section 5.1.2)
+ * @param allowOverlaps whether objects may overlap at the beginning
  * @param timeStep by how much a step moves time on
  * @param stepper how a step is made
  * @param feedbackTimestepping when robots' feedback is taken
@@ -24,8 +27,10 @@ import java.util.Optional;
  */
 public record Scenario(
         @Unit("s") @Default("0.0") double startTime,
+        @Default("0") boolean boundingSpheres,
+        @Default("0") boolean allowOverlaps,
         @Default("0.05") TimeStep timeStep,
-        @Default("snapshot-stepper") Stepper stepper,
+        @Default("event-stepper") Stepper stepper,
         @Default("asynchronous-feedback-timestepper") FeedbackTimestepping feedbackTimestepping,
         Optional<FeedbackProcessorChoice> feedbackProcessor,
         List<Current> current,
@@ -39,11 +44,27 @@ public record Scenario(
     /**
      * The world at the beginning.
      *
-     * @throws org.auvsim.core.world.WorldException if an id or a name is used twice
+     * @throws org.auvsim.core.world.WorldException if an id or a name is used twice, if objects
+     *     overlap that may not, or if one that is to collide as its bounding sphere has none
      */
     public World world() {
+        return world(Lanes.ONE);
+    }
+
+    /** The same, its steps made on these lanes. */
+    public World world(Lanes lanes) {
         WorldBuilder world =
-                World.builder().startTime(startTime).timeStep(timeStep.delta()).stepper(stepper);
+                World.builder()
+                        .startTime(startTime)
+                        .timeStep(timeStep.delta())
+                        .stepper(stepper)
+                        .lanes(lanes);
+        if (boundingSpheres) {
+            world.asBoundingSpheres();
+        }
+        if (allowOverlaps) {
+            world.allowOverlaps();
+        }
         current.forEach(world::add);
         worldObject.forEach(world::add);
         return world.build();

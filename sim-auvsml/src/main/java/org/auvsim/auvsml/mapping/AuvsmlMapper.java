@@ -9,7 +9,9 @@ import org.auvsim.auvsml.xml.XmlTree;
 import org.jspecify.annotations.Nullable;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 
@@ -102,6 +104,22 @@ public final class AuvsmlMapper {
                     "%s and %s are both registered as %s <%s>; rename one of the records"
                             .formatted(other.getName(), record.getName(), type.getName(), name));
         }
+    }
+
+    /**
+     * The one element that takes elements of a name to choose from, of those that are themselves
+     * chosen by name; empty if none does, or several do.
+     */
+    Optional<String> homeOf(String name) {
+        List<String> homes =
+                implementations.values().stream()
+                        .flatMap(byName -> byName.values().stream())
+                        .distinct()
+                        .map(this::codec)
+                        .filter(codec -> codec.chooses(name))
+                        .map(RecordCodec::elementName)
+                        .toList();
+        return homes.size() == 1 ? Optional.of(homes.getFirst()) : Optional.empty();
     }
 
     /** The codec of a record type, compiled with all types inside it when first asked for. */

@@ -191,14 +191,31 @@ final class RecordCodec {
 
     private void unknownChild(PlacedElement inner, Decoding decoding) {
         if (!decoding.isLenient()) {
-            decoding.fault(
-                    ErrorCode.UNKNOWN_ELEMENT,
-                    "unknown element %s; %s"
-                            .formatted(
-                                    Names.quoted(inner.getName()),
-                                    Names.nearest(inner.getName(), children.keySet())),
-                    inner);
+            String problem =
+                    mapper.homeOf(inner.getName())
+                            .map(
+                                    home ->
+                                            "<%s> belongs inside <%s>, but is inside <%s>"
+                                                    .formatted(
+                                                            inner.getName(),
+                                                            home,
+                                                            inner.getParentElement().getName()))
+                            .orElseGet(
+                                    () ->
+                                            "unknown element %s; %s"
+                                                    .formatted(
+                                                            Names.quoted(inner.getName()),
+                                                            Names.nearest(
+                                                                    inner.getName(),
+                                                                    children.keySet())));
+            decoding.fault(ErrorCode.UNKNOWN_ELEMENT, problem, inner);
         }
+    }
+
+    /** Whether an element of this name may be chosen inside. */
+    boolean chooses(String name) {
+        Child child = children.get(name);
+        return child != null && child.slot.content() instanceof Slot.Choice;
     }
 
     private void complete(PlacedElement element, @Nullable Object[] values, Decoding decoding) {

@@ -20,6 +20,7 @@ import org.auvsim.core.field.UniformCurrent;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.step.AllPairsPartitioner;
 import org.auvsim.core.step.BisectionFinder;
+import org.auvsim.core.step.EventStepper;
 import org.auvsim.core.step.MaximumSpeedRestricter;
 import org.auvsim.core.step.SnapshotStepper;
 import org.auvsim.core.volume.Box;
@@ -73,7 +74,7 @@ class ScenarioLoaderTest {
         assertThat(scenario)
                 .isEqualTo(
                         new Scenario(
-                                1.5,
+                                1.5, false, false,
                                 new TimeStep(0.01),
                                 new SnapshotStepper(
                                         new MaximumSpeedRestricter(20),
@@ -128,11 +129,20 @@ class ScenarioLoaderTest {
     }
 
     @Test
+    void overlapsAreLetBeIfTheScenarioSaysSo() throws Exception {
+        String text =
+                TANK.replace("<position x=\"1\" y=\"2\" z=\"-3\"/>", "")
+                        .replace("start-time", "allow-overlaps=\"1\" start-time");
+
+        assertThat(loader.parse(text.getBytes(UTF_8)).world().overlaps(2)).containsExactly(47L);
+    }
+
+    @Test
     void anEmptyWorldHasTheDefaults() throws Exception {
         Scenario scenario = loader.parse("<scenario/>".getBytes(UTF_8));
 
         assertThat(scenario.timeStep()).isEqualTo(new TimeStep(0.05));
-        assertThat(scenario.stepper()).isEqualTo(SnapshotStepper.standard());
+        assertThat(scenario.stepper()).isEqualTo(EventStepper.standard());
         assertThat(scenario.feedbackTimestepping())
                 .isEqualTo(new AsynchronousFeedbackTimestepper());
         assertThat(scenario.world().time()).isZero();
@@ -159,6 +169,10 @@ class ScenarioLoaderTest {
                     <sphere radius="0.5"/>| <height-map spacing="1"><row heights="0 1"/><row heights="0"/></height-map> | line 22, column 39: row 2 of a height map has 1 heights, but row 1 has 2
                     <gravity/>            | <gravty/>           | line 19, column 5: unknown element 'gravty'; the nearest known name is 'gravity'
                     <gravity/>            | <gravity>           | line 21, column 16: unexpected close tag
+                    <snapshot-stepper>    | <event-stepper/><octree-partitioner/><snapshot-stepper> | line 5, column 19: <octree-partitioner> belongs inside <snapshot-stepper>, but is inside <scenario>
+                    <snapshot-stepper>    | <event-stepper><bisection-finder/></event-stepper><snapshot-stepper> | line 5, column 18: <bisection-finder> belongs inside <snapshot-stepper>, but is inside <event-stepper>
+                    start-time="1.5"      | start-time="1.5" bounding-spheres="1"><world-object name="Ground" fixed="1"><half-space/></world-object | line 3, column 1: 'Ground' has no bounding sphere, as its volume has no end
+                    <position x="1" y="2" z="-3"/> | ``         | line 3, column 1: objects overlap at the start: 'Rock' (id 2) and 'Juggernaut' (id 47) by 0.650 m; move them apart or set allow-overlaps
                     wait="0.02"           | wait="-1"           | line 9, column 3: the wait for feedback must be above 0 s
                     <scenario start-time  | <scene start-time   | line 23, column 10: unexpected close tag
                     """)

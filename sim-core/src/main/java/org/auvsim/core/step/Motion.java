@@ -47,6 +47,8 @@ public final class Motion {
     private final List<Collidable> collidables;
     private final int[] slots;
     private final boolean[] fixed;
+    private final int[] layer;
+    private final int[] ignored;
     private final boolean asBoundingSpheres;
     private final BodyState bodies;
     private final PairQueries queries;
@@ -99,9 +101,16 @@ public final class Motion {
         this.time = time;
         slots = new int[collidables.size()];
         fixed = new boolean[collidables.size()];
+        layer = new int[collidables.size()];
+        ignored = new int[collidables.size()];
         for (int i = 0; i < slots.length; i++) {
-            slots[i] = collidables.get(i) instanceof RigidBody body ? body.slot() : -1;
-            fixed[i] = collidables.get(i) instanceof RigidBody body && body.isFixed();
+            slots[i] = -1;
+            if (collidables.get(i) instanceof RigidBody body) {
+                slots[i] = body.slot();
+                fixed[i] = body.isFixed();
+                layer[i] = body.layer();
+                ignored[i] = body.ignoredLayers();
+            }
         }
         sets = new CollisionSets(this);
         Block block = new Block();
@@ -152,8 +161,7 @@ public final class Motion {
     /** What the event stepper works with, made when it is first asked for. */
     Frame frame() {
         if (frame.isEmpty()) {
-            BodyTraits traits = new BodyTraits(
-                            bodies, population.objects(), fallback, asBoundingSpheres);
+            BodyTraits traits = traits();
             for (int rank = 0; rank < slots.length; rank++) {
                 if (slots[rank] >= 0) {
                     traits.rank[slots[rank]] = rank;
@@ -163,6 +171,10 @@ public final class Motion {
             frame = Optional.of(new Frame(this, traits, trajectories, slots));
         }
         return frame.get();
+    }
+
+    private BodyTraits traits() {
+        return new BodyTraits(bodies, population.objects(), fallback, asBoundingSpheres);
     }
 
     /** Number of collidables. */
@@ -268,7 +280,9 @@ public final class Motion {
     public boolean mayCollide(int i, int j) {
         boolean twoBodies = slots[i] >= 0 && slots[j] >= 0;
         if (twoBodies) {
-            return !(fixed[i] && fixed[j]);
+            return !(fixed[i] && fixed[j])
+                    && (ignored[i] >>> layer[j] & 1) == 0
+                    && (ignored[j] >>> layer[i] & 1) == 0;
         }
         boolean oneBody = slots[i] >= 0 || slots[j] >= 0;
         return oneBody
@@ -449,6 +463,14 @@ public final class Motion {
             }
         }
         return found;
+    }
+
+    /**
+     * The pairs of bodies that share space now by more than rounding and would collide, in order of
+     * their ids; of very many only some.
+     */
+    public List<Overlap> overlaps() {
+        return OverlapSearch.among(population.objects(), traits(), bodies, queries);
     }
 
     private Participant participant(int i) {

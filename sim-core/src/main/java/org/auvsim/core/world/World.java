@@ -16,6 +16,7 @@ import org.auvsim.core.step.Collision;
 import org.auvsim.core.step.ContactMemory;
 import org.auvsim.core.step.Lanes;
 import org.auvsim.core.step.Motion;
+import org.auvsim.core.step.Overlap;
 import org.auvsim.core.step.StepException;
 import org.auvsim.core.step.StepResult;
 import org.auvsim.core.step.StepStatistics;
@@ -27,6 +28,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /**
  * A simulated world: its entities, its time, and the one way in which time moves on.
@@ -37,6 +39,9 @@ import java.util.Optional;
 public final class World {
     /** So many steps in a row that do not move time mean that a collision never ends. */
     private static final int MOST_STEPS_AT_ONE_INSTANT = 10_000;
+
+    /** So many overlaps are told one by one. */
+    private static final int MOST_LISTED = 10;
 
     private final Stepper stepper;
     private final Integrator integrator;
@@ -159,9 +164,16 @@ public final class World {
     /**
      * Adds a world object, with the id that it states or the next free one.
      *
-     * @throws WorldException if its id or name is taken
+     * @throws WorldException if its id or name is taken, or if it is to collide as its bounding
+     *     sphere and has none
      */
     public WorldObject add(WorldObjectDefinition definition) {
+        if (asBoundingSpheres && !definition.volume().isBounded()) {
+            throw new WorldException(
+                    "'%s' has no bounding sphere, as its volume has no end; leave it out or let"
+                                    .formatted(definition.name())
+                            + " objects collide as their volumes");
+        }
         WorldObject object = population.add(definition);
         entered(object.id());
         announcements.announce(new WorldEvent.ObjectAdded(time(), object.id(), object.position()));
@@ -193,6 +205,27 @@ public final class World {
         memory.clear();
         structureChanged();
         announcements.announce(new WorldEvent.EntityRemoved(time(), id));
+    }
+
+    /**
+     * Nothing if no bodies that would collide overlap by more than rounding.
+     *
+     * @throws WorldException naming them
+     */
+    void requireApart() {
+        List<Overlap> overlaps = motion().overlaps();
+        if (overlaps.isEmpty()) {
+            return;
+        }
+        String listed =
+                overlaps.stream()
+                        .limit(MOST_LISTED)
+                        .map(Overlap::toString)
+                        .collect(Collectors.joining(", "));
+        int more = overlaps.size() - MOST_LISTED;
+        throw new WorldException(
+                "objects overlap at the start: %s%s; move them apart or set allow-overlaps"
+                        .formatted(listed, more > 0 ? " and " + more + " pairs more" : ""));
     }
 
     private void structureChanged() {

@@ -6,8 +6,8 @@ import org.auvsim.core.dynamics.Rk4;
 import org.auvsim.core.entity.CollisionResponse;
 import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.step.EventStepper;
 import org.auvsim.core.step.Lanes;
-import org.auvsim.core.step.SnapshotStepper;
 import org.auvsim.core.step.Stepper;
 import org.auvsim.core.volume.PairQueries;
 
@@ -19,12 +19,13 @@ import java.util.OptionalLong;
 public final class WorldBuilder {
     double startTime;
     double timeStep = 0.05;
-    Stepper stepper = SnapshotStepper.standard();
+    Stepper stepper = EventStepper.standard();
     Integrator integrator = new Rk4();
     CollisionResponse response = new ImpulseResponse();
     PairQueries queries = PairQueries.standard();
     Lanes lanes = Lanes.ONE;
     boolean asBoundingSpheres;
+    private boolean overlapsAllowed;
     private final List<Entity> entities = new ArrayList<>();
     private final List<WorldObjectDefinition> objects = new ArrayList<>();
 
@@ -50,7 +51,7 @@ public final class WorldBuilder {
         return this;
     }
 
-    /** How a step is made. */
+    /** How a step is made; by an {@link EventStepper} by default. */
     public WorldBuilder stepper(Stepper stepper) {
         this.stepper = stepper;
         return this;
@@ -80,6 +81,12 @@ public final class WorldBuilder {
         return this;
     }
 
+    /** Lets objects overlap at the start; otherwise they must not. */
+    public WorldBuilder allowOverlaps() {
+        overlapsAllowed = true;
+        return this;
+    }
+
     /** Where the parts of a step run side by side; on the calling thread by default. */
     public WorldBuilder lanes(Lanes lanes) {
         this.lanes = lanes;
@@ -101,7 +108,8 @@ public final class WorldBuilder {
     /**
      * The world. Objects without an id get the lowest ones that nobody states, in order.
      *
-     * @throws WorldException if an id or a name is used twice
+     * @throws WorldException if an id or a name is used twice, if objects overlap that must not, or
+     *     if one that is to collide as its bounding sphere has none
      */
     public World build() {
         World world = new World(this);
@@ -116,6 +124,9 @@ public final class WorldBuilder {
                 }
                 world.add(object.withId(OptionalLong.of(free)));
             }
+        }
+        if (!overlapsAllowed) {
+            world.requireApart();
         }
         return world;
     }

@@ -48,6 +48,7 @@ class CollisionResponsesTest {
         List<String> notes = new ArrayList<>();
         World world =
                 World.builder()
+                        .stepper(SnapshotStepper.standard())
                         .response(new Observant(notes))
                         .add(ball("A", -1.3, 1, 1))
                         .add(ball("B", 0, 0, 1))
@@ -101,6 +102,7 @@ class CollisionResponsesTest {
     void changesAreMadeInOrderOfTheIdsOfWhoResponded() {
         World world =
                 World.builder()
+                        .stepper(SnapshotStepper.standard())
                         .response(new LeavesATrace())
                         .add(Scene.ball("Late", 0.5).id(8).build())
                         .add(

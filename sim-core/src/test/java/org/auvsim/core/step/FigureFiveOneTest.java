@@ -31,7 +31,7 @@ class FigureFiveOneTest {
 
     @Test
     void theStepEndsAtTheContact() {
-        World world = crossing().build();
+        World world = crossing().stepper(SnapshotStepper.standard()).build();
 
         assertThat(world.advanceTimestep()).isEqualTo(CONTACT, within(1e-10));
         assertThat(world.time()).isEqualTo(CONTACT, within(1e-10));

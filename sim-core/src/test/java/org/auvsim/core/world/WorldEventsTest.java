@@ -1,6 +1,7 @@
 package org.auvsim.core.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.core.dynamics.ImpulseResponse;
 import org.auvsim.core.entity.Change;
@@ -57,9 +58,12 @@ class WorldEventsTest {
                         "Moved",
                         "Moved",
                         "StepAdvanced");
-        assertThat(events).allMatch(e -> e.time() == world.time());
+        double met = events.getFirst().time();
+        assertThat(met).isEqualTo(0.02, within(1e-12));
+        assertThat(events.subList(0, 6)).allMatch(e -> e.time() == met);
+        assertThat(events.subList(6, 10)).allMatch(e -> e.time() == world.time());
         assertThat(events.get(3))
-                .isEqualTo(new WorldEvent.ObjectAdded(world.time(), 3, new Vec3(50, 0, 0)));
+                .isEqualTo(new WorldEvent.ObjectAdded(met, 3, new Vec3(50, 0, 0)));
     }
 
     @Test

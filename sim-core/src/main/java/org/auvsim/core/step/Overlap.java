@@ -1,0 +1,25 @@
+package org.auvsim.core.step;
+
+import org.auvsim.core.entity.RigidBody;
+
+import java.util.Locale;
+
+/**
+ * Two bodies that share space.
+ *
+ * @param first the one with the lower id
+ * @param depth how far (m) they would have to be moved apart
+ */
+public record Overlap(RigidBody first, RigidBody second, double depth) {
+    @Override
+    public String toString() {
+        return String.format(
+                Locale.ROOT,
+                "'%s' (id %d) and '%s' (id %d) by %.3g m",
+                first.name(),
+                first.id(),
+                second.name(),
+                second.id(),
+                depth);
+    }
+}

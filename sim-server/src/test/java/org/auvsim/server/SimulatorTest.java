@@ -110,6 +110,7 @@ class SimulatorTest {
                         .add(ball(1, -1.01, 1))
                         .add(ball(2, 1.01, -1))
                         .add(ball(3, 50, 0))
+                        .add(ball(4, 48 - 0.04, 1))
                         .build();
         start(Simulator.of(world).paused());
         RawClient client = client();
@@ -122,6 +123,9 @@ class SimulatorTest {
         assertThat(step.stream().map(SimulatorTest::element))
                 .containsExactly(
                         "collision-notification",
+                        "collision-notification",
+                        "movement-state-change-message",
+                        "kinematic-state-message",
                         "movement-state-change-message",
                         "kinematic-state-message",
                         "movement-state-change-message",
@@ -129,9 +133,10 @@ class SimulatorTest {
                         "movement-state-change-message",
                         "kinematic-state-message",
                         "timestep-advanced-notification");
-        String time = RawClient.attribute(step.getLast(), "timestamp");
-        assertThat(Double.parseDouble(time)).isCloseTo(0.01, within(1e-6));
-        assertThat(step).allSatisfy(m -> assertThat(m).contains("timestamp=\"" + time + "\""));
+        // Each collision has its own time within the step, and all movements that of its end.
+        assertThat(timestamp(step.get(0))).isCloseTo(0.01, within(1e-9));
+        assertThat(timestamp(step.get(1))).isCloseTo(0.04, within(1e-9));
+        assertThat(step.subList(2, 11)).allSatisfy(m -> assertThat(timestamp(m)).isEqualTo(0.05));
     }
 
     private static WorldObjectDefinition ball(long id, double x, double vx) {
@@ -142,6 +147,10 @@ class SimulatorTest {
                 .position(x, 0, 0)
                 .velocity(vx, 0, 0)
                 .build();
+    }
+
+    private static double timestamp(String root) {
+        return Double.parseDouble(RawClient.attribute(root, "timestamp"));
     }
 
     private static String element(String root) {

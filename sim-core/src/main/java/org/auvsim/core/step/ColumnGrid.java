@@ -176,13 +176,14 @@ final class ColumnGrid {
         int z0 = cell(box[at + 2]);
         int y1 = cell(box[at + 4]);
         int z1 = cell(box[at + 5]);
-        if (((long) y1 - y0 + 1) * ((long) z1 - z0 + 1) > MOST_COLUMNS || !(box[at + 5] < FAR)) {
+        if (((double) y1 - y0 + 1) * ((double) z1 - z0 + 1) > MOST_COLUMNS
+                || !(box[at + 5] < FAR)) {
             return 0;
         }
         int count = 0;
-        for (int y = y0; y <= y1; y++) {
-            for (int z = z0; z <= z1; z++) {
-                int column = column(y, z);
+        for (long y = y0; y <= y1; y++) {
+            for (long z = z0; z <= z1; z++) {
+                int column = column((int) y, (int) z);
                 boolean known = false;
                 for (int k = 0; k < count; k++) {
                     known |= columnsOf[k] == column;

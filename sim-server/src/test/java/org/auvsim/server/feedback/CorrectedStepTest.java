@@ -12,6 +12,7 @@ import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.core.step.SnapshotStepper;
 import org.auvsim.core.volume.Sphere;
 import org.auvsim.core.world.World;
 import org.junit.jupiter.api.Test;
@@ -197,6 +198,11 @@ class CorrectedStepTest {
     /** The torpedo would hit the rock in this step, but the rock turns out to be elsewhere. */
     @Test
     void aCorrectionOfTheWorldIsSeenByTheNextProjection() {
+        World world =
+                World.builder()
+                        .stepper(SnapshotStepper.standard())
+                        .add(ball(1, "ship", 0, 0))
+                        .build();
         world.add(ball(2, "rock", 50, 0));
         world.add(ball(3, "torpedo", 47.9, 4));
         StepRecord step =

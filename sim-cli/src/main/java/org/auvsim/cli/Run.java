@@ -4,12 +4,15 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import static java.util.Objects.requireNonNull;
 
 import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.cli.report.FileTrouble;
 import org.auvsim.cli.report.UserError;
 import org.auvsim.core.world.World;
+import org.auvsim.server.lanes.ThreadLanes;
 
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -61,9 +64,17 @@ final class Run implements Callable<Integer> {
             description = "Writes what moves as CSV; '-' is the standard output.")
     private Optional<Path> out = Optional.empty();
 
+    @Mixin private final LaneCount laneCount = new LaneCount();
+
     @Override
     public Integer call() throws DocumentException {
-        World world = ScenarioLoader.load(Run.class.getClassLoader()).load(file).world();
+        Scenario scenario = ScenarioLoader.load(Run.class.getClassLoader()).load(file);
+        try (ThreadLanes lanes = laneCount.open()) {
+            return run(scenario.world(lanes));
+        }
+    }
+
+    private int run(World world) {
         if (!(until > world.time()) || Double.isInfinite(until)) {
             throw new UserError(
                     "--until must be after the scenario's start at %s s, but is %s s."

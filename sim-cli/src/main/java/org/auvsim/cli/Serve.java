@@ -4,12 +4,14 @@ import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.cli.report.UserError;
+import org.auvsim.server.lanes.ThreadLanes;
 import org.auvsim.server.net.TcpTransport;
 import org.auvsim.server.net.TransportException;
 import org.auvsim.server.simulator.Simulator;
 import org.auvsim.server.simulator.SimulatorBuilder;
 
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -74,12 +76,15 @@ final class Serve implements Callable<Integer> {
             description = "Stands still until a client sends resume-simulator-command.")
     private boolean paused;
 
+    @Mixin private final LaneCount laneCount = new LaneCount();
+
     @Override
     public Integer call() throws DocumentException, IOException {
         Scenario scenario = ScenarioLoader.load(Serve.class.getClassLoader()).load(file);
         requireUntilAfter(scenario.startTime());
         TcpTransport transport = new TcpTransport(address());
-        try (Simulator simulator = start(scenario, transport);
+        try (ThreadLanes lanes = laneCount.open();
+                Simulator simulator = start(scenario, lanes, transport);
                 Interruption _ = new Interruption(simulator::close)) {
             PrintWriter out = spec.commandLine().getOut();
             out.printf("serving %s at %s:%d%n", file, bind, transport.port());
@@ -91,9 +96,10 @@ final class Serve implements Callable<Integer> {
         return 0;
     }
 
-    private Simulator start(Scenario scenario, TcpTransport transport) throws IOException {
+    private Simulator start(Scenario scenario, ThreadLanes lanes, TcpTransport transport)
+            throws IOException {
         SimulatorBuilder simulator =
-                ServedScenario.simulator(scenario, file)
+                ServedScenario.simulator(scenario, lanes, file)
                         .transport(transport)
                         .rate(rate.factor())
                         .until(until.map(OptionalDouble::of).orElseGet(OptionalDouble::empty))

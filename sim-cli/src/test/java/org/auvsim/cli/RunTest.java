@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -95,6 +96,24 @@ class RunTest {
     void wrongEndsAreExplained(String until, String sentence) {
         assertThat(auvsim.run("run", SCENARIOS.resolve("tank.xml"), "--until", until)).isEqualTo(2);
         assertThat(auvsim.err().lines()).first().isEqualTo(sentence);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"run", "serve"})
+    void thereIsAtLeastOneLane(String command) {
+        assertThat(auvsim.run(command, SCENARIOS.resolve("tank.xml"), "--lanes", 0)).isEqualTo(2);
+        assertThat(auvsim.err()).isEqualTo("--lanes must be 1 to 256, but is 0.\n");
+    }
+
+    @Test
+    void lanesChangeNothingInTheResult() {
+        Path scenario = SCENARIOS.resolve("tank.xml");
+        assertThat(auvsim.run("run", scenario, "--until", 2, "--out", "-")).isZero();
+        String alone = auvsim.out();
+
+        CommandLineHarness other = new CommandLineHarness(folder);
+        assertThat(other.run("run", scenario, "--until", 2, "--out", "-", "--lanes", 2)).isZero();
+        assertThat(other.out()).isEqualTo(alone);
     }
 
     @Test

@@ -4,6 +4,7 @@ import org.auvsim.auvsml.document.FeedbackProcessorChoice;
 import org.auvsim.auvsml.document.FeedbackTimestepping;
 import org.auvsim.auvsml.document.FeedbackTimestepping.AwaitedClient;
 import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.core.step.Lanes;
 import org.auvsim.server.feedback.AsynchronousFeedbackTimestepper;
 import org.auvsim.server.feedback.FeedbackTimestepper;
 import org.auvsim.server.feedback.NoFeedbackTimestepper;
@@ -15,9 +16,9 @@ import java.time.Duration;
 final class ScenarioSettings {
     private ScenarioSettings() {}
 
-    static SimulatorBuilder builder(Scenario scenario) {
+    static SimulatorBuilder builder(Scenario scenario, Lanes lanes) {
         SimulatorBuilder builder =
-                new SimulatorBuilder(scenario.world())
+                new SimulatorBuilder(scenario.world(lanes))
                         .timestepper(timestepper(scenario.feedbackTimestepping()));
         scenario.feedbackProcessor()
                 .map(FeedbackProcessorChoice::override)

@@ -2,6 +2,7 @@ package org.auvsim.server.simulator;
 
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.message.command.SimulatorState;
+import org.auvsim.core.step.Lanes;
 import org.auvsim.core.world.World;
 import org.auvsim.server.net.Transport;
 import org.auvsim.server.net.TransportException;
@@ -57,7 +58,12 @@ public final class Simulator implements AutoCloseable {
      * @throws IllegalArgumentException if its feedback time-stepper is none of a server
      */
     public static SimulatorBuilder of(Scenario scenario) {
-        return ScenarioSettings.builder(scenario);
+        return of(scenario, Lanes.ONE);
+    }
+
+    /** The same, its steps made on these lanes, which stay the caller's to close afterwards. */
+    public static SimulatorBuilder of(Scenario scenario, Lanes lanes) {
+        return ScenarioSettings.builder(scenario, lanes);
     }
 
     /**

@@ -300,8 +300,9 @@ public final class World {
         clock.advance(result.elapsed());
         guardAgainstStandstill(result);
         publishCollisions(result);
-        for (Change change : result.changes()) {
-            apply(change);
+        // By index here and below: iterators would be garbage in each step.
+        for (int k = 0; k < result.changes().size(); k++) {
+            apply(result.changes().get(k));
         }
         removeWhatIsOver();
         return result;
@@ -432,7 +433,8 @@ public final class World {
     }
 
     private void publishCollisions(StepResult result) {
-        for (Collision collision : result.collisions()) {
+        for (int k = 0; k < result.collisions().size(); k++) {
+            Collision collision = result.collisions().get(k);
             announcements.announce(new WorldEvent.Collided(collision.contact().time(), collision));
         }
     }

@@ -244,7 +244,7 @@ final class ColumnGrid {
         for (int k = 0; k < largeCount; k++) {
             int a = large[k];
             for (int b = 0; b < bodies; b++) {
-                if (overlap(6 * a, 6 * b) && (b > a || b != a && !isLarge(b))) {
+                if (overlap(6 * a, 6 * b) && (b > a || (b != a && !isLarge(b)))) {
                     pairs.meet(Math.min(a, b), Math.max(a, b));
                 }
             }

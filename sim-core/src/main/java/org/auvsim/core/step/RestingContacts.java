@@ -33,6 +33,9 @@ final class RestingContacts {
      */
     private static final double SLOW = 2e-6;
 
+    /** Contacts that part slower than this (m/s) do so as gaps are mended. */
+    private static final double SLOW_PARTING = 1e-4;
+
     private static final double TOLERANCE = 1e-6;
     private static final int MOST_SWEEPS = 400;
 
@@ -57,6 +60,7 @@ final class RestingContacts {
     private final double[] force = new double[6];
     private final double[] approaches = new double[2];
     private int[] firstPoint = new int[64];
+    private double[] parting = new double[64];
 
     RestingContacts(
             Motion motion,
@@ -183,6 +187,7 @@ final class RestingContacts {
             impacts.solve(problem.bodies, problem.contacts);
             problem.applyImpulses();
         }
+        noteParting();
         if (isHit || !mayEndEarly) {
             end = trajectories.restartTogether(members, count, offset, end, endVelocities);
         }
@@ -214,13 +219,38 @@ final class RestingContacts {
             firstPoint[k] = before;
             touch.find(a, b, held.reach(pairs[k]), manifold);
             problem.add(a, b, manifold);
-            double parting = restitution(a, b) * problem.fastestApproach(before);
+            double parting = restitution(a, b) * approach(before, traits.nearness(a, b));
             if (manifold.count == 0 || parting >= held.limit(pairs[k])) {
                 held.release(pairs[k]);
                 problem.contacts.count = before;
             }
         }
         firstPoint[held.pairCount()] = problem.contacts.count;
+    }
+
+    /**
+     * How fast (m/s) a pair approaches where it touches. While one corner stands, another that comes
+     * down rests as well: let go, the corner that stands would meet again at once, without end.
+     */
+    private double approach(int from, double nearness) {
+        double fastest = Double.NEGATIVE_INFINITY;
+        for (int c = from; c < problem.contacts.count; c++) {
+            if (problem.gap(c) <= nearness) {
+                double closing = -problem.contacts.separationSpeed(c, problem.bodies);
+                fastest = Math.max(fastest, closing);
+            }
+        }
+        return fastest > Double.NEGATIVE_INFINITY ? fastest : problem.fastestApproach(from);
+    }
+
+    /** Notes how fast the bodies part at each contact as the segment begins. */
+    private void noteParting() {
+        if (parting.length < problem.contacts.count) {
+            parting = new double[2 * problem.contacts.count];
+        }
+        for (int c = 0; c < problem.contacts.count; c++) {
+            parting[c] = problem.contacts.separationSpeed(c, problem.bodies);
+        }
     }
 
     /**
@@ -312,6 +342,10 @@ final class RestingContacts {
                     missing < 0
                             ? missing / h
                             : Math.min(MENDING * missing / h, FASTEST_MENDING * smaller);
+            if (parting[c] > SLOW_PARTING) {
+                // What parts at first comes back as fast at most: so the force does no work.
+                problem.contacts.target[c] = Math.min(problem.contacts.target[c], -parting[c]);
+            }
             Vec3 place = onBody(Math.min(a, b), c);
             int found = memory.nearest(entry, place.x(), place.y(), place.z(), 0.05 * smaller);
             if (found >= 0) {

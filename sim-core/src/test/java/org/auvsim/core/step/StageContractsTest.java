@@ -102,4 +102,20 @@ class StageContractsTest {
             return SnapshotStepper.standard();
         }
     }
+
+    @Nested
+    class OfEventStepper extends StepperContract {
+        @Override
+        protected Stepper stepper() {
+            return EventStepper.standard();
+        }
+    }
+
+    @Nested
+    class OfEventStepperAgainstExactSolutions extends StepperAccuracyContract {
+        @Override
+        protected Stepper stepper() {
+            return EventStepper.standard();
+        }
+    }
 }

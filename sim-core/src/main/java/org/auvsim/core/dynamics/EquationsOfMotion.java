@@ -36,6 +36,7 @@ public final class EquationsOfMotion {
     private final boolean effectsTurn;
     private final boolean effectsReadOrientation;
     private final boolean mayBeStiff;
+    private final BodyGroups groups;
 
     /**
      * The equations for the bodies of a world.
@@ -49,7 +50,13 @@ public final class EquationsOfMotion {
         this.mayBeStiff = effects.stream().anyMatch(BlockEffect::mayBeStiff);
         this.effectsReadOrientation = effects.stream().anyMatch(BlockEffect::readsOrientation);
         this.effectsTurn = effects.stream().anyMatch(BlockEffect::mayTurn);
+        this.groups = new BodyGroups(bodies, effects);
         this.currents = currents.toArray(Current[]::new);
+    }
+
+    /** Which bodies have to be loaded into one block, as effects couple them. */
+    public BodyGroups groups() {
+        return groups;
     }
 
     /** Copies state and constants of {@code count} bodies from slot {@code first} on. */

@@ -47,8 +47,10 @@ public final class SubSteps {
         for (int k = 0; k < parts; k++) {
             block.time = begin + k * (dt / parts);
             integrator.advance(equations, block, dt / parts);
-            if (block.subSteps(0) > FINE) {
-                return false;
+            for (int i = 0; i < block.count; i++) {
+                if (block.subSteps(i) > FINE) {
+                    return false;
+                }
             }
         }
         block.time = begin + dt;

@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 import java.util.Arrays;
 
 /**
- * Up to {@value #SIZE} bodies while they are integrated: one array a quantity, index {@code i} for
+ * Up to {@value #SIZE} bodies, or as many as are coupled, while they are integrated: one array a quantity, index {@code i} for
  * the body in slot {@code slot(i)}, for {@code i < count}.
  *
  * <p>The fields are open on purpose: loops over plain arrays are what the compiler vectorises.
@@ -19,6 +19,9 @@ public final class Block {
     /** No step of a body is cut into more parts than this. */
     public static final int MOST_SUB_STEPS = 4096;
 
+    /** The number of bodies that fit into this one. */
+    public final int capacity;
+
     /** Number of bodies in use. */
     public int count;
 
@@ -26,55 +29,55 @@ public final class Block {
     public double time;
 
     /** The state: one array for each column of {@link BodyState}. */
-    public final double[][] state = new double[BodyState.COLUMNS][SIZE];
+    public final double[][] state;
 
     /** The derivative of the state by time, column by column. */
-    public final double[][] rate = new double[BodyState.COLUMNS][SIZE];
+    public final double[][] rate;
 
     /** Rotation matrices, body to world: {@code rxy} is row x, column y. */
-    public final double[] rxx = new double[SIZE];
+    public final double[] rxx;
 
-    public final double[] rxy = new double[SIZE];
-    public final double[] rxz = new double[SIZE];
-    public final double[] ryx = new double[SIZE];
-    public final double[] ryy = new double[SIZE];
-    public final double[] ryz = new double[SIZE];
-    public final double[] rzx = new double[SIZE];
-    public final double[] rzy = new double[SIZE];
-    public final double[] rzz = new double[SIZE];
+    public final double[] rxy;
+    public final double[] rxz;
+    public final double[] ryx;
+    public final double[] ryy;
+    public final double[] ryz;
+    public final double[] rzx;
+    public final double[] rzy;
+    public final double[] rzz;
 
     /** Velocity of the origin (m/s, world): the rate of the position, in the same arrays. */
-    public final double[] vx = rate[BodyState.X];
+    public final double[] vx;
 
-    public final double[] vy = rate[BodyState.Y];
-    public final double[] vz = rate[BodyState.Z];
+    public final double[] vy;
+    public final double[] vz;
 
     /** Angular velocity (rad/s, world). */
-    public final double[] wx = new double[SIZE];
+    public final double[] wx;
 
-    public final double[] wy = new double[SIZE];
-    public final double[] wz = new double[SIZE];
+    public final double[] wy;
+    public final double[] wz;
 
     /** Angular velocity in the body's axes (rad/s). */
-    public final double[] bodyWx = new double[SIZE];
+    public final double[] bodyWx;
 
-    public final double[] bodyWy = new double[SIZE];
-    public final double[] bodyWz = new double[SIZE];
+    public final double[] bodyWy;
+    public final double[] bodyWz;
 
     /** Velocity of the water at the origin (m/s, world). */
-    public final double[] ux = new double[SIZE];
+    public final double[] ux;
 
-    public final double[] uy = new double[SIZE];
-    public final double[] uz = new double[SIZE];
+    public final double[] uy;
+    public final double[] uz;
 
     /** Mass (kg); 0 for a fixed body. */
-    public final double[] mass = new double[SIZE];
+    public final double[] mass;
 
     /** Inverse mass (1/kg); 0 for a fixed body. */
-    public final double[] inverseMass = new double[SIZE];
+    public final double[] inverseMass;
 
     /** Inverse inertia (1/(kg m^2), body axes), elements as in {@link BodyState}. */
-    public final double[][] inverseInertia = new double[BodyState.ELEMENTS][SIZE];
+    public final double[][] inverseInertia;
 
     /** Whether one of the bodies is fixed. */
     public boolean hasFixed;
@@ -92,54 +95,116 @@ public final class Block {
     public boolean turning = true;
 
     /** Force (N, world): the rate of the linear momentum, in the same arrays. */
-    public final double[] fx = rate[BodyState.PX];
+    public final double[] fx;
 
-    public final double[] fy = rate[BodyState.PY];
-    public final double[] fz = rate[BodyState.PZ];
+    public final double[] fy;
+    public final double[] fz;
 
     /** Torque about the origin (N m, world): the rate of the angular momentum, likewise. */
-    public final double[] tx = rate[BodyState.LX];
+    public final double[] tx;
 
-    public final double[] ty = rate[BodyState.LY];
-    public final double[] tz = rate[BodyState.LZ];
+    public final double[] ty;
+    public final double[] tz;
 
     /**
      * Forces (N, world) and torques about the origin (N m, world) of contacts: constant while the
      * bodies are integrated, and added to what else acts on them if {@link #hasContactForces}.
      */
-    public final double[] contactFx = new double[SIZE];
+    public final double[] contactFx;
 
-    public final double[] contactFy = new double[SIZE];
-    public final double[] contactFz = new double[SIZE];
-    public final double[] contactTx = new double[SIZE];
-    public final double[] contactTy = new double[SIZE];
-    public final double[] contactTz = new double[SIZE];
+    public final double[] contactFy;
+    public final double[] contactFz;
+    public final double[] contactTx;
+    public final double[] contactTy;
+    public final double[] contactTz;
 
     /** Whether the forces and torques of contacts count; loading bodies turns it off. */
     public boolean hasContactForces;
 
     /** Free for an effect's own use while it adds; what it left there is lost afterwards. */
-    public final double[][] scratch = new double[8][SIZE];
+    public final double[][] scratch;
 
     /** Whether one of the bodies has an inertia of its own kind, {@link BodyState#spatial}. */
     public boolean hasSpatial;
 
     /** What momenta carried along turn a body by (N m, world): u x p_A - v x P. */
-    final double[] carriedTx = new double[SIZE];
+    final double[] carriedTx;
 
-    final double[] carriedTy = new double[SIZE];
-    final double[] carriedTz = new double[SIZE];
-    final @Nullable SpatialInertia[] inertia = new @Nullable SpatialInertia[SIZE];
+    final double[] carriedTy;
+    final double[] carriedTz;
+    final @Nullable SpatialInertia[] inertia;
     final double[] spatial = new double[SpatialInertia.SCRATCH];
 
     /** Resultants of named forces and propulsors, as {@link AppliedForces} lays them out. */
-    final double[][] applied = new double[AppliedForces.COLUMNS][SIZE];
+    final double[][] applied;
 
-    private final int[] subSteps = new int[SIZE];
+    private final int[] subSteps;
     private boolean hasSubSteps;
-    private final int[] slots = new int[SIZE];
+    private final int[] slots;
     private boolean neighbours = true;
     private double[][][] work = new double[0][][];
+
+    /** For {@link #indexOf}: where each slot may be, to be believed if it is there. */
+    private int[] places = new int[0];
+
+    private boolean hasPlaces;
+    private int[][] found = new int[0][];
+
+    /** A block of the usual size. */
+    public Block() {
+        this(SIZE);
+    }
+
+    /** A block for up to {@code capacity} bodies: larger ones hold bodies that are coupled. */
+    public Block(int capacity) {
+        this.capacity = capacity;
+        state = new double[BodyState.COLUMNS][capacity];
+        rate = new double[BodyState.COLUMNS][capacity];
+        rxx = new double[capacity];
+        rxy = new double[capacity];
+        rxz = new double[capacity];
+        ryx = new double[capacity];
+        ryy = new double[capacity];
+        ryz = new double[capacity];
+        rzx = new double[capacity];
+        rzy = new double[capacity];
+        rzz = new double[capacity];
+        vx = rate[BodyState.X];
+        vy = rate[BodyState.Y];
+        vz = rate[BodyState.Z];
+        wx = new double[capacity];
+        wy = new double[capacity];
+        wz = new double[capacity];
+        bodyWx = new double[capacity];
+        bodyWy = new double[capacity];
+        bodyWz = new double[capacity];
+        ux = new double[capacity];
+        uy = new double[capacity];
+        uz = new double[capacity];
+        mass = new double[capacity];
+        inverseMass = new double[capacity];
+        inverseInertia = new double[BodyState.ELEMENTS][capacity];
+        fx = rate[BodyState.PX];
+        fy = rate[BodyState.PY];
+        fz = rate[BodyState.PZ];
+        tx = rate[BodyState.LX];
+        ty = rate[BodyState.LY];
+        tz = rate[BodyState.LZ];
+        contactFx = new double[capacity];
+        contactFy = new double[capacity];
+        contactFz = new double[capacity];
+        contactTx = new double[capacity];
+        contactTy = new double[capacity];
+        contactTz = new double[capacity];
+        scratch = new double[8][capacity];
+        carriedTx = new double[capacity];
+        carriedTy = new double[capacity];
+        carriedTz = new double[capacity];
+        inertia = new @Nullable SpatialInertia[capacity];
+        applied = new double[AppliedForces.COLUMNS][capacity];
+        subSteps = new int[capacity];
+        slots = new int[capacity];
+    }
 
     /** Takes {@code count} bodies, from a slot on. */
     public void take(int firstSlot, int count) {
@@ -147,6 +212,7 @@ public final class Block {
         hasContactForces = false;
         hasSubSteps = false;
         hasInertia = false;
+        hasPlaces = false;
         neighbours = true;
         for (int i = 0; i < count; i++) {
             slots[i] = firstSlot + i;
@@ -159,6 +225,7 @@ public final class Block {
         hasContactForces = false;
         hasSubSteps = false;
         hasInertia = false;
+        hasPlaces = false;
         neighbours = false;
         System.arraycopy(ofSlots, 0, slots, 0, count);
     }
@@ -200,6 +267,42 @@ public final class Block {
         return slots[i];
     }
 
+    /** Where in the block the body in a slot is; -1 if it is not there. */
+    public int indexOf(int slot) {
+        if (!hasPlaces) {
+            notePlaces();
+        }
+        int i = slot < places.length ? places[slot] : count;
+        return i < count && slots[i] == slot ? i : -1;
+    }
+
+    private void notePlaces() {
+        for (int i = 0; i < count; i++) {
+            if (slots[i] >= places.length) {
+                places = Arrays.copyOf(places, 2 * slots[i] + 1);
+            }
+            places[slots[i]] = i;
+        }
+        hasPlaces = true;
+    }
+
+    /** Where the bodies in these slots are; an empty array if one of them is missing. */
+    int[] find(int[] ofSlots) {
+        int size = ofSlots.length;
+        if (found.length <= size) {
+            found = new int[size + 1][];
+            Arrays.setAll(found, k -> new int[k]);
+        }
+        for (int k = 0; k < size; k++) {
+            int i = indexOf(ofSlots[k]);
+            if (i < 0) {
+                return found[0];
+            }
+            found[size][k] = i;
+        }
+        return found[size];
+    }
+
     /** Copies a quantity of the block's bodies out of an array with a place for each slot. */
     public void gather(double[] bySlot, double[] to) {
         if (neighbours) {
@@ -225,7 +328,7 @@ public final class Block {
     /** Scratch copies of the state for an integrator, kept from call to call. */
     public double[][][] work(int copies) {
         if (work.length < copies) {
-            work = new double[copies][BodyState.COLUMNS][SIZE];
+            work = new double[copies][BodyState.COLUMNS][capacity];
         }
         return work;
     }

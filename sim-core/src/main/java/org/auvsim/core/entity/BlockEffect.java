@@ -1,9 +1,11 @@
 package org.auvsim.core.entity;
 
+import java.util.List;
+
 /** Effects of one class, laid out over all bodies of a world. */
 public interface BlockEffect {
     /**
-     * Adds to the force and torque of each body of the block; reads anything else of it, changes
+     * Adds to the force and torque of bodies of the block; reads anything else of it, changes
      * nothing else, and allocates nothing.
      */
     void add(Block block);
@@ -24,5 +26,10 @@ public interface BlockEffect {
      */
     default boolean mayBeStiff() {
         return true;
+    }
+
+    /** Slots of bodies that have to be in one block as it couples them: an array for each time. */
+    default List<int[]> couples() {
+        return List.of();
     }
 }

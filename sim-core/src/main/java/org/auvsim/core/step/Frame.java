@@ -343,7 +343,7 @@ final class Frame {
     private void goOn(int a, int b, double t) {
         HeldPairs pairs = resting.pairs();
         moverCount = 0;
-        if (!pairs.isEmpty() && (pairs.holds(a) || pairs.holds(b))) {
+        if (isJoined(a) || isJoined(b)) {
             pairs.findIsland(a);
             pairs.addToIsland(b);
             settle(t);
@@ -358,6 +358,12 @@ final class Frame {
             requireMotions();
         }
         predictMovers();
+    }
+
+    /** Whether a body cannot go on without others. */
+    private boolean isJoined(int body) {
+        HeldPairs pairs = resting.pairs();
+        return trajectories.groups().isCoupled(body) || (!pairs.isEmpty() && pairs.holds(body));
     }
 
     private void predictMovers() {

@@ -1,10 +1,12 @@
 package org.auvsim.core.step;
 
+import org.auvsim.core.dynamics.BodyGroups;
+
 import java.util.Arrays;
 
 /**
- * The pairs that touch and stay together for the rest of a frame, and the islands that they join
- * bodies to. Fixed bodies join nothing.
+ * The pairs that touch and stay together for the rest of a frame, and the islands that they and
+ * coupled effects join bodies to. Fixed bodies join nothing.
  */
 final class HeldPairs {
     private static final int NONE = -1;
@@ -13,6 +15,7 @@ final class HeldPairs {
     private static final int MOST_MEETINGS = 0;
 
     private final BodyTraits traits;
+    private final BodyGroups groups;
     private int[] a = new int[64];
     private int[] b = new int[64];
     private boolean[] isHeld = new boolean[64];
@@ -31,8 +34,9 @@ final class HeldPairs {
     private int[] pairs = new int[64];
     private int pairCount;
 
-    HeldPairs(BodyTraits traits) {
+    HeldPairs(BodyTraits traits, BodyGroups groups) {
         this.traits = traits;
+        this.groups = groups;
         chain = new int[traits.rank.length];
         Arrays.fill(chain, NONE);
         isMember = new boolean[traits.rank.length];
@@ -163,6 +167,7 @@ final class HeldPairs {
         int from = memberCount;
         addMember(body);
         for (int k = from; k < memberCount; k++) {
+            addGroup(members[k]);
             for (int node = chain[members[k]]; node != NONE; node = next[node]) {
                 int pair = node >> 1;
                 if (isHeld[pair]) {
@@ -170,6 +175,14 @@ final class HeldPairs {
                     addMember(a[pair]);
                     addMember(b[pair]);
                 }
+            }
+        }
+    }
+
+    private void addGroup(int body) {
+        if (groups.isCoupled(body)) {
+            for (int mate : groups.members(body)) {
+                addMember(mate);
             }
         }
     }
@@ -193,12 +206,12 @@ final class HeldPairs {
         pairs[pairCount++] = pair;
     }
 
-    /** Puts members and pairs of the island into the order of slots and of holding. */
+    /** Puts members and pairs of the island into the order of slots, groups side by side, and of holding. */
     void finishIsland() {
         for (int k = 0; k < memberCount; k++) {
             isMember[members[k]] = false;
         }
-        Arrays.sort(members, 0, memberCount);
+        groups.sort(members, memberCount);
         Arrays.sort(pairs, 0, pairCount);
         int kept = 0;
         for (int k = 0; k < pairCount; k++) {

@@ -113,8 +113,8 @@ public final class Motion {
             }
         }
         sets = new CollisionSets(this);
-        Block block = new Block();
-        Block single = new Block();
+        Block block = new Block(equations.groups().capacity());
+        Block single = new Block(block.capacity);
         IntFunction<String> names = slot -> bodies.objects().get(slot).name();
         end = new Projection(this.bodies, equations, integrator, block, single, names);
         probe = new Projection(this.bodies, equations, integrator, block, single, names);

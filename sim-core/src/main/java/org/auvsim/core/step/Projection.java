@@ -1,5 +1,6 @@
 package org.auvsim.core.step;
 
+import org.auvsim.core.dynamics.BodyGroups;
 import org.auvsim.core.dynamics.EquationsOfMotion;
 import org.auvsim.core.dynamics.Integrator;
 import org.auvsim.core.dynamics.SubSteps;
@@ -23,6 +24,8 @@ final class Projection {
     private final Block block;
     private final Block single;
     private final IntFunction<String> names;
+    private final BodyGroups groups;
+    private final BodyGroups.Batch batch;
     private final int[] one = new int[1];
     private final int[] parts;
     private final double[][] columns;
@@ -53,6 +56,8 @@ final class Projection {
         this.block = block;
         this.single = single;
         this.names = names;
+        this.groups = equations.groups();
+        this.batch = new BodyGroups.Batch(groups.capacity());
         this.parts = new int[bodies.count()];
         this.columns = new double[BodyState.COLUMNS][bodies.count()];
         this.known = new int[bodies.count()];
@@ -85,6 +90,8 @@ final class Projection {
                 int count = unknownFrom(first);
                 if (count > 0) {
                     integrate(first, count);
+                } else {
+                    integrate(first);
                 }
                 first += Math.max(1, count);
             }
@@ -96,7 +103,7 @@ final class Projection {
     private int unknownFrom(int first) {
         int slot = first;
         int end = Math.min(first + Block.SIZE, known.length);
-        while (slot < end && known[slot] != round) {
+        while (slot < end && known[slot] != round && !groups.isCoupled(slot)) {
             slot++;
         }
         return slot - first;
@@ -109,7 +116,12 @@ final class Projection {
 
     /** Integrates the body in a slot, unless it is known. */
     void integrate(int slot) {
-        if (known[slot] != round) {
+        if (known[slot] == round) {
+            return;
+        }
+        if (groups.isCoupled(slot)) {
+            integrateGroup(groups.members(slot));
+        } else {
             integrate(slot, 1);
         }
     }
@@ -120,7 +132,12 @@ final class Projection {
      */
     void integrateAhead(int slot) {
         if (known[slot] != round) {
-            integrate(slot, Math.min(ahead, known.length - slot));
+            int free = Math.min(ahead, unknownFrom(slot));
+            if (free > 0) {
+                integrate(slot, free);
+            } else {
+                integrate(slot);
+            }
             ahead = Math.min(4 * ahead, Block.SIZE);
         }
     }
@@ -138,7 +155,9 @@ final class Projection {
 
     /** Notes that the body in a slot is wanted; {@link #integrateWanted} integrates it. */
     void want(int slot) {
-        if (known[slot] != round) {
+        if (groups.isCoupled(slot)) {
+            integrate(slot);
+        } else if (known[slot] != round) {
             known[slot] = round;
             wanted[wantedCount++] = slot;
             if (wantedCount == Block.SIZE) {
@@ -161,6 +180,16 @@ final class Projection {
         integrateBlock();
     }
 
+    private void integrateGroup(int[] members) {
+        loadGroup(members, block);
+        integrateBlock();
+    }
+
+    private void loadGroup(int[] members, Block to) {
+        groups.fill(members, 0, members.length, batch);
+        equations.load(to, batch.slots, batch.count, now);
+    }
+
     private void integrateBlock() {
         if (offset != 0) {
             integrator.advance(equations, block, offset);
@@ -172,29 +201,44 @@ final class Projection {
             known[block.slot(i)] = round;
             parts[block.slot(i)] = block.subSteps(i);
         }
-        for (int i = 0; block.hasSubSteps() && i < block.count; i++) {
-            if (block.subSteps(i) > 1) {
-                cut(block.slot(i), block.subSteps(i));
+        int size;
+        for (int i = 0; block.hasSubSteps() && i < block.count; i += size) {
+            int slot = block.slot(i);
+            size = groups.size(slot);
+            int most = 1;
+            for (int k = i; k < i + size; k++) {
+                most = Math.max(most, block.subSteps(k));
+            }
+            if (most > 1) {
+                cut(slot, most);
             }
         }
     }
 
-    /** Integrates a body with stiff forces again, in parts. */
+    /** Integrates a body with stiff forces again, in parts, with those that it is coupled to. */
     private void cut(int slot, int atLeast) {
+        int[] members = one;
         one[0] = slot;
-        parts[slot] =
+        if (groups.isCoupled(slot)) {
+            members = groups.members(slot);
+        }
+        int[] loaded = members;
+        int needed =
                 SubSteps.integrate(
                         integrator,
                         equations,
                         single,
-                        b -> equations.load(b, one, 1, now),
+                        b -> loadGroup(loaded, b),
                         offset,
                         atLeast);
-        if (parts[slot] == 0) {
+        if (needed == 0) {
             throw StepException.tooStiff(names.apply(slot), now, offset);
         }
-        for (int c = 0; c < BodyState.COLUMNS; c++) {
-            columns[c][slot] = single.state[c][0];
+        for (int i = 0; i < members.length; i++) {
+            parts[members[i]] = needed;
+            for (int c = 0; c < BodyState.COLUMNS; c++) {
+                columns[c][members[i]] = single.state[c][i];
+            }
         }
     }
 

@@ -74,7 +74,7 @@ final class RestingContacts {
         this.touch = touch;
         this.problem = problem;
         this.memory = motion.memory();
-        this.held = new HeldPairs(traits);
+        this.held = new HeldPairs(traits, trajectories.groups());
     }
 
     HeldPairs pairs() {

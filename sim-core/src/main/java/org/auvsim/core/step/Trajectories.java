@@ -1,5 +1,6 @@
 package org.auvsim.core.step;
 
+import org.auvsim.core.dynamics.BodyGroups;
 import org.auvsim.core.dynamics.EquationsOfMotion;
 import org.auvsim.core.dynamics.Integrator;
 import org.auvsim.core.entity.Block;
@@ -54,6 +55,12 @@ final class Trajectories {
     private final SegmentLog log;
     private final int[] one = new int[1];
     private final int[] some = new int[Block.SIZE];
+    private final BodyGroups groups;
+
+    /** Where coupled bodies are: all slots with groups side by side, and where each block begins. */
+    private final int[] inOrder;
+
+    private final int[] blockStart;
     private final double[] contactForce;
     private final boolean[] isPushed;
     private boolean anyPushed;
@@ -65,16 +72,30 @@ final class Trajectories {
 
     /** What one lane needs for itself. */
     private static final class Worker {
-        final Block block = new Block();
-        final Block single = new Block();
+        final Block block;
+        final Block single;
+        final BodyGroups.Batch batch;
         final int[] one = new int[1];
         final Pose pose = new Pose();
-        final double[] vx = new double[Block.SIZE];
-        final double[] vy = new double[Block.SIZE];
-        final double[] vz = new double[Block.SIZE];
+        final double[] vx;
+        final double[] vy;
+        final double[] vz;
+
+        /** How many bodies of the block are traced; those behind are anchors of groups. */
+        int traced;
+
         int notFinite = -1;
         int tooStiff = -1;
         boolean hasCuts;
+
+        Worker(int capacity) {
+            block = new Block(capacity);
+            single = new Block(capacity);
+            batch = new BodyGroups.Batch(capacity);
+            vx = new double[capacity];
+            vy = new double[capacity];
+            vz = new double[capacity];
+        }
     }
 
     Trajectories(
@@ -88,6 +109,7 @@ final class Trajectories {
         this.equations = equations;
         this.integrator = integrator;
         this.lanes = lanes;
+        this.groups = equations.groups();
         count = bodies.count();
         end = new double[BodyState.COLUMNS][bodies.column(0).length];
         curve = new double[CURVE * count];
@@ -99,8 +121,25 @@ final class Trajectories {
         isPushed = new boolean[count];
         workers = new Worker[lanes.count()];
         for (int lane = 0; lane < workers.length; lane++) {
-            workers[lane] = new Worker();
+            workers[lane] = new Worker(groups.capacity());
         }
+        inOrder = groups.inOrder();
+        blockStart = blockStarts();
+    }
+
+    /** Where the blocks of a frame begin, if bodies are coupled; the last entry is the end. */
+    private int[] blockStarts() {
+        int[] starts = new int[inOrder.length + 1];
+        int blocks = 0;
+        while (starts[blocks] < inOrder.length) {
+            int from = starts[blocks++];
+            starts[blocks] = from + groups.fill(inOrder, from, inOrder.length, workers[0].batch);
+        }
+        return Arrays.copyOf(starts, blocks + 1);
+    }
+
+    BodyGroups groups() {
+        return groups;
     }
 
     int count() {
@@ -152,19 +191,31 @@ final class Trajectories {
         worker.notFinite = -1;
         worker.tooStiff = -1;
         worker.hasCuts = false;
-        int blocks = (count + Block.SIZE - 1) / Block.SIZE;
+        boolean isPlain = groups.isEmpty();
+        int blocks = isPlain ? (count + Block.SIZE - 1) / Block.SIZE : blockStart.length - 1;
         int from = (int) ((long) blocks * lane / workers.length);
         int to = (int) ((long) blocks * (lane + 1) / workers.length);
         for (int b = from; b < to; b++) {
-            int first = b * Block.SIZE;
-            int inBlock = Math.min(Block.SIZE, count - first);
-            equations.load(worker.block, first, inBlock, time);
+            int first = isPlain ? b * Block.SIZE : blockStart[b];
+            loadFrame(worker, first);
             integrate(worker, 0, length);
         }
     }
 
+    /** Loads bodies at the frame's beginning, from a place in the order of blocks on. */
+    private void loadFrame(Worker worker, int first) {
+        if (groups.isEmpty()) {
+            worker.traced = Math.min(Block.SIZE, count - first);
+            equations.load(worker.block, first, worker.traced, time);
+        } else {
+            worker.traced = groups.fill(inOrder, first, count, worker.batch);
+            equations.load(worker.block, worker.batch.slots, worker.batch.count, time);
+        }
+    }
+
     /**
-     * Ends a body's segment at an offset: its state there becomes its present one. The position is
+     * Ends a body's segment at an offset, and those of all that it is coupled to: its state there
+     * becomes its present one. The position is
      * that of the curve, on which contacts are found, the rest is integrated. {@link #restart} has
      * to follow.
      */
@@ -173,16 +224,28 @@ final class Trajectories {
         if (from == offset) {
             return;
         }
+        int[] unit = unit(slot, one);
         if (offset == endOf(slot)) {
-            takeEnd(slot, offset);
+            for (int member : unit) {
+                takeEnd(member, offset);
+            }
             return;
         }
         Block block = workers[0].block;
-        one[0] = slot;
-        equations.load(block, one, 1, time + from);
-        push(block);
+        load(workers[0], unit, 0, unit.length, from);
         integrator.advance(equations, block, offset - from);
-        take(block, 0, offset);
+        for (int i = 0; i < unit.length; i++) {
+            take(block, i, offset);
+        }
+    }
+
+    /** A body with all that it is coupled to. */
+    private int[] unit(int slot, int[] alone) {
+        if (groups.isCoupled(slot)) {
+            return groups.members(slot);
+        }
+        alone[0] = slot;
+        return alone;
     }
 
     /** Body {@code i} of the block has been integrated to an offset, where its segment ends now. */
@@ -219,7 +282,7 @@ final class Trajectories {
     void moveTo(int[] slots, int number, double offset) {
         int fresh = 0;
         for (int k = 0; k < number; k++) {
-            if (startOf(slots[k]) != 0) {
+            if (startOf(slots[k]) != 0 || groups.isCoupled(slots[k])) {
                 moveTo(slots[k], offset);
             } else if (offset > 0) {
                 some[fresh++] = slots[k];
@@ -259,8 +322,8 @@ final class Trajectories {
      * the contact forces that they have been given.
      */
     void restart(int[] slots, int number, double offset) {
-        for (int first = 0; first < number; first += Block.SIZE) {
-            load(slots, first, Math.min(Block.SIZE, number - first), offset);
+        for (int first = 0; first < number; first += workers[0].traced) {
+            load(workers[0], slots, first, number, offset);
             integrate(workers[0], offset, length);
         }
         for (int k = 0; k < number; k++) {
@@ -301,10 +364,10 @@ final class Trajectories {
         Worker worker = workers[0];
         Block block = worker.block;
         int parts = 1;
-        for (int first = 0; first < number; first += Block.SIZE) {
-            load(slots, first, Math.min(Block.SIZE, number - first), from);
+        for (int first = 0; first < number; first += worker.traced) {
+            load(worker, slots, first, number, from);
             advance(worker, block, from, to);
-            for (int i = 0; i < block.count; i++) {
+            for (int i = 0; i < worker.traced; i++) {
                 trace(worker, block, i, from, to);
                 parts = Math.max(parts, block.subSteps(i));
             }
@@ -323,22 +386,23 @@ final class Trajectories {
 
     /** Tells the velocities that bodies have in their present states, as {@link #restart} does. */
     void velocitiesNow(int[] slots, int number, double[] to) {
-        for (int first = 0; first < number; first += Block.SIZE) {
-            load(slots, first, Math.min(Block.SIZE, number - first), 0);
+        for (int first = 0; first < number; first += workers[0].traced) {
+            load(workers[0], slots, first, number, 0);
             tellVelocities(to, first);
         }
     }
 
-    private void load(int[] slots, int first, int number, double offset) {
-        System.arraycopy(slots, first, some, 0, number);
-        equations.load(workers[0].block, some, number, time + offset);
-        push(workers[0].block);
+    /** Loads as many of the bodies from {@code first} on, up to {@code end}, as fit into a block. */
+    private void load(Worker worker, int[] slots, int first, int end, double offset) {
+        worker.traced = groups.fill(slots, first, end, worker.batch);
+        equations.load(worker.block, worker.batch.slots, worker.batch.count, time + offset);
+        push(worker.block);
     }
 
     private void tellVelocities(double[] to, int first) {
         Block block = workers[0].block;
         equations.motions(block);
-        for (int i = 0; i < block.count; i++) {
+        for (int i = 0; i < workers[0].traced; i++) {
             int at = 6 * (first + i);
             to[at] = block.vx[i];
             to[at + 1] = block.vy[i];
@@ -388,8 +452,8 @@ final class Trajectories {
     /** Ends the frame early: makes the states at an offset the present one. */
     void commitAt(double offset) {
         Block block = workers[0].block;
-        for (int first = 0; first < count; first += Block.SIZE) {
-            equations.load(block, first, Math.min(Block.SIZE, count - first), time);
+        for (int first = 0; first < count; first += workers[0].traced) {
+            loadFrame(workers[0], first);
             if (offset > 0) {
                 integrator.advance(equations, block, offset);
             }
@@ -424,17 +488,38 @@ final class Trajectories {
     private void integrate(Worker worker, double from, double to) {
         Block block = worker.block;
         advance(worker, block, from, to);
-        boolean areWhole = !block.hasSubSteps();
-        for (int i = 0; i < block.count; i++) {
-            if (areWhole || block.subSteps(i) == 1) {
+        if (!block.hasSubSteps()) {
+            for (int i = 0; i < worker.traced; i++) {
+                trace(worker, block, i, from, to);
+            }
+            return;
+        }
+        int traced = worker.traced;
+        for (int i = 0; i < traced; i++) {
+            if (parts(block, i) == 1) {
                 trace(worker, block, i, from, to);
             }
         }
-        for (int i = 0; !areWhole && i < block.count; i++) {
-            if (block.subSteps(i) > 1) {
-                cut(worker, block.slot(i), block.subSteps(i), from, to);
+        int size;
+        for (int i = 0; i < traced; i += size) {
+            size = groups.size(block.slot(i));
+            if (parts(block, i) > 1) {
+                cut(worker, unit(block.slot(i), worker.one), parts(block, i), from, to);
             }
         }
+    }
+
+    /** Into how many parts the steps of a body, and all that it is coupled to, should be cut. */
+    private int parts(Block block, int i) {
+        int slot = block.slot(i);
+        if (!groups.isCoupled(slot)) {
+            return block.subSteps(i);
+        }
+        int most = 1;
+        for (int member : groups.members(slot)) {
+            most = Math.max(most, block.subSteps(block.indexOf(member)));
+        }
+        return most;
     }
 
     private void advance(Worker worker, Block block, double from, double to) {
@@ -449,25 +534,29 @@ final class Trajectories {
         measure(block, 3);
     }
 
-    /** Traces a segment that is as many times shorter than asked as makes it fine. */
-    private void cut(Worker worker, int slot, int atLeast, double from, double to) {
+    /** Traces segments that are as many times shorter than asked as makes them fine. */
+    private void cut(Worker worker, int[] unit, int atLeast, double from, double to) {
         worker.hasCuts = true;
-        worker.one[0] = slot;
         Block block = worker.single;
         double last = to;
         int parts = atLeast;
-        do {
+        boolean isFine = false;
+        while (!isFine) {
             last = from + (to - from) / parts;
             if (isTooShort(from, last)) {
-                worker.tooStiff = slot;
+                worker.tooStiff = unit[0];
                 return;
             }
-            equations.load(block, worker.one, 1, time + from);
+            groups.fill(unit, 0, unit.length, worker.batch);
+            equations.load(block, worker.batch.slots, worker.batch.count, time + from);
             push(block);
             advance(worker, block, from, last);
+            isFine = parts(block, 0) <= FINE;
             parts *= 2;
-        } while (block.subSteps(0) > FINE);
-        trace(worker, block, 0, from, last);
+        }
+        for (int i = 0; i < unit.length; i++) {
+            trace(worker, block, i, from, last);
+        }
     }
 
     /** Fills the velocities of the block, and notes the angular ones at start (0) or end (3). */

@@ -1,10 +1,14 @@
 package org.auvsim.core.world;
 
+import static java.util.Objects.requireNonNull;
+
 import org.auvsim.core.entity.BlockEffect;
+import org.auvsim.core.entity.CoupledEffect;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.WorldObject;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,18 +18,36 @@ final class EffectLayout {
     private EffectLayout() {}
 
     static List<BlockEffect> of(List<WorldObject> bySlot) {
+        Map<Long, Integer> slots = new HashMap<>();
+        bySlot.forEach(object -> slots.put(object.id(), object.slot()));
         Map<Class<?>, List<List<Effect>>> byClass = new LinkedHashMap<>();
         for (WorldObject object : bySlot) {
             for (Effect effect : object.effects()) {
+                if (!isWhole(effect, slots)) {
+                    continue;
+                }
                 byClass.computeIfAbsent(effect.getClass(), c -> emptySlots(bySlot.size()))
-                        .set(object.slot(), ofClass(effect.getClass(), object));
+                        .set(object.slot(), ofClass(effect.getClass(), object, slots));
             }
         }
         List<BlockEffect> layout = new ArrayList<>();
-        for (List<List<Effect>> slots : byClass.values()) {
-            layout.add(firstOf(slots).layOut(slots));
+        for (List<List<Effect>> effects : byClass.values()) {
+            layout.add(layOut(firstOf(effects), effects, slots));
         }
         return List.copyOf(layout);
+    }
+
+    /** A coupled effect ends when one of its partners leaves. */
+    private static boolean isWhole(Effect effect, Map<Long, Integer> slots) {
+        return !(effect instanceof CoupledEffect coupled)
+                || slots.keySet().containsAll(coupled.partners());
+    }
+
+    private static BlockEffect layOut(
+            Effect first, List<List<Effect>> effects, Map<Long, Integer> slots) {
+        return first instanceof CoupledEffect coupled
+                ? coupled.layOut(effects, id -> requireNonNull(slots.get(id)))
+                : first.layOut(effects);
     }
 
     private static List<List<Effect>> emptySlots(int count) {
@@ -36,8 +58,11 @@ final class EffectLayout {
         return slots;
     }
 
-    private static List<Effect> ofClass(Class<?> type, WorldObject object) {
-        return object.effects().stream().filter(e -> e.getClass() == type).toList();
+    private static List<Effect> ofClass(
+            Class<?> type, WorldObject object, Map<Long, Integer> slots) {
+        return object.effects().stream()
+                .filter(e -> e.getClass() == type && isWhole(e, slots))
+                .toList();
     }
 
     private static Effect firstOf(List<List<Effect>> slots) {

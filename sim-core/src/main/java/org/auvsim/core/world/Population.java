@@ -1,7 +1,9 @@
 package org.auvsim.core.world;
 
 import org.auvsim.core.entity.Bodies;
+import org.auvsim.core.entity.CoupledEffect;
 import org.auvsim.core.entity.Current;
+import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.RigidBody;
 import org.auvsim.core.entity.WorldObject;
@@ -149,6 +151,38 @@ final class Population {
             throw new WorldException(
                     "the name '%s' is taken by entity %d; names are unique in a world"
                             .formatted(name, namesake));
+        }
+    }
+
+    /** Each body that one of these effects couples the named one to has to be here, and another. */
+    void requirePartners(String name, List<Effect> effects) {
+        for (Effect effect : effects) {
+            if (effect instanceof CoupledEffect coupled) {
+                requirePartners(name, coupled);
+            }
+        }
+    }
+
+    private void requirePartners(String name, CoupledEffect effect) {
+        String what = effect.getClass().getSimpleName() + " of '" + name + "'";
+        List<Long> ids = effect.partners();
+        if (ids.isEmpty() || Set.copyOf(ids).size() < ids.size()) {
+            throw new WorldException(
+                    "the %s has to name each of its partners once, but names %s"
+                            .formatted(what, ids));
+        }
+        for (long id : ids) {
+            Optional<WorldObject> partner = findObject(id);
+            if (partner.isEmpty()) {
+                throw new WorldException(
+                        "the %s couples it to the id %d, which no world object has; there are %s"
+                                .formatted(what, id, names()));
+            }
+            if (partner.get().name().equals(name)) {
+                throw new WorldException(
+                        "the %s couples it to itself (id %d); name another body"
+                                .formatted(what, id));
+            }
         }
     }
 

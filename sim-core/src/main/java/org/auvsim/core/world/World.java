@@ -164,10 +164,23 @@ public final class World {
     /**
      * Adds a world object, with the id that it states or the next free one.
      *
-     * @throws WorldException if its id or name is taken, or if it is to collide as its bounding
-     *     sphere and has none
+     * @throws WorldException if its id or name is taken, if it is to collide as its bounding sphere
+     *     and has none, or if an effect couples it to a body that is not in the world
      */
     public WorldObject add(WorldObjectDefinition definition) {
+        population.requirePartners(definition.name(), definition.effect());
+        return enter(definition);
+    }
+
+    /** Checks what objects that entered before their partners say of these. */
+    void requirePartners() {
+        for (WorldObject object : objects()) {
+            population.requirePartners(object.name(), object.effects());
+        }
+    }
+
+    /** As {@link #add(WorldObjectDefinition)}, but its partners may follow. */
+    WorldObject enter(WorldObjectDefinition definition) {
         if (asBoundingSpheres && !definition.volume().isBounded()) {
             throw new WorldException(
                     "'%s' has no bounding sphere, as its volume has no end; leave it out or let"
@@ -196,7 +209,7 @@ public final class World {
     }
 
     /**
-     * Removes an entity; its id is not used again.
+     * Removes an entity; its id is not used again. Effects that couple others to it end.
      *
      * @throws WorldException if there is none with this id
      */

@@ -108,23 +108,25 @@ public final class WorldBuilder {
     /**
      * The world. Objects without an id get the lowest ones that nobody states, in order.
      *
-     * @throws WorldException if an id or a name is used twice, if objects overlap that must not, or
-     *     if one that is to collide as its bounding sphere has none
+     * @throws WorldException if an id or a name is used twice, if objects overlap that must not, if
+     *     one that is to collide as its bounding sphere has none, or if an effect couples one to a
+     *     body that is not in the world
      */
     public World build() {
         World world = new World(this);
         entities.forEach(world::add);
         // Those that state an id first, so that the others do not take it.
-        objects.stream().filter(o -> o.id().isPresent()).forEach(world::add);
+        objects.stream().filter(o -> o.id().isPresent()).forEach(world::enter);
         long free = 1;
         for (WorldObjectDefinition object : objects) {
             if (object.id().isEmpty()) {
                 while (world.find(free).isPresent()) {
                     free++;
                 }
-                world.add(object.withId(OptionalLong.of(free)));
+                world.enter(object.withId(OptionalLong.of(free)));
             }
         }
+        world.requirePartners();
         if (!overlapsAllowed) {
             world.requireApart();
         }

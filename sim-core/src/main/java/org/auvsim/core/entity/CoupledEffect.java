@@ -1,0 +1,43 @@
+package org.auvsim.core.entity;
+
+import java.util.List;
+import java.util.function.LongToIntFunction;
+
+/**
+ * An effect that depends on more bodies than its own, or acts on them: a tether, a spring between
+ * two. Bodies that it couples are always integrated together, and moved together when one of them
+ * collides. A fixed partner takes part but joins nothing: what is moored to the same ground is not
+ * coupled by it.
+ *
+ * <p>The effect belongs to one of the bodies and names the others by id. They have to be in the
+ * world when its body enters; when one of them leaves, the effect ends.
+ */
+public interface CoupledEffect extends Effect {
+    /** The ids of the other bodies, none of them twice; one or more. */
+    List<Long> partners();
+
+    /**
+     * Adds this effect's forces and torques to body {@code i} of the block and to its partners,
+     * with {@link Block#addForce} and {@link Block#addTorque}.
+     *
+     * @param partners where the partners are in the block: one for each of {@link #partners()}, in
+     *     that order; what is behind them has no meaning
+     */
+    void add(Block block, int i, int[] partners);
+
+    /**
+     * Arranges effects of this one's class for fast evaluation.
+     *
+     * @param slotOf tells the slot of the body with an id
+     */
+    default BlockEffect layOut(List<List<Effect>> bySlot, LongToIntFunction slotOf) {
+        return new CoupledBlock(bySlot, slotOf);
+    }
+
+    /** Not possible without the bodies' ids. */
+    @Override
+    default BlockEffect layOut(List<List<Effect>> bySlot) {
+        throw new IllegalStateException(
+                "a coupled effect is laid out with the bodies' ids: call layOut(bySlot, slotOf)");
+    }
+}

@@ -20,6 +20,9 @@ final class Stiffness {
     /** Changes of a momentum below this share are rounding. */
     private static final double ROUNDING = 1e-6;
 
+    /** What counts as momentum at least (m/s, a body's mass left out): less is rest. */
+    private static final double REST = 1e-6;
+
     private Stiffness() {}
 
     /** Writes for each body into how many parts the step of {@code dt} (s) should be cut. */
@@ -65,7 +68,7 @@ final class Stiffness {
             first += k1 * k1;
             momentum += p * p;
         }
-        double scale = Math.sqrt(momentum) + dt * Math.sqrt(first);
+        double scale = Math.sqrt(momentum) + dt * Math.sqrt(first) + REST * b.mass[i];
         if (across <= 0 || dt * Math.sqrt(early) <= ROUNDING * scale) {
             return 0;
         }

@@ -386,8 +386,13 @@ final class Trajectories {
 
     /** Tells the velocities that bodies have in their present states, as {@link #restart} does. */
     void velocitiesNow(int[] slots, int number, double[] to) {
-        for (int first = 0; first < number; first += workers[0].traced) {
-            load(workers[0], slots, first, number, 0);
+        // No force matters here, and so nobody they couple.
+        Worker worker = workers[0];
+        for (int first = 0; first < number; first += worker.traced) {
+            worker.traced = Math.min(Block.SIZE, number - first);
+            System.arraycopy(slots, first, some, 0, worker.traced);
+            equations.load(worker.block, some, worker.traced, time);
+            push(worker.block);
             tellVelocities(to, first);
         }
     }

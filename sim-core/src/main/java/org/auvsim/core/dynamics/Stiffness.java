@@ -20,8 +20,14 @@ final class Stiffness {
     /** Changes of a momentum below this share are rounding. */
     private static final double ROUNDING = 1e-6;
 
+    /**
+     * A stage that changes a momentum by less than this share does no harm: where a force is just
+     * at its extreme, stages differ by what is small anyway.
+     */
+    private static final double HARMLESS = 0.01;
+
     /** What counts as momentum at least (m/s, a body's mass left out): less is rest. */
-    private static final double REST = 1e-6;
+    private static final double REST = 1e-4;
 
     private Stiffness() {}
 
@@ -69,7 +75,9 @@ final class Stiffness {
             momentum += p * p;
         }
         double scale = Math.sqrt(momentum) + dt * Math.sqrt(first) + REST * b.mass[i];
-        if (across <= 0 || dt * Math.sqrt(early) <= ROUNDING * scale) {
+        if (across <= 0
+                || dt * Math.sqrt(early) <= ROUNDING * scale
+                || dt * Math.sqrt(late) <= HARMLESS * scale) {
             return 0;
         }
         double z = 2 * across / early;

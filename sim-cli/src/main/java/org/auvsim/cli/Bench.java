@@ -2,6 +2,7 @@ package org.auvsim.cli;
 
 import org.auvsim.cli.report.FileTrouble;
 import org.auvsim.cli.report.UserError;
+import org.auvsim.core.step.Lanes;
 import org.auvsim.experiments.bench.BenchChart;
 import org.auvsim.experiments.bench.BenchCsv;
 import org.auvsim.experiments.bench.BenchTable;
@@ -11,9 +12,11 @@ import org.auvsim.experiments.bench.WorkloadBench;
 import org.auvsim.experiments.thesis.StageCost;
 import org.auvsim.experiments.thesis.StageReport;
 import org.auvsim.experiments.workload.Workload;
+import org.auvsim.server.lanes.ThreadLanes;
 
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -49,6 +52,9 @@ final class Bench implements Callable<Integer> {
     private static final List<Integer> ALL =
             Stream.concat(TENS.stream(), Stream.of(1_000, 10_000, 100_000)).toList();
     private static final double QUICK_SECONDS = 5;
+
+    /** Wall time before the timed runs of each number of bodies. */
+    private static final double WARM_UP_SECONDS = 3;
 
     @Spec private CommandSpec spec;
 
@@ -87,6 +93,8 @@ final class Bench implements Callable<Integer> {
             description = "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
     private StepperChoice stepper = StepperChoice.EVENT;
 
+    @Mixin private final LaneCount laneCount = new LaneCount();
+
     @Option(
             names = "--out",
             paramLabel = "FOLDER",
@@ -111,12 +119,13 @@ final class Bench implements Callable<Integer> {
     public Integer call() {
         checkOptions();
         // Ctrl-C waits until what there is has been written.
-        try (Interruption interruption = new Interruption(() -> {})) {
+        try (Interruption interruption = new Interruption(() -> {});
+                ThreadLanes lanes = laneCount.open()) {
             Files.createDirectories(folder);
             if (thesis) {
                 reportStages(interruption::isRequested);
             } else {
-                reportSpeed(interruption::isRequested);
+                reportSpeed(lanes, interruption::isRequested);
             }
             return ExitCode.OK;
         } catch (IOException e) {
@@ -152,8 +161,9 @@ final class Bench implements Callable<Integer> {
         return quick ? List.of(10, 100) : thesis ? TENS : ALL;
     }
 
-    private void reportSpeed(BooleanSupplier stop) throws IOException {
-        WorkloadBench bench = new WorkloadBench(stepper, quick ? 1 : repeat);
+    private void reportSpeed(Lanes lanes, BooleanSupplier stop) throws IOException {
+        WorkloadBench bench =
+                new WorkloadBench(stepper, lanes, quick ? 0 : WARM_UP_SECONDS, quick ? 1 : repeat);
         List<Measurement> measured = new ArrayList<>();
         BenchTable.header().forEach(this::tell);
         for (int n : numbers()) {

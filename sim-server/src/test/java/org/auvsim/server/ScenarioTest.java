@@ -23,7 +23,9 @@ import java.util.Optional;
 class ScenarioTest {
     private static Scenario scenario(FeedbackTimestepping stepping, Optional<String> override) {
         return new Scenario(
-                0, false, false,
+                0,
+                false,
+                false,
                 new TimeStep(0.05),
                 SnapshotStepper.standard(),
                 stepping,

@@ -74,7 +74,9 @@ class ScenarioLoaderTest {
         assertThat(scenario)
                 .isEqualTo(
                         new Scenario(
-                                1.5, false, false,
+                                1.5,
+                                false,
+                                false,
                                 new TimeStep(0.01),
                                 new SnapshotStepper(
                                         new MaximumSpeedRestricter(20),

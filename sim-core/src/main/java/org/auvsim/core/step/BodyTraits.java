@@ -53,8 +53,7 @@ final class BodyTraits {
         boolean all = true;
         for (int slot = 0; slot < count; slot++) {
             RigidBody body = bySlot.get(slot);
-            volume[slot] =
-                    asBoundingSpheres ? new Sphere(radius[slot]) : body.volume();
+            volume[slot] = asBoundingSpheres ? new Sphere(radius[slot]) : body.volume();
             isSphere[slot] = volume[slot] instanceof Sphere;
             isBall[slot] = isSphere[slot] && state.spatial(slot) == null;
             all &= isSphere[slot];

@@ -6,8 +6,8 @@ import java.util.Arrays;
 
 /**
  * What a world remembers of its contacts from step to step: when a pair last hit, for the rule that
- * tells a bounce from a long touch, and the forces of resting contacts, from which the solver starts
- * the next time. It is part of the world's state and copied with it.
+ * tells a bounce from a long touch, and the forces of resting contacts, from which the solver
+ * starts the next time. It is part of the world's state and copied with it.
  */
 public final class ContactMemory {
     /** Numbers a point: where it is on the first body (m, its axes), normal force, friction (N). */
@@ -59,7 +59,9 @@ public final class ContactMemory {
         Arrays.fill(table, -1);
     }
 
-    /** The entry of a pair at a time (s, world), made if there is none; valid until the next call. */
+    /**
+     * The entry of a pair at a time (s, world), made if there is none; valid until the next call.
+     */
     int entry(int a, int b, double time) {
         long key = (long) a << 32 | b;
         int at = place(key);

@@ -122,7 +122,9 @@ final class ContactProblem {
         return slots[body];
     }
 
-    /** How fast the bodies approach at the contacts from {@code from} on, where it is fastest (m/s). */
+    /**
+     * How fast the bodies approach at the contacts from {@code from} on, where it is fastest (m/s).
+     */
     double fastestApproach(int from) {
         double fastest = Double.NEGATIVE_INFINITY;
         for (int c = from; c < contacts.count; c++) {

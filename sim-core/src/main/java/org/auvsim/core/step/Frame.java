@@ -223,8 +223,7 @@ final class Frame {
         boolean inOrder = traits.rank[a] < traits.rank[b];
         int first = inOrder ? a : b;
         int second = inOrder ? b : a;
-        queue.add(
-                t, traits.rank[first], traits.rank[second], version[first], version[second]);
+        queue.add(t, traits.rank[first], traits.rank[second], version[first], version[second]);
     }
 
     boolean hasNextEvent() {

@@ -24,7 +24,10 @@ final class HeldPairs {
     private double[] limit = new double[64];
     private int count;
 
-    /** Chains of the pairs of each body: node 2 k belongs to the first of pair k, 2 k + 1 to the second. */
+    /**
+     * Chains of the pairs of each body: node 2 k belongs to the first of pair k, 2 k + 1 to the
+     * second.
+     */
     private final int[] chain;
 
     private int[] next = new int[128];
@@ -105,8 +108,8 @@ final class HeldPairs {
     }
 
     /**
-     * Whether a held pair has met again so often that the solver cannot hold it better: what is left
-     * is mended in the next frame.
+     * Whether a held pair has met again so often that the solver cannot hold it better: what is
+     * left is mended in the next frame.
      */
     boolean isLeftAlone(int first, int second) {
         int pair = find(first, second);
@@ -155,7 +158,9 @@ final class HeldPairs {
         isHeld[pair] = false;
     }
 
-    /** Finds all that hang together with a body; the body itself is the only one if it hangs free. */
+    /**
+     * Finds all that hang together with a body; the body itself is the only one if it hangs free.
+     */
     void findIsland(int body) {
         memberCount = 0;
         pairCount = 0;
@@ -222,7 +227,9 @@ final class HeldPairs {
         pairCount = kept;
     }
 
-    /** The slots of the island's bodies, none of them fixed, in order; {@link #memberCount} of them. */
+    /**
+     * The slots of the island's bodies, none of them fixed, in order; {@link #memberCount} of them.
+     */
     int[] members() {
         return members;
     }

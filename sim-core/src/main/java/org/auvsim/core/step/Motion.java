@@ -38,6 +38,9 @@ public final class Motion {
     /** Bodies that approach slower than this (m/s) do so by rounding only. */
     private static final double APPROACH_TOLERANCE = 1e-10;
 
+    /** The number of bodies from which lanes are used. */
+    private static final int LANES_PAY = 512;
+
     /** Operations of a query, counted once by hand, for spheres. */
     private static final int DISPLACEMENT = 13;
 
@@ -138,8 +141,9 @@ public final class Motion {
         return isHeard;
     }
 
+    /** Where to run side by side; for few bodies the handing over costs more than it saves. */
     Lanes lanes() {
-        return lanes;
+        return bodies.count() < LANES_PAY ? Lanes.ONE : lanes;
     }
 
     StepTally tally() {
@@ -167,7 +171,8 @@ public final class Motion {
                     traits.rank[slots[rank]] = rank;
                 }
             }
-            Trajectories trajectories = new Trajectories(bodies, traits, equations, integrator, lanes);
+            Trajectories trajectories =
+                    new Trajectories(bodies, traits, equations, integrator, lanes());
             frame = Optional.of(new Frame(this, traits, trajectories, slots));
         }
         return frame.get();
@@ -442,7 +447,9 @@ public final class Motion {
         return contact(i, j, time);
     }
 
-    /** The contact of two that touch in their present states, which are those of {@code when} (s). */
+    /**
+     * The contact of two that touch in their present states, which are those of {@code when} (s).
+     */
     Contact contact(int i, int j, double when) {
         present(i, poseA);
         present(j, poseB);

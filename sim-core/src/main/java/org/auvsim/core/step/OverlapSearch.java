@@ -1,10 +1,10 @@
 package org.auvsim.core.step;
 
+import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.volume.Manifold;
 import org.auvsim.core.volume.PairQueries;
 import org.auvsim.core.volume.Pose;
-import org.auvsim.core.entity.BodyState;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -64,8 +64,7 @@ final class OverlapSearch implements ColumnGrid.Pairs {
         if (depth > TOLERANCE * Math.min(traits.radius[a], traits.radius[b])) {
             boolean inOrder = objects.get(a).id() < objects.get(b).id();
             found.add(
-                    new Overlap(
-                            objects.get(inOrder ? a : b), objects.get(inOrder ? b : a), depth));
+                    new Overlap(objects.get(inOrder ? a : b), objects.get(inOrder ? b : a), depth));
         }
     }
 }

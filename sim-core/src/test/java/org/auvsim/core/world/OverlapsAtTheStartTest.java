@@ -137,7 +137,8 @@ class OverlapsAtTheStartTest {
 
         assertThatThrownBy(world::build)
                 .isInstanceOf(WorldException.class)
-                .hasMessageStartingWith("'Ground' has no bounding sphere, as its volume has no end");
+                .hasMessageStartingWith(
+                        "'Ground' has no bounding sphere, as its volume has no end");
     }
 
     /** Spheres round two cubes of 1 m touch while the cubes are sqrt 3 - 1 m apart. */

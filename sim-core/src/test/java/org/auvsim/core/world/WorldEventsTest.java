@@ -62,8 +62,7 @@ class WorldEventsTest {
         assertThat(met).isEqualTo(0.02, within(1e-12));
         assertThat(events.subList(0, 6)).allMatch(e -> e.time() == met);
         assertThat(events.subList(6, 10)).allMatch(e -> e.time() == world.time());
-        assertThat(events.get(3))
-                .isEqualTo(new WorldEvent.ObjectAdded(met, 3, new Vec3(50, 0, 0)));
+        assertThat(events.get(3)).isEqualTo(new WorldEvent.ObjectAdded(met, 3, new Vec3(50, 0, 0)));
     }
 
     @Test

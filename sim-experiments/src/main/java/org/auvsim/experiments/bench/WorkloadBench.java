@@ -1,5 +1,6 @@
 package org.auvsim.experiments.bench;
 
+import org.auvsim.core.step.Lanes;
 import org.auvsim.core.world.World;
 import org.auvsim.experiments.workload.Workload;
 
@@ -14,9 +15,11 @@ import java.util.function.BooleanSupplier;
  * is checked and not timed.
  *
  * @param stepper how steps are made
+ * @param lanes on which they are made
+ * @param warmUp wall time (s) of untimed runs before, in which the machine code gets ready
  * @param repetitions timed runs, 1 or more
  */
-public record WorkloadBench(StepperChoice stepper, int repetitions) {
+public record WorkloadBench(StepperChoice stepper, Lanes lanes, double warmUp, int repetitions) {
     /**
      * With checked numbers.
      *
@@ -35,6 +38,7 @@ public record WorkloadBench(StepperChoice stepper, int repetitions) {
      * @throws IllegalStateException if equal worlds have not stayed equal
      */
     public Optional<Measurement> measure(Workload workload, double seconds, BooleanSupplier stop) {
+        warmUp(workload, seconds, stop);
         List<Double> wall = new ArrayList<>();
         PeakMemory memory = new PeakMemory();
         long peak = 0;
@@ -65,7 +69,14 @@ public record WorkloadBench(StepperChoice stepper, int repetitions) {
     }
 
     private World world(Workload workload) {
-        return workload.world().stepper(stepper.stepper()).build();
+        return workload.world().stepper(stepper.stepper()).lanes(lanes).build();
+    }
+
+    private void warmUp(Workload workload, double seconds, BooleanSupplier stop) {
+        long end = System.nanoTime() + (long) (warmUp * 1e9);
+        while (System.nanoTime() < end && !stop.getAsBoolean()) {
+            time(world(workload), seconds, () -> stop.getAsBoolean() || System.nanoTime() > end);
+        }
     }
 
     /** Wall time (s) of a run. */

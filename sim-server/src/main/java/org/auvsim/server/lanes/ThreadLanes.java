@@ -9,8 +9,8 @@ import java.util.function.IntConsumer;
 
 /**
  * Lanes on threads that live as long as these: part 0 runs on the calling thread, each other part
- * always on the same daemon thread. Between two runs a thread spins for a moment, as a step has many
- * runs in quick succession, and then sleeps.
+ * always on the same daemon thread. Between two runs a thread spins for a moment, as a step has
+ * many runs in quick succession, and then sleeps.
  *
  * <p>One thread at a time runs parts here, the one that owns the world.
  */

@@ -1,5 +1,6 @@
 package org.auvsim.bench.peers;
 
+import org.auvsim.core.step.Lanes;
 import org.auvsim.core.world.World;
 import org.auvsim.experiments.bench.Measurement;
 import org.auvsim.experiments.bench.StepperChoice;
@@ -16,6 +17,7 @@ import java.util.Locale;
  */
 public final class Peers {
     private static final int REPETITIONS = 3;
+    private static final double WARM_UP_SECONDS = 3;
 
     /** A run that takes longer (s) is ended early, and its row says where. */
     private static final double PATIENCE = 60;
@@ -40,7 +42,8 @@ public final class Peers {
     }
 
     private static void ours(Workload workload) {
-        WorkloadBench bench = new WorkloadBench(StepperChoice.EVENT, REPETITIONS);
+        WorkloadBench bench =
+                new WorkloadBench(StepperChoice.EVENT, Lanes.ONE, WARM_UP_SECONDS, REPETITIONS);
         World start = workload.world().build();
         Measurement m = bench.measure(workload, workload.duration(), () -> false).orElseThrow();
         double energy = workload.energy(start) * (1 + m.energyDrift() / 100);

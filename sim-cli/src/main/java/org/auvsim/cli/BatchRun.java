@@ -1,7 +1,7 @@
 package org.auvsim.cli;
 
-import org.auvsim.cli.report.UserError;
 import org.auvsim.core.step.StepException;
+import org.auvsim.core.step.StepStatistics;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldEvent;
 import org.auvsim.core.world.WorldException;
@@ -37,14 +37,14 @@ final class BatchRun {
     /**
      * Runs to world time {@code until} (s), or until {@code interrupted}.
      *
-     * @throws UserError if a step cannot be made
+     * @throws RunEndedException if a step cannot be made
      */
     void run(double until, BooleanSupplier interrupted) {
         while (world.time() < until - TOLERANCE && !interrupted.getAsBoolean()) {
             try {
                 world.advanceTimestep();
             } catch (StepException | WorldException e) {
-                throw new UserError(
+                throw new RunEndedException(
                         "The run ends at %s s: %s".formatted(world.time(), e.getMessage()), e);
             }
             steps++;
@@ -64,7 +64,18 @@ final class BatchRun {
 
     /** What has been done, in a line. */
     String summary() {
-        return "%d steps: %.6g s of world time in %.3g s, %.3g times real time; %d collisions"
-                .formatted(steps, world.time() - startTime, elapsed(), timesRealTime(), collisions);
+        StepStatistics done = world.statistics();
+        return ("%d steps: %.6g s of world time in %.3g s, %.3g times real time; %d collisions,"
+                        + " %d events, %d sub-steps, %d contacts held, %d quick hits")
+                .formatted(
+                        steps,
+                        world.time() - startTime,
+                        elapsed(),
+                        timesRealTime(),
+                        collisions,
+                        done.events(),
+                        done.subSteps(),
+                        done.heldPairs(),
+                        done.quickHits());
     }
 }

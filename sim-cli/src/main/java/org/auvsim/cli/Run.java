@@ -6,6 +6,7 @@ import static java.util.Objects.requireNonNull;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.cli.report.FileTrouble;
 import org.auvsim.cli.report.UserError;
 import org.auvsim.core.world.World;
@@ -64,14 +65,38 @@ final class Run implements Callable<Integer> {
             description = "Writes what moves as CSV; '-' is the standard output.")
     private Optional<Path> out = Optional.empty();
 
+    @Option(
+            names = "--last-good",
+            paramLabel = "FILE",
+            description =
+                    "If a step cannot be made, writes a scenario that begins at the last state that"
+                            + " could be reached.")
+    private Optional<Path> lastGood = Optional.empty();
+
     @Mixin private final LaneCount laneCount = new LaneCount();
 
     @Override
     public Integer call() throws DocumentException {
         Scenario scenario = ScenarioLoader.load(Run.class.getClassLoader()).load(file);
         try (ThreadLanes lanes = laneCount.open()) {
-            return run(scenario.world(lanes));
+            World world = scenario.world(lanes);
+            try {
+                return run(world);
+            } catch (RunEndedException e) {
+                throw lastGood.isEmpty() ? new UserError(e.getMessage(), e) : keep(scenario.resumedFrom(world), e);
+            }
         }
+    }
+
+    private UserError keep(Scenario state, RunEndedException end) {
+        Path file = lastGood.orElseThrow();
+        try {
+            Files.writeString(file, AuvsmlMapper.load(Run.class.getClassLoader()).encode(state));
+        } catch (IOException e) {
+            return FileTrouble.writing(file, e);
+        }
+        return new UserError(
+                "%s; the last good state is in %s".formatted(end.getMessage(), file), end);
     }
 
     private int run(World world) {

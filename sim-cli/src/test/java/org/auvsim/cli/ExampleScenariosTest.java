@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 
 import java.nio.file.Path;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Set;
 
 /** The shipped scenarios do what their comments say. */
@@ -115,5 +116,40 @@ class ExampleScenariosTest {
                 .isLessThan(1e-9);
         assertThat(world.object("Sinking Chest").position().z()).isLessThan(-2.5);
         assertThat(world.object("Surveyor").orientation().z()).isGreaterThan(0.1);
+    }
+
+    @Test
+    void theStackStands() throws DocumentException {
+        World world = world("stack.xml");
+        run(world, 10);
+        for (int k = 1; k <= 10; k++) {
+            Vec3 place = new Vec3(0, 0, k - 0.5);
+            assertThat(world.object("Box " + k).position().distance(place)).isLessThan(1e-3);
+        }
+    }
+
+    @Test
+    void frictionHoldsOneCrateAndLetsTheOtherSlide() throws DocumentException {
+        World world = world("slope.xml");
+        Vec3 rough = world.object("Rough Crate").position();
+        Vec3 smooth = world.object("Smooth Crate").position();
+        run(world, 2);
+        double angle = Math.toRadians(20);
+        double way = 9.80665 * (Math.sin(angle) - 0.2 * Math.cos(angle)) * 2 * 2 / 2;
+        assertThat(world.object("Rough Crate").position().distance(rough)).isLessThan(1e-3);
+        assertThat(world.object("Smooth Crate").position().distance(smooth))
+                .isCloseTo(way, within(0.01));
+    }
+
+    @Test
+    void whatSinksComesToRestOnTheSeabed() throws DocumentException {
+        World world = world("seabed.xml");
+        run(world, 40);
+        for (String rock : List.of("Boulder", "Slab")) {
+            assertThat(world.object(rock).velocity().norm()).isLessThan(0.01);
+            assertThat(world.object(rock).position().z()).isBetween(-20.0, -18.0);
+        }
+        assertThat(world.object("Surveyor").position().x()).isGreaterThan(-4);
+        assertThat(world.object("Surveyor").position().z()).isBetween(-20.0, -10.0);
     }
 }

@@ -58,7 +58,9 @@ class RunTest {
         double contact = (1 - Math.sqrt(0.5)) / 2;
         assertThat(number(lines.get(3), 0)).isCloseTo(contact, within(1e-9));
         assertThat(number(lines.get(3), 2)).isCloseTo(-1 + 2 * contact, within(1e-9));
-        assertThat(auvsim.out()).contains("1 collisions").contains("rows written to " + csv);
+        assertThat(auvsim.out())
+                .contains("1 collisions, 1 events, 0 sub-steps, 0 contacts held, 0 quick hits")
+                .contains("rows written to " + csv);
         assertThat(auvsim.err()).isEmpty();
     }
 
@@ -162,6 +164,35 @@ class RunTest {
                 .startsWith("The run ends at 0.0 s: ")
                 .contains("Bolt")
                 .hasLineCount(1);
+    }
+
+    /** Its velocity grows past all numbers in a few steps. */
+    @Test
+    void theLastGoodStateIsWrittenAndCanBeRunOn() throws IOException {
+        Path file =
+                auvsim.file(
+                        "wild.xml",
+                        """
+                        <scenario>
+                          <time-step delta="1"/>
+                          <world-object id="4" name="Bolt" mass="1e-3"><sphere radius="1"/>
+                            <gravity acceleration="1e307"/></world-object>
+                        </scenario>
+                        """);
+        Path last = folder.resolve("last.xml");
+
+        assertThat(auvsim.run("run", file, "--last-good", last)).isEqualTo(2);
+
+        assertThat(auvsim.err())
+                .startsWith("The run ends at ")
+                .contains("'Bolt' (id 4) gets out of all bounds between ", " s by ")
+                .endsWith("; the last good state is in " + last + "\n")
+                .hasLineCount(1);
+        assertThat(new CommandLineHarness(folder).run("validate", last)).isZero();
+        String written = Files.readString(last, UTF_8);
+        assertThat(written).contains("<world-object id=\"4\" name=\"Bolt\"", "<gravity ");
+        double began = Double.parseDouble(written.replaceFirst("(?s).*start-time=\"([^\"]*)\".*", "$1"));
+        assertThat(auvsim.err()).startsWith("The run ends at " + began + " s");
     }
 
     @Test

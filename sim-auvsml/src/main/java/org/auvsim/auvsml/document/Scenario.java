@@ -3,6 +3,7 @@ package org.auvsim.auvsml.document;
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.Current;
+import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.step.Lanes;
 import org.auvsim.core.step.Stepper;
@@ -68,5 +69,19 @@ public record Scenario(
         current.forEach(world::add);
         worldObject.forEach(world::add);
         return world.build();
+    }
+
+    /** The same scenario with a world's present time and objects as its beginning. */
+    public Scenario resumedFrom(World world) {
+        return new Scenario(
+                world.time(),
+                boundingSpheres,
+                allowOverlaps,
+                timeStep,
+                stepper,
+                feedbackTimestepping,
+                feedbackProcessor,
+                current,
+                world.objects().stream().map(WorldObject::presentDefinition).toList());
     }
 }

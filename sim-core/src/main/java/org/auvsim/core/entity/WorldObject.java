@@ -31,6 +31,11 @@ public final class WorldObject extends RigidBody {
         behaviors = List.copyOf(components(Behavior.class));
     }
 
+    /** What it would have to be made from to be as it is now. */
+    public WorldObjectDefinition presentDefinition() {
+        return definition().as(this);
+    }
+
     /** All components, in the order in which they were added. */
     public List<Component> components() {
         return List.copyOf(components);

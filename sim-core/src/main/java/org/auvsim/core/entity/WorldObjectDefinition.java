@@ -179,6 +179,32 @@ public record WorldObjectDefinition(
                 component);
     }
 
+    /** The same with the present id, state, forces, effects and components of an object. */
+    WorldObjectDefinition as(WorldObject object) {
+        return new WorldObjectDefinition(
+                OptionalLong.of(object.id()),
+                name,
+                fixed,
+                mass,
+                restitution,
+                friction,
+                layer,
+                ignores,
+                volume,
+                inertia,
+                centreOfMass,
+                addedMass,
+                mount,
+                object.position(),
+                object.orientation(),
+                object.velocity(),
+                object.angularVelocity(),
+                response,
+                object.forces(),
+                object.effects(),
+                object.components());
+    }
+
     /** Starts a definition of an object that moves freely. */
     public static Builder named(String name) {
         return new Builder(name);

@@ -1,5 +1,6 @@
 package org.auvsim.core.step;
 
+import org.auvsim.core.dynamics.Diagnosis;
 import org.auvsim.core.dynamics.EquationsOfMotion;
 import org.auvsim.core.dynamics.Integrator;
 import org.auvsim.core.entity.Block;
@@ -430,16 +431,17 @@ public final class Motion {
     void requireFinite(int slot, double offset) {
         for (int i = 0; slot >= 0 && i < size(); i++) {
             if (slots[i] == slot) {
-                throw new StepException(
-                        "the motion of '%s' (id %d) gets out of all bounds between %s s and %s s;"
-                                        .formatted(
-                                                collidables.get(i).name(),
-                                                collidables.get(i).id(),
-                                                time,
-                                                time + offset)
-                                + " lessen its forces or the time step");
+                throw runaway((RigidBody) collidables.get(i), offset);
             }
         }
+    }
+
+    private StepException runaway(RigidBody body, double offset) {
+        String culprit = new Diagnosis(equations, bodies, body).culprit(time, offset);
+        return new StepException(
+                "the motion of '%s' (id %d) gets out of all bounds between %s s and %s s by %s;"
+                                .formatted(body.name(), body.id(), time, time + offset, culprit)
+                        + " lessen its forces or the time step");
     }
 
     /** The contact of two that touch now, as {@code i} sees it. */

@@ -3,6 +3,10 @@ package org.auvsim.core.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import org.auvsim.core.effect.Gravity;
+import org.auvsim.core.entity.Block;
+import org.auvsim.core.entity.BodyEffect;
+import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -37,8 +41,49 @@ class RunawayTest {
 
         assertThatThrownBy(world::advanceTimestep)
                 .isInstanceOf(StepException.class)
-                .hasMessageContaining("'Rocket' (id 1)")
-                .hasMessageContaining("lessen its forces or the time step");
+                .hasMessage(
+                        "the motion of 'Rocket' (id 1) gets out of all bounds between 0.0 s and"
+                                + " 0.05 s by the sum of its forces; lessen its forces or the time"
+                                + " step");
         assertThat(world.stateHash()).isEqualTo(before);
+    }
+
+    /** Pulls with a force that has a pole where x is 1 m. */
+    private record PoleForce() implements BodyEffect {
+        @Override
+        public void add(Block block, int i) {
+            double x = block.state[BodyState.X][i];
+            block.addForce(i, new Vec3(x < 1 ? 1 / (1 - x) : Double.NaN, 0, 0));
+        }
+    }
+
+    @Test
+    void theEffectThatDidItIsNamedAndTheLastGoodStateStays() {
+        World world =
+                World.builder()
+                        .add(
+                                WorldObjectDefinition.named("Probe")
+                                        .volume(new Sphere(0.1))
+                                        .mass(1)
+                                        .velocity(1, 0, 0)
+                                        .effect(new Gravity(9.80665))
+                                        .effect(new PoleForce())
+                                        .build())
+                        .build();
+
+        assertThatThrownBy(
+                        () -> {
+                            while (world.time() < 10) {
+                                world.advanceTimestep();
+                            }
+                        })
+                .isInstanceOf(StepException.class)
+                .hasMessageContaining("'Probe' (id 1) gets out of all bounds between ")
+                .hasMessageContaining(" by its effect 'pole-force'; ");
+        assertThat(world.object("Probe").position().x()).isBetween(0.5, 1.0);
+        assertThat(world.object("Probe").linearMomentum().isFinite()).isTrue();
+        long kept = world.stateHash();
+        assertThatThrownBy(world::advanceTimestep).isInstanceOf(StepException.class);
+        assertThat(world.stateHash()).isEqualTo(kept);
     }
 }

@@ -83,7 +83,9 @@ final class Run implements Callable<Integer> {
             try {
                 return run(world);
             } catch (RunEndedException e) {
-                throw lastGood.isEmpty() ? new UserError(e.getMessage(), e) : keep(scenario.resumedFrom(world), e);
+                throw lastGood.isEmpty()
+                        ? new UserError(e.getMessage(), e)
+                        : keep(scenario.resumedFrom(world), e);
             }
         }
     }

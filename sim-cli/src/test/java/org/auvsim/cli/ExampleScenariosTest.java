@@ -144,7 +144,7 @@ class ExampleScenariosTest {
     @Test
     void whatSinksComesToRestOnTheSeabed() throws DocumentException {
         World world = world("seabed.xml");
-        run(world, 40);
+        run(world, 12);
         for (String rock : List.of("Boulder", "Slab")) {
             assertThat(world.object(rock).velocity().norm()).isLessThan(0.01);
             assertThat(world.object(rock).position().z()).isBetween(-20.0, -18.0);

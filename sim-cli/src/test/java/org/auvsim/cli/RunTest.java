@@ -191,7 +191,8 @@ class RunTest {
         assertThat(new CommandLineHarness(folder).run("validate", last)).isZero();
         String written = Files.readString(last, UTF_8);
         assertThat(written).contains("<world-object id=\"4\" name=\"Bolt\"", "<gravity ");
-        double began = Double.parseDouble(written.replaceFirst("(?s).*start-time=\"([^\"]*)\".*", "$1"));
+        double began =
+                Double.parseDouble(written.replaceFirst("(?s).*start-time=\"([^\"]*)\".*", "$1"));
         assertThat(auvsim.err()).startsWith("The run ends at " + began + " s");
     }
 

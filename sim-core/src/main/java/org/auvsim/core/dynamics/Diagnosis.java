@@ -31,7 +31,9 @@ public final class Diagnosis {
         this.body = body;
     }
 
-    /** What acts on the body without bounds in a step of {@code dt} (s), as words for a sentence. */
+    /**
+     * What acts on the body without bounds in a step of {@code dt} (s), as words for a sentence.
+     */
     public String culprit(double time, double dt) {
         equations.load(block, body.slot(), 1, time);
         double[] start = first(block.state);

@@ -56,7 +56,7 @@ class RestingContactTest {
         Draws draws = new Draws(seed);
         Settling pile = new Settling(0.01, ContactSolver.forResting(1e-5, 50));
         for (int i = 0; i < 200; i++) {
-            Vec3 place = new Vec3(i % 4 - 1.5, i / 4 % 4 - 1.5, 0.6 + i / 16);
+            Vec3 place = new Vec3(i % 4 - 1.5, i / 4 % 4 - 1.5, 0.6 + Math.floorDiv(i, 16));
             pile.ball(place.plus(draws.vector(0.02)), 1, 0.45);
         }
         boolean rests = false;

@@ -28,7 +28,7 @@ class ManifoldTest {
     private final Manifold found = new Manifold();
 
     /** Something flat with its top at z = 0, and where it is. */
-    private record Floor(Volume volume, Pose pose) {}
+    record Floor(Volume volume, Pose pose) {}
 
     static Stream<Floor> floors() {
         return Stream.of(

@@ -7,6 +7,7 @@ import org.auvsim.core.entity.BodyState;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.SortedSet;
 import java.util.TreeSet;
 
 /**
@@ -98,7 +99,7 @@ public final class BodyGroups {
         return found.stream().map(BodyGroups::toArray).toArray(int[][]::new);
     }
 
-    private static int[] toArray(TreeSet<Integer> slots) {
+    private static int[] toArray(SortedSet<Integer> slots) {
         return slots.stream().mapToInt(Integer::intValue).toArray();
     }
 

@@ -229,8 +229,9 @@ final class RestingContacts {
     }
 
     /**
-     * How fast (m/s) a pair approaches where it touches. While one corner stands, another that comes
-     * down rests as well: let go, the corner that stands would meet again at once, without end.
+     * How fast (m/s) a pair approaches where it touches. While one corner stands, another that
+     * comes down rests as well: let go, the corner that stands would meet again at once, without
+     * end.
      */
     private double approach(int from, double nearness) {
         double fastest = Double.NEGATIVE_INFINITY;

@@ -11,7 +11,9 @@ import java.util.SplittableRandom;
 import java.util.TreeSet;
 import java.util.stream.LongStream;
 
-/** The grid tells just the pairs of overlapping boxes, each once, as comparing all with all does. */
+/**
+ * The grid tells just the pairs of overlapping boxes, each once, as comparing all with all does.
+ */
 class ColumnGridTest {
     private static final double EVER = Double.POSITIVE_INFINITY;
 

@@ -18,8 +18,7 @@ class NeverStuckTest {
         Draws draws = new Draws(1);
         WorldBuilder builder = World.builder().stepper(EventStepper.standard());
         for (int i = 0; i < BALLS; i++) {
-            Vec3 cell =
-                    new Vec3(i % 3 - 1, Math.floorDiv(i, 3) % 3 - 1, Math.floorDiv(i, 9) - 1);
+            Vec3 cell = new Vec3(i % 3 - 1, Math.floorDiv(i, 3) % 3 - 1, Math.floorDiv(i, 9) - 1);
             builder.add(
                     Scene.ball("Ball " + i, 0.5)
                             .restitution(restitution)

@@ -233,7 +233,7 @@ class StiffBodiesTest {
         for (int k = 0; k < balls.length; k++) {
             balls[k] =
                     ball("ball " + k)
-                            .position(1.1 * (k % 7), 1.1 * (k / 7 % 7), 1.1 * (k / 49))
+                            .position(1.1 * (k % 7), 1.1 * (k / 7 % 7), 1.1 * Math.floorDiv(k, 49))
                             .velocity(
                                     random.nextDouble(-9, 9),
                                     random.nextDouble(-9, 9),

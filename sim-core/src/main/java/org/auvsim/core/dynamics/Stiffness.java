@@ -14,7 +14,7 @@ import org.auvsim.core.entity.Block;
  * diverges. A force that jumps and stays there has k3 = k2 and so z = 0.
  */
 final class Stiffness {
-    /** Beyond this z, if the second stage says nothing like it, the force has jumped. */
+    /** Beyond this z the first two stages must tell the same. */
     private static final double JUMP = 32;
 
     /** Changes of a momentum below this share are rounding. */
@@ -26,8 +26,11 @@ final class Stiffness {
      */
     private static final double HARMLESS = 0.01;
 
-    /** What counts as momentum at least (m/s, a body's mass left out): less is rest. */
-    private static final double REST = 1e-4;
+    /**
+     * What counts as speed at least (m/s): at rest, where forces balance, stages differ by rounding
+     * and by the partners' motion alone. What is unstable soon exceeds it.
+     */
+    private static final double REST = 1e-2;
 
     private Stiffness() {}
 
@@ -81,6 +84,8 @@ final class Stiffness {
             return 0;
         }
         double z = 2 * across / early;
-        return z > JUMP && late > 256 * early && early < first ? 0 : z;
+        // Of a stiff force each stage's change is z/2 times the last one; of one that jumps, or is
+        // changed by something else such as a partner's fall, only the last is large.
+        return z > JUMP ? Math.min(z, 2 * Math.sqrt(early / first)) : z;
     }
 }

@@ -170,7 +170,7 @@ class CoupledBodiesTest {
                                 .effect(drag)
                                 .effect(new PairSpring(2, 100, 2)),
                         box(2, "upper").position(0, 0, 2.7).effect(drag));
-        run(world, 8);
+        run(world, 20);
         assertThat(world.object("lower").position().z()).isCloseTo(0.5, within(1e-4));
         assertThat(world.object("upper").position().z()).isCloseTo(0.5 + 2 - 0.2, within(2e-4));
         assertThat(world.object("lower").velocity().norm()).isLessThan(1e-4);

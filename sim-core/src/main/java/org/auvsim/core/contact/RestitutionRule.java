@@ -16,8 +16,8 @@ package org.auvsim.core.contact;
  */
 public record RestitutionRule(double restSpeed, double contactTime, int mostRepeats) {
     /**
-     * For restitution below 1. At 5 cm/s a hop under gravity rises 0.13 mm and lasts 10 ms, which is
-     * the contact time of soft balls of some decimetres and a fifth of a time step of 50 ms.
+     * For restitution below 1. At 5 cm/s a hop under gravity rises 0.13 mm and lasts 10 ms, which
+     * is the contact time of soft balls of some decimetres and a fifth of a time step of 50 ms.
      */
     public static final RestitutionRule INELASTIC = new RestitutionRule(5e-2, 1e-2, 1);
 

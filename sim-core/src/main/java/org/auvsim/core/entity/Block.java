@@ -6,8 +6,8 @@ import org.jspecify.annotations.Nullable;
 import java.util.Arrays;
 
 /**
- * Up to {@value #SIZE} bodies, or as many as are coupled, while they are integrated: one array a quantity, index {@code i} for
- * the body in slot {@code slot(i)}, for {@code i < count}.
+ * Up to {@value #SIZE} bodies, or as many as are coupled, while they are integrated: one array a
+ * quantity, index {@code i} for the body in slot {@code slot(i)}, for {@code i < count}.
  *
  * <p>The fields are open on purpose: loops over plain arrays are what the compiler vectorises.
  * Effects read all of them and write {@code fx} to {@code tz} alone.

@@ -211,7 +211,10 @@ final class HeldPairs {
         pairs[pairCount++] = pair;
     }
 
-    /** Puts members and pairs of the island into the order of slots, groups side by side, and of holding. */
+    /**
+     * Puts members and pairs of the island into the order of slots, groups side by side, and of
+     * holding.
+     */
     void finishIsland() {
         for (int k = 0; k < memberCount; k++) {
             isMember[members[k]] = false;

@@ -225,12 +225,7 @@ final class Projection {
         int[] loaded = members;
         int needed =
                 SubSteps.integrate(
-                        integrator,
-                        equations,
-                        single,
-                        b -> loadGroup(loaded, b),
-                        offset,
-                        atLeast);
+                        integrator, equations, single, b -> loadGroup(loaded, b), offset, atLeast);
         if (needed == 0) {
             throw StepException.tooStiff(names.apply(slot), now, offset);
         }

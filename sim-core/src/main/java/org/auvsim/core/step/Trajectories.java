@@ -57,7 +57,9 @@ final class Trajectories {
     private final int[] some = new int[Block.SIZE];
     private final BodyGroups groups;
 
-    /** Where coupled bodies are: all slots with groups side by side, and where each block begins. */
+    /**
+     * Where coupled bodies are: all slots with groups side by side, and where each block begins.
+     */
     private final int[] inOrder;
 
     private final int[] blockStart;
@@ -215,9 +217,8 @@ final class Trajectories {
 
     /**
      * Ends a body's segment at an offset, and those of all that it is coupled to: its state there
-     * becomes its present one. The position is
-     * that of the curve, on which contacts are found, the rest is integrated. {@link #restart} has
-     * to follow.
+     * becomes its present one. The position is that of the curve, on which contacts are found, the
+     * rest is integrated. {@link #restart} has to follow.
      */
     void moveTo(int slot, double offset) {
         double from = startOf(slot);
@@ -397,7 +398,9 @@ final class Trajectories {
         }
     }
 
-    /** Loads as many of the bodies from {@code first} on, up to {@code end}, as fit into a block. */
+    /**
+     * Loads as many of the bodies from {@code first} on, up to {@code end}, as fit into a block.
+     */
     private void load(Worker worker, int[] slots, int first, int end, double offset) {
         worker.traced = groups.fill(slots, first, end, worker.batch);
         equations.load(worker.block, worker.batch.slots, worker.batch.count, time + offset);

@@ -158,8 +158,7 @@ class CoupledBodiesTest {
     /** The upper one sinks on its spring and damping until k (length - gap) bears its weight. */
     @Test
     void aGroupRestsOnTheGround() {
-        Damping drag =
-                new Damping(new Vec3(4, 4, 4), Vec3.ZERO, new Vec3(1, 1, 1), Vec3.ZERO);
+        Damping drag = new Damping(new Vec3(4, 4, 4), Vec3.ZERO, new Vec3(1, 1, 1), Vec3.ZERO);
         World world =
                 world(
                         EventStepper.standard(),
@@ -243,8 +242,7 @@ class CoupledBodiesTest {
             run(worlds[k], 1);
         }
         for (String name : List.of("a", "b", "c")) {
-            assertNear(
-                    worlds[0].object(name).position(), worlds[1].object(name).position(), 2e-3);
+            assertNear(worlds[0].object(name).position(), worlds[1].object(name).position(), 2e-3);
         }
         assertThat(worlds[0].statistics().subSteps()).isPositive();
     }

@@ -1,8 +1,8 @@
 package org.auvsim.core.step;
 
-import static org.auvsim.core.step.Trajectories.CURVE;
-import static org.auvsim.core.step.Trajectories.END;
-import static org.auvsim.core.step.Trajectories.START;
+import static org.auvsim.core.step.Paths.CURVE;
+import static org.auvsim.core.step.Paths.END;
+import static org.auvsim.core.step.Paths.START;
 
 import org.auvsim.core.entity.Collidable;
 import org.auvsim.core.volume.PairQueries;
@@ -37,7 +37,7 @@ final class Encounters implements ColumnGrid.Pairs {
     Encounters(BodyTraits traits, Trajectories trajectories, PairQueries queries) {
         this.traits = traits;
         this.trajectories = trajectories;
-        curve = trajectories.curves();
+        curve = trajectories.paths().curves();
         this.queries = queries;
         shapes = new ConservativeAdvancement(queries);
         entities = new EntityImpact(queries);
@@ -72,8 +72,8 @@ final class Encounters implements ColumnGrid.Pairs {
         if (traits.isSphere[a] && traits.isSphere[b]) {
             return true;
         }
-        trajectories.pose(a, poseA);
-        trajectories.pose(b, poseB);
+        trajectories.paths().pose(a, poseA);
+        trajectories.paths().pose(b, poseB);
         return queries.distance(traits.volume[a], poseA, traits.volume[b], poseB, gap)
                 <= traits.nearness(a, b);
     }
@@ -89,8 +89,8 @@ final class Encounters implements ColumnGrid.Pairs {
             return Double.POSITIVE_INFINITY;
         }
         if (!(traits.isSphere[a] && traits.isSphere[b])) {
-            trajectories.load(a, curveA);
-            trajectories.load(b, curveB);
+            trajectories.paths().load(a, curveA);
+            trajectories.paths().load(b, curveB);
             return shapes.first(curveA, traits.volume[a], curveB, traits.volume[b], from, to);
         }
         relativePath(a, b, from, to);
@@ -107,7 +107,7 @@ final class Encounters implements ColumnGrid.Pairs {
     double first(int body, Collidable entity, double epoch) {
         double from = curve[CURVE * body + START];
         double to = curve[CURVE * body + END];
-        trajectories.load(body, curveA);
+        trajectories.paths().load(body, curveA);
         return from < to
                 ? entities.first(entity, epoch, curveA, traits.volume[body], from, to)
                 : Double.POSITIVE_INFINITY;

@@ -66,7 +66,7 @@ final class Frame {
         this.lanes = motion.lanes();
         this.tally = motion.tally();
         version = trajectories.versions();
-        grid = new ColumnGrid(trajectories.boxes(), version, trajectories.count());
+        grid = new ColumnGrid(trajectories.paths().boxes(), version, trajectories.count());
         encounters = new Encounters[lanes.count()];
         for (int lane = 0; lane < encounters.length; lane++) {
             encounters[lane] = new Encounters(traits, trajectories, motion.queries());
@@ -116,7 +116,7 @@ final class Frame {
 
     /** A segment that is shorter than the frame has to be followed by another. */
     private void queueEnd(int body) {
-        double t = trajectories.endOf(body);
+        double t = trajectories.paths().endOf(body);
         if (t < length) {
             queue.add(t, rank(body), ContactQueue.NONE, version[body], 0);
         }

@@ -91,7 +91,7 @@ final class RestingContacts {
         if (traits.arePlainBalls(a, b) && isFast(a, b)) {
             return false;
         }
-        double reach = hop(a, b) + trajectories.relativeWay(a, b);
+        double reach = hop(a, b) + trajectories.paths().relativeWay(a, b);
         touch.find(a, b, reach, manifold);
         if (manifold.count == 0) {
             return false;
@@ -116,7 +116,7 @@ final class RestingContacts {
 
     /** Tells most pairs of balls that bounce without looking at their contact. */
     private boolean isFast(int a, int b) {
-        trajectories.approaches(a, b, approaches);
+        trajectories.paths().approaches(a, b, approaches);
         double pressure = Math.max(0, approaches[1] - approaches[0]);
         return restitution(a, b) * approaches[0] >= limit(a, b, pressure, 1);
     }
@@ -131,7 +131,9 @@ final class RestingContacts {
     }
 
     private double pressure(int a, int b, double offset, int k) {
-        return trajectories.pressure(a, b, offset, manifold.nx[k], manifold.ny[k], manifold.nz[k]);
+        return trajectories
+                .paths()
+                .pressure(a, b, offset, manifold.nx[k], manifold.ny[k], manifold.nz[k]);
     }
 
     /**
@@ -150,7 +152,7 @@ final class RestingContacts {
         if (restitution(a, b) == 1) {
             return limit(a, b, 0, length);
         }
-        return limit(a, b, Math.max(0, trajectories.pressure(a, b, offset)), length);
+        return limit(a, b, Math.max(0, trajectories.paths().pressure(a, b, offset)), length);
     }
 
     private double restitution(int a, int b) {
@@ -169,7 +171,7 @@ final class RestingContacts {
         problem.clear();
         trajectories.moveTo(members, count, offset);
         for (int k = 0; k < count; k++) {
-            trajectories.clearContactForce(members[k]);
+            trajectories.forces().clear(members[k]);
             problem.body(members[k]);
         }
         gatherContacts();
@@ -202,7 +204,7 @@ final class RestingContacts {
 
     private void clearForces(int count) {
         for (int k = 0; k < count; k++) {
-            trajectories.clearContactForce(held.members()[k]);
+            trajectories.forces().clear(held.members()[k]);
         }
     }
 
@@ -408,7 +410,7 @@ final class RestingContacts {
             any |= force[c] != 0;
         }
         if (any) {
-            trajectories.setContactForce(slot, force, 0);
+            trajectories.forces().set(slot, force, 0);
         }
         return any;
     }

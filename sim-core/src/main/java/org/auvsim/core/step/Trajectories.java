@@ -22,19 +22,8 @@ import java.util.function.IntConsumer;
  * <p>Instants are offsets (s) from the frame's beginning; bodies go by their slots.
  */
 final class Trajectories {
-    /** Numbers of a curve: 12 of four control points (m), then the offsets of start and end. */
-    static final int CURVE = 16;
-
-    static final int START = 12;
-    static final int END = 13;
-
-    private static final int SPIN = 6;
-
     /** Parts of a stiff motion that are asked to be cut in no more than these are fine. */
     private static final int FINE = 2;
-
-    /** Numbers of a box: min x, y, z, max x, y, z (m). */
-    static final int BOX = 6;
 
     private final BodyState bodies;
     private final BodyTraits traits;
@@ -42,14 +31,10 @@ final class Trajectories {
     private final Integrator integrator;
     private final Lanes lanes;
     private final int count;
+    private final ContactForces forces;
+    private final Paths paths;
     private final double[][] end;
-    private final double[] curve;
-    private final double[] box;
     private final int[] version;
-
-    /** Angular velocities (rad/s, world) at start and end, where orientations matter at all. */
-    private final double[] spin;
-
     private final Worker[] workers;
     private final IntConsumer integrateLane = this::integrateLane;
     private final SegmentLog log;
@@ -63,9 +48,6 @@ final class Trajectories {
     private final int[] inOrder;
 
     private final int[] blockStart;
-    private final double[] contactForce;
-    private final boolean[] isPushed;
-    private boolean anyPushed;
     private final BodyCurve cut = new BodyCurve();
     private final Pose place = new Pose();
     private boolean isCommitted;
@@ -113,14 +95,11 @@ final class Trajectories {
         this.lanes = lanes;
         this.groups = equations.groups();
         count = bodies.count();
-        end = new double[BodyState.COLUMNS][bodies.column(0).length];
-        curve = new double[CURVE * count];
-        box = new double[BOX * count];
+        forces = new ContactForces(count);
+        paths = new Paths(bodies, traits, forces);
+        end = paths.ends();
         version = new int[count];
-        spin = new double[traits.areAllSpheres ? 0 : SPIN * count];
         log = new SegmentLog(bodies);
-        contactForce = new double[6 * count];
-        isPushed = new boolean[count];
         workers = new Worker[lanes.count()];
         for (int lane = 0; lane < workers.length; lane++) {
             workers[lane] = new Worker(groups.capacity());
@@ -148,30 +127,19 @@ final class Trajectories {
         return count;
     }
 
-    double[] curves() {
-        return curve;
+    /** Where the bodies are on their segments. */
+    Paths paths() {
+        return paths;
     }
 
-    double[] boxes() {
-        return box;
+    /** What contacts exert on them. */
+    ContactForces forces() {
+        return forces;
     }
 
     /** How many segments each body has had in this frame beside its first. */
     int[] versions() {
         return version;
-    }
-
-    /** One column of the bodies' states at the ends of their segments. */
-    double[] end(int column) {
-        return end[column];
-    }
-
-    double startOf(int body) {
-        return curve[CURVE * body + START];
-    }
-
-    double endOf(int body) {
-        return curve[CURVE * body + END];
     }
 
     /** Integrates all bodies over a frame that begins at the world's {@code time} (s). */
@@ -181,10 +149,7 @@ final class Trajectories {
         Arrays.fill(version, 0);
         isCommitted = false;
         log.clear();
-        if (anyPushed) {
-            Arrays.fill(isPushed, false);
-            anyPushed = false;
-        }
+        forces.clear();
         lanes.run(integrateLane);
     }
 
@@ -221,12 +186,12 @@ final class Trajectories {
      * rest is integrated. {@link #restart} has to follow.
      */
     void moveTo(int slot, double offset) {
-        double from = startOf(slot);
+        double from = paths.startOf(slot);
         if (from == offset) {
             return;
         }
         int[] unit = unit(slot, one);
-        if (offset == endOf(slot)) {
+        if (offset == paths.endOf(slot)) {
             for (int member : unit) {
                 takeEnd(member, offset);
             }
@@ -253,7 +218,7 @@ final class Trajectories {
     private void take(Block block, int i, double offset) {
         int slot = block.slot(i);
         log.keep(slot);
-        load(slot, cut);
+        paths.load(slot, cut);
         cut.poseAt(offset, place);
         for (int c = BodyState.PX; c < BodyState.COLUMNS; c++) {
             bodies.column(c)[slot] = block.state[c][i];
@@ -261,12 +226,12 @@ final class Trajectories {
         bodies.column(BodyState.X)[slot] = place.x;
         bodies.column(BodyState.Y)[slot] = place.y;
         bodies.column(BodyState.Z)[slot] = place.z;
-        boolean turnsAlong = spin.length > 0;
+        boolean turnsAlong = paths.turn();
         bodies.column(BodyState.QW)[slot] = turnsAlong ? place.qw : block.state[BodyState.QW][i];
         bodies.column(BodyState.QX)[slot] = turnsAlong ? place.qx : block.state[BodyState.QX][i];
         bodies.column(BodyState.QY)[slot] = turnsAlong ? place.qy : block.state[BodyState.QY][i];
         bodies.column(BodyState.QZ)[slot] = turnsAlong ? place.qz : block.state[BodyState.QZ][i];
-        curve[CURVE * slot + START] = offset;
+        paths.beginAt(slot, offset);
     }
 
     private void takeEnd(int slot, double offset) {
@@ -274,7 +239,7 @@ final class Trajectories {
         for (int c = 0; c < BodyState.COLUMNS; c++) {
             bodies.column(c)[slot] = end[c][slot];
         }
-        curve[CURVE * slot + START] = offset;
+        paths.beginAt(slot, offset);
     }
 
     /**
@@ -283,7 +248,7 @@ final class Trajectories {
     void moveTo(int[] slots, int number, double offset) {
         int fresh = 0;
         for (int k = 0; k < number; k++) {
-            if (startOf(slots[k]) != 0 || groups.isCoupled(slots[k])) {
+            if (paths.startOf(slots[k]) != 0 || groups.isCoupled(slots[k])) {
                 moveTo(slots[k], offset);
             } else if (offset > 0) {
                 some[fresh++] = slots[k];
@@ -301,21 +266,11 @@ final class Trajectories {
         }
         Block block = workers[0].block;
         equations.load(block, some, number, time);
-        push(block);
+        forces.push(block);
         integrator.advance(equations, block, offset);
         for (int i = 0; i < number; i++) {
             take(block, i, offset);
         }
-    }
-
-    /** A coordinate of the curve at a share of its segment (de Casteljau). */
-    private double at(int slot, int axis, double s) {
-        int p = CURVE * slot + axis;
-        double a = curve[p] + s * (curve[p + 3] - curve[p]);
-        double b = curve[p + 3] + s * (curve[p + 6] - curve[p + 3]);
-        double c = curve[p + 6] + s * (curve[p + 9] - curve[p + 6]);
-        double d = a + s * (b - a);
-        return d + s * (b + s * (c - b) - d);
     }
 
     /**
@@ -393,7 +348,7 @@ final class Trajectories {
             worker.traced = Math.min(Block.SIZE, number - first);
             System.arraycopy(slots, first, some, 0, worker.traced);
             equations.load(worker.block, some, worker.traced, time);
-            push(worker.block);
+            forces.push(worker.block);
             tellVelocities(to, first);
         }
     }
@@ -404,7 +359,7 @@ final class Trajectories {
     private void load(Worker worker, int[] slots, int first, int end, double offset) {
         worker.traced = groups.fill(slots, first, end, worker.batch);
         equations.load(worker.block, worker.batch.slots, worker.batch.count, time + offset);
-        push(worker.block);
+        forces.push(worker.block);
     }
 
     private void tellVelocities(double[] to, int first) {
@@ -418,36 +373,6 @@ final class Trajectories {
             to[at + 3] = block.wx[i];
             to[at + 4] = block.wy[i];
             to[at + 5] = block.wz[i];
-        }
-    }
-
-    /** Sets the constant force (N) and torque (N m, world) of contacts on a body. */
-    void setContactForce(int slot, double[] forceAndTorque, int from) {
-        for (int c = 0; c < 6; c++) {
-            contactForce[6 * slot + c] = forceAndTorque[from + c];
-        }
-        isPushed[slot] = true;
-        anyPushed = true;
-    }
-
-    void clearContactForce(int slot) {
-        isPushed[slot] = false;
-    }
-
-    private void push(Block block) {
-        if (!anyPushed) {
-            return;
-        }
-        block.hasContactForces = true;
-        for (int i = 0; i < block.count; i++) {
-            int at = 6 * block.slot(i);
-            double share = isPushed[block.slot(i)] ? 1 : 0;
-            block.contactFx[i] = share * contactForce[at];
-            block.contactFy[i] = share * contactForce[at + 1];
-            block.contactFz[i] = share * contactForce[at + 2];
-            block.contactTx[i] = share * contactForce[at + 3];
-            block.contactTy[i] = share * contactForce[at + 4];
-            block.contactTz[i] = share * contactForce[at + 5];
         }
     }
 
@@ -470,7 +395,7 @@ final class Trajectories {
             }
         }
         for (int slot = 0; slot < count; slot++) {
-            if (version[slot] > 0 || startOf(slot) > 0) {
+            if (version[slot] > 0 || paths.startOf(slot) > 0) {
                 moveTo(slot, offset);
                 for (int c = 0; c < BodyState.COLUMNS; c++) {
                     end[c][slot] = bodies.column(c)[slot];
@@ -557,7 +482,7 @@ final class Trajectories {
             }
             groups.fill(unit, 0, unit.length, worker.batch);
             equations.load(block, worker.batch.slots, worker.batch.count, time + from);
-            push(block);
+            forces.push(block);
             advance(worker, block, from, last);
             isFine = parts(block, 0) <= FINE;
             parts *= 2;
@@ -574,43 +499,14 @@ final class Trajectories {
             return;
         }
         equations.motions(block);
-        for (int i = 0; i < block.count; i++) {
-            int to = SPIN * block.slot(i) + at;
-            spin[to] = block.wx[i];
-            spin[to + 1] = block.wy[i];
-            spin[to + 2] = block.wz[i];
-        }
-    }
-
-    /** Loads the curve of a body's segment. */
-    void load(int slot, BodyCurve to) {
-        int at = CURVE * slot;
-        to.path(curve[at + START], curve[at + END], curve, at);
-        double[] qw = bodies.column(BodyState.QW);
-        double[] qx = bodies.column(BodyState.QX);
-        double[] qy = bodies.column(BodyState.QY);
-        double[] qz = bodies.column(BodyState.QZ);
-        if (traits.isFixed[slot] || spin.length == 0) {
-            to.unturned(qw[slot], qx[slot], qy[slot], qz[slot]);
-            return;
-        }
-        int w = SPIN * slot;
-        to.turnFrom(qw[slot], qx[slot], qy[slot], qz[slot], spin[w], spin[w + 1], spin[w + 2]);
-        to.turnTo(
-                end[BodyState.QW][slot],
-                end[BodyState.QX][slot],
-                end[BodyState.QY][slot],
-                end[BodyState.QZ][slot],
-                spin[w + 3],
-                spin[w + 4],
-                spin[w + 5]);
+        paths.noteSpin(block, at);
     }
 
     /** Writes curve and box of body {@code i} of the block. */
     private void trace(Worker worker, Block block, int i, double from, double to) {
         int slot = block.slot(i);
         if (traits.isFixed[slot]) {
-            standStill(worker, slot, from, to);
+            paths.standStill(slot, worker.pose, from, to);
             return;
         }
         double third = (to - from) / 3;
@@ -618,7 +514,7 @@ final class Trajectories {
         double[] x = bodies.column(BodyState.X);
         double[] y = bodies.column(BodyState.Y);
         double[] z = bodies.column(BodyState.Z);
-        trace(
+        paths.trace(
                 slot,
                 0,
                 x[slot],
@@ -627,7 +523,7 @@ final class Trajectories {
                 block.vx[i],
                 third,
                 radius);
-        trace(
+        paths.trace(
                 slot,
                 1,
                 y[slot],
@@ -636,7 +532,7 @@ final class Trajectories {
                 block.vy[i],
                 third,
                 radius);
-        trace(
+        paths.trace(
                 slot,
                 2,
                 z[slot],
@@ -645,8 +541,7 @@ final class Trajectories {
                 block.vz[i],
                 third,
                 radius);
-        curve[CURVE * slot + START] = from;
-        curve[CURVE * slot + END] = to;
+        paths.trace(slot, from, to);
         double sum =
                 block.vx[i]
                         + block.vy[i]
@@ -661,127 +556,6 @@ final class Trajectories {
         if (!(Math.abs(sum) <= Double.MAX_VALUE) && worker.notFinite < 0) {
             worker.notFinite = slot;
         }
-    }
-
-    private void trace(
-            int slot,
-            int axis,
-            double p0,
-            double v0,
-            double p3,
-            double v3,
-            double third,
-            double r) {
-        double p1 = p0 + v0 * third;
-        double p2 = p3 - v3 * third;
-        int at = CURVE * slot + axis;
-        curve[at] = p0;
-        curve[at + 3] = p1;
-        curve[at + 6] = p2;
-        curve[at + 9] = p3;
-        double low = p0 < p1 ? p0 : p1;
-        double high = p0 < p1 ? p1 : p0;
-        double low2 = p2 < p3 ? p2 : p3;
-        double high2 = p2 < p3 ? p3 : p2;
-        box[BOX * slot + axis] = (low < low2 ? low : low2) - r;
-        box[BOX * slot + axis + 3] = (high > high2 ? high : high2) + r;
-    }
-
-    /**
-     * How strongly two bodies are pressed together (m/s^2) at an offset by what is no contact
-     * force: their relative acceleration against a direction that leads from b to a. Turning is
-     * left out.
-     */
-    double pressure(int a, int b, double offset, double nx, double ny, double nz) {
-        return nx * (acceleration(b, 0, offset) - acceleration(a, 0, offset))
-                + ny * (acceleration(b, 1, offset) - acceleration(a, 1, offset))
-                + nz * (acceleration(b, 2, offset) - acceleration(a, 2, offset));
-    }
-
-    /** The same along the line between their origins at the offset. */
-    double pressure(int a, int b, double offset) {
-        double nx = at(a, 0, share(a, offset)) - at(b, 0, share(b, offset));
-        double ny = at(a, 1, share(a, offset)) - at(b, 1, share(b, offset));
-        double nz = at(a, 2, share(a, offset)) - at(b, 2, share(b, offset));
-        double distance = Math.sqrt(nx * nx + ny * ny + nz * nz);
-        return distance == 0 ? 0 : pressure(a, b, offset, nx, ny, nz) / distance;
-    }
-
-    private double share(int slot, double offset) {
-        double start = curve[CURVE * slot + START];
-        return (offset - start) / (curve[CURVE * slot + END] - start);
-    }
-
-    private double acceleration(int slot, int axis, double offset) {
-        int p = CURVE * slot + axis;
-        double start = curve[CURVE * slot + START];
-        double h = curve[CURVE * slot + END] - start;
-        double s = (offset - start) / h;
-        double first = curve[p] - 2 * curve[p + 3] + curve[p + 6];
-        double last = curve[p + 3] - 2 * curve[p + 6] + curve[p + 9];
-        double pushed = isPushed[slot] ? contactForce[6 * slot + axis] : 0;
-        return 6 * (first + s * (last - first)) / (h * h) - pushed * bodies.inverseMass()[slot];
-    }
-
-    /**
-     * How fast two bodies approach along the line between their origins at the frame's beginning:
-     * there (m/s), and with their velocities at the ends of their segments.
-     */
-    void approaches(int a, int b, double[] to) {
-        int p = CURVE * a;
-        int q = CURVE * b;
-        double squared = 0;
-        double start = 0;
-        double finish = 0;
-        for (int axis = 0; axis < 3; axis++, p++, q++) {
-            double d = curve[p] - curve[q];
-            squared += d * d;
-            start -= d * (curve[p + 3] - curve[p] - curve[q + 3] + curve[q]);
-            finish -= d * (curve[p + 9] - curve[p + 6] - curve[q + 9] + curve[q + 6]);
-        }
-        double k = 3 / (length * Math.sqrt(squared));
-        to[0] = k * start;
-        to[1] = k * finish;
-    }
-
-    /** No less than how far (m) two bodies move relative to each other over their segments. */
-    double relativeWay(int a, int b) {
-        double way = 0;
-        for (int k = 0; k < 9; k += 3) {
-            double squared = 0;
-            for (int axis = k; axis < k + 3; axis++) {
-                int p = CURVE * a + axis;
-                int q = CURVE * b + axis;
-                double d = curve[p + 3] - curve[p] - curve[q + 3] + curve[q];
-                squared += d * d;
-            }
-            way += Math.sqrt(squared);
-        }
-        return way;
-    }
-
-    private void standStill(Worker worker, int slot, double from, double to) {
-        Pose pose = worker.pose;
-        pose(slot, pose);
-        for (int at = CURVE * slot; at < CURVE * slot + 12; at += 3) {
-            curve[at] = pose.x;
-            curve[at + 1] = pose.y;
-            curve[at + 2] = pose.z;
-        }
-        curve[CURVE * slot + START] = from;
-        curve[CURVE * slot + END] = to;
-        traits.volume[slot].bounds(pose, box, BOX * slot);
-    }
-
-    /** Where a body is in its present state. */
-    void pose(int slot, Pose to) {
-        to.x = bodies.column(BodyState.X)[slot];
-        to.y = bodies.column(BodyState.Y)[slot];
-        to.z = bodies.column(BodyState.Z)[slot];
-        to.qw = bodies.column(BodyState.QW)[slot];
-        to.qx = bodies.column(BodyState.QX)[slot];
-        to.qy = bodies.column(BodyState.QY)[slot];
-        to.qz = bodies.column(BodyState.QZ)[slot];
     }
 
     /** Whether forces may be so stiff that a segment ends before its frame. */

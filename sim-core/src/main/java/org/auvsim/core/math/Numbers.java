@@ -5,9 +5,15 @@ import java.util.Arrays;
 /** Numbers in a row: an immutable value. */
 public final class Numbers {
     private final double[] values;
+    private final double greatest;
 
     private Numbers(double[] values) {
         this.values = values;
+        double most = Double.NEGATIVE_INFINITY;
+        for (double value : values) {
+            most = Math.max(most, value);
+        }
+        greatest = most;
     }
 
     /** These numbers. */
@@ -27,6 +33,11 @@ public final class Numbers {
      */
     public double get(int i) {
         return values[i];
+    }
+
+    /** The greatest of them; minus infinity if there are none. */
+    public double greatest() {
+        return greatest;
     }
 
     @Override

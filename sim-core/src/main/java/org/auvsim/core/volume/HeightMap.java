@@ -106,9 +106,7 @@ public record HeightMap(@Unit("m") double spacing, List<Row> row) implements Vol
     public double reach(Pose pose, double nx, double ny, double nz) {
         double top = Double.NEGATIVE_INFINITY;
         for (int j = 0; j < row.size(); j++) {
-            for (int i = 0; i < columns(); i++) {
-                top = Math.max(top, sample(i, j));
-            }
+            top = Math.max(top, row.get(j).heights().greatest());
         }
         return HalfSpace.reachBelow(top, pose, nx, ny, nz);
     }

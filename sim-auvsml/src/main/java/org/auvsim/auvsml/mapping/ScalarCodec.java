@@ -131,7 +131,7 @@ record ScalarCodec(Class<?> type, String expected, Reader reader, Writer writer)
     }
 
     private static Object readNumbers(String text) {
-        String[] words = text.strip().split("\\s+");
+        String[] words = text.strip().split("\\s+", -1);
         double[] values = new double[words.length];
         for (int i = 0; i < words.length; i++) {
             values[i] = (double) readDouble(words[i]);

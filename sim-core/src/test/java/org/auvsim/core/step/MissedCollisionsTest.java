@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.LongStream;
 import java.util.stream.Stream;
 
 /**
@@ -47,12 +48,16 @@ class MissedCollisionsTest {
         int sure = 0;
         int exempt = 0;
         List<String> wrong = new ArrayList<>();
-        for (long seed = 1; seed <= SEEDS; seed++) {
-            DrawnPair pair = DrawnPair.of(a, b, seed);
-            DrawnPair.Meeting exact = pair.meeting(error);
+        List<Trial> trials =
+                LongStream.rangeClosed(1, SEEDS)
+                        .parallel()
+                        .mapToObj(seed -> Trial.of(DrawnPair.of(a, b, seed), seed, error))
+                        .toList();
+        for (Trial trial : trials) {
+            DrawnPair.Meeting exact = trial.exact();
             sure += exact.isSure() ? 1 : 0;
             exempt += exact.isPossible() && !exact.isSure() ? 1 : 0;
-            judge(seed, exact, run(pair, seed), wrong);
+            judge(trial.seed(), exact, trial.outcome(), wrong);
         }
         assertThat(wrong).as("%d of %d meet, %d graze", sure, SEEDS, exempt).isEmpty();
         assertThat(sure).isBetween(SEEDS / 3, SEEDS - 3);
@@ -79,6 +84,13 @@ class MissedCollisionsTest {
             wrong.add(
                     "seed %d: overlap at %s s, first met at %s s"
                             .formatted(seed, outcome.overlap(), met));
+        }
+    }
+
+    /** What a world should do and what it did. */
+    private record Trial(long seed, DrawnPair.Meeting exact, Outcome outcome) {
+        static Trial of(DrawnPair pair, long seed, double error) {
+            return new Trial(seed, pair.meeting(error), run(pair, seed));
         }
     }
 

@@ -13,14 +13,29 @@ public final class StepTally {
         return new StepStatistics(collisions, events, subSteps, heldPairs, quickHits);
     }
 
+    /** What has been counted since it was as {@code before}. */
+    public StepStatistics since(StepTally before) {
+        return new StepStatistics(
+                collisions - before.collisions,
+                events - before.events,
+                subSteps - before.subSteps,
+                heldPairs - before.heldPairs,
+                quickHits - before.quickHits);
+    }
+
+    /** Takes the counts of another. */
+    public void set(StepTally other) {
+        collisions = other.collisions;
+        events = other.events;
+        subSteps = other.subSteps;
+        heldPairs = other.heldPairs;
+        quickHits = other.quickHits;
+    }
+
     /** An independent copy. */
     public StepTally copy() {
         StepTally copy = new StepTally();
-        copy.collisions = collisions;
-        copy.events = events;
-        copy.subSteps = subSteps;
-        copy.heldPairs = heldPairs;
-        copy.quickHits = quickHits;
+        copy.set(this);
         return copy;
     }
 }

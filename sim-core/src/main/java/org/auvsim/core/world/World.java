@@ -55,6 +55,7 @@ public final class World {
     private final boolean asBoundingSpheres;
     private final Lanes lanes;
     private final StepTally tally;
+    private final StepTally atStart = new StepTally();
     private final ContactMemory memory;
     private Optional<List<BlockEffect>> effects = Optional.empty();
     private Optional<Motion> motion = Optional.empty();
@@ -290,6 +291,7 @@ public final class World {
     }
 
     private double step(double wanted) {
+        atStart.set(tally);
         double elapsed = 0;
         boolean goesOn = true;
         while (goesOn) {
@@ -297,8 +299,9 @@ public final class World {
             elapsed += result.elapsed();
             goesOn = result.isInterrupted() && elapsed < wanted;
         }
-        publishMovements();
         if (!announcements.isUnheard()) {
+            publishMovements();
+            publishReport();
             announcements.announce(new WorldEvent.StepAdvanced(time(), elapsed));
         }
         return elapsed;
@@ -453,14 +456,20 @@ public final class World {
     }
 
     private void publishMovements() {
-        if (announcements.isUnheard()) {
-            return;
-        }
         for (WorldObject object : objects()) {
             if (!object.isFixed()) {
                 announcements.announce(
                         new WorldEvent.Moved(time(), object.id(), object.movementState()));
             }
+        }
+    }
+
+    private void publishReport() {
+        StepStatistics step = tally.since(atStart);
+        if (step.subSteps() > 0 || step.heldPairs() > 0 || step.quickHits() > 0) {
+            announcements.announce(
+                    new WorldEvent.StepReport(
+                            time(), step.subSteps(), step.heldPairs(), step.quickHits()));
         }
     }
 

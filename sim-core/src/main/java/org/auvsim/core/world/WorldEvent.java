@@ -3,6 +3,7 @@ package org.auvsim.core.world;
 import org.auvsim.core.entity.MovementState;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.step.Collision;
+import org.auvsim.core.step.StepStatistics;
 
 /** Something that happened in a world, told to its listeners after the step. */
 public sealed interface WorldEvent {
@@ -23,6 +24,13 @@ public sealed interface WorldEvent {
 
     /** A world object has moved, or its momenta have changed. */
     record Moved(double time, long objectId, MovementState state) implements WorldEvent {}
+
+    /**
+     * How a step was kept from getting stuck or diverging, counted as in {@link StepStatistics}; a
+     * step that needed nothing of it is not reported. Follows the movements.
+     */
+    record StepReport(double time, long subSteps, long heldPairs, long quickHits)
+            implements WorldEvent {}
 
     /** A step is done; the last event of a step. */
     record StepAdvanced(double time, double elapsed) implements WorldEvent {}

@@ -58,6 +58,11 @@ public final class Notifications {
         tell(List.of(topic), time, bytes -> Delivery.state(bytes, replaced), message);
     }
 
+    /** Tells how a step was kept from getting stuck or diverging; a newer one replaces it. */
+    public void stepReported(double time, Supplier<Message> message) {
+        state(EventType.STEP_REPORT, Topic.NOBODY, time, message);
+    }
+
     /** Tells of an event of some entities, which is never left out. */
     public void event(
             EventType type, List<Long> entityIds, double time, Supplier<Message> message) {

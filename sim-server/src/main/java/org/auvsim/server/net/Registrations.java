@@ -23,6 +23,10 @@ final class Registrations {
                     EventType.PROJECTED_MOVEMENT,
                     EventType.KINEMATIC_STATE);
 
+    /** The types that belong to no object: whoever listens to them for one hears of them. */
+    private static final Set<EventType> OF_THE_STEP =
+            EnumSet.of(EventType.TIMESTEP_ADVANCED, EventType.STEP_REPORT);
+
     /** So much earlier (s) than its time a movement may come: world times are rounded sums. */
     private static final double ROUNDING = 1e-9;
 
@@ -73,7 +77,7 @@ final class Registrations {
      * that of its last message on this topic.
      */
     boolean wants(Topic topic, double time) {
-        if (topic.type() == EventType.TIMESTEP_ADVANCED) {
+        if (OF_THE_STEP.contains(topic.type())) {
             return shortestGaps.values().stream().anyMatch(t -> t.containsKey(topic.type()));
         }
         return wants(EVERY, topic, time) || wants(topic.about(), topic, time);

@@ -10,6 +10,7 @@ import org.auvsim.auvsml.message.movement.CollisionNotification;
 import org.auvsim.auvsml.message.movement.KinematicStateMessage;
 import org.auvsim.auvsml.message.movement.MovementStateChangeMessage;
 import org.auvsim.auvsml.message.movement.StateType;
+import org.auvsim.auvsml.message.movement.StepReportNotification;
 import org.auvsim.auvsml.message.movement.TimestepAdvancedNotification;
 import org.auvsim.core.entity.Contact;
 import org.auvsim.core.entity.MovementState;
@@ -27,8 +28,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Turns what happens in the world into messages. Collisions, arrivals and departures are told as
- * they happen; movements when the step is made, since a step may have parts.
+ * Turns what happens in the world into messages. Collisions, arrivals, departures and reports are
+ * told as they happen; movements when the step is made, since a step may have parts.
  */
 final class WorldNews implements WorldListener {
     private final World world;
@@ -48,6 +49,7 @@ final class WorldNews implements WorldListener {
             case WorldEvent.EntityRemoved removed -> tell(removed);
             case WorldEvent.Collided collided -> tell(collided);
             case WorldEvent.Moved movement -> moved.put(movement.objectId(), movement);
+            case WorldEvent.StepReport report -> tell(report);
             case WorldEvent.StepAdvanced _ -> {
                 // told when the whole step is over, see finished()
             }
@@ -96,6 +98,17 @@ final class WorldNews implements WorldListener {
                                 contact.point(),
                                 contact.normal(),
                                 collision.impulse()));
+    }
+
+    private void tell(WorldEvent.StepReport report) {
+        notifications.stepReported(
+                report.time(),
+                () ->
+                        new StepReportNotification(
+                                report.time(),
+                                report.subSteps(),
+                                report.heldPairs(),
+                                report.quickHits()));
     }
 
     /** Tells where the step will end. */

@@ -15,6 +15,8 @@ public enum EventType {
     KINEMATIC_STATE("KinematicState"),
     /** A step is done; belongs to no object. */
     TIMESTEP_ADVANCED("TimestepAdvanced"),
+    /** How a step was kept from getting stuck or diverging; belongs to no object. */
+    STEP_REPORT("StepReport"),
     /** Two entities met. */
     COLLISION("Collision"),
     /** An entity came into the world. */

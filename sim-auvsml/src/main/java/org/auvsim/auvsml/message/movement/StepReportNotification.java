@@ -1,0 +1,16 @@
+package org.auvsim.auvsml.message.movement;
+
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.core.description.Unit;
+
+/**
+ * How the step that ends at this time was kept from getting stuck or diverging; a step that needed
+ * nothing of it is not reported.
+ *
+ * @param subSteps parts that were added because forces are stiff
+ * @param heldPairs pairs that rested on each other and were held together
+ * @param quickHits collisions without loss, as the pair had met within the last 10 ms
+ */
+public record StepReportNotification(
+        @Unit("s") double timestamp, long subSteps, long heldPairs, long quickHits)
+        implements Message {}

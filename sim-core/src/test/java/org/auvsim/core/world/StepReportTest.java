@@ -1,0 +1,142 @@
+package org.auvsim.core.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.core.effect.Damping;
+import org.auvsim.core.effect.Gravity;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.Box;
+import org.auvsim.core.volume.HalfSpace;
+import org.junit.jupiter.api.Test;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** What keeps a step from getting stuck or diverging is told, and only then. */
+class StepReportTest {
+    private final List<WorldEvent> events = new ArrayList<>();
+
+    private World heard(WorldObjectDefinition... objects) {
+        WorldBuilder builder = World.builder();
+        List.of(objects).forEach(builder::add);
+        World world = builder.build();
+        world.addListener(events::add);
+        return world;
+    }
+
+    private static WorldObjectDefinition floor() {
+        return WorldObjectDefinition.named("Floor").volume(new HalfSpace()).fixed().build();
+    }
+
+    private static WorldObjectDefinition box(String name, double x) {
+        return WorldObjectDefinition.named(name)
+                .volume(new Box(new Vec3(1, 1, 1)))
+                .mass(1)
+                .restitution(0.5)
+                .effect(new Gravity(9.81))
+                .position(x, 0, 0.5)
+                .build();
+    }
+
+    private List<WorldEvent.StepReport> reports() {
+        return events.stream()
+                .filter(WorldEvent.StepReport.class::isInstance)
+                .map(WorldEvent.StepReport.class::cast)
+                .toList();
+    }
+
+    @Test
+    void boxesThatRestAreReportedEachStepAsHeldPairs() {
+        World world = heard(floor(), box("One", 0), box("Other", 7));
+        world.advanceTimestep();
+        events.clear();
+
+        for (int step = 0; step < 5; step++) {
+            world.advanceTimestep();
+
+            assertThat(reports()).containsExactly(new WorldEvent.StepReport(world.time(), 0, 2, 0));
+            assertThat(events.get(events.size() - 2)).isInstanceOf(WorldEvent.StepReport.class);
+            assertThat(events.getLast()).isInstanceOf(WorldEvent.StepAdvanced.class);
+            events.clear();
+        }
+    }
+
+    @Test
+    void collisionsWithoutLossAreReported() {
+        // 4 ms after it has met a wall the ball is back, unless the other wall holds it.
+        World world =
+                heard(
+                        wall("Left", -0.51, 1),
+                        wall("Right", 0.51, -1),
+                        Balls.ball("Ball").restitution(0.9).velocity(10, 0, 0).build());
+
+        world.advanceTimestep();
+
+        assertThat(reports()).hasSize(1);
+        assertThat(reports().getFirst().quickHits())
+                .isPositive()
+                .isEqualTo(world.statistics().quickHits());
+    }
+
+    /** A plane across the x axis, solid on the side that {@code normal}, 1 or -1, points from. */
+    private static WorldObjectDefinition wall(String name, double x, double normal) {
+        return WorldObjectDefinition.named(name)
+                .volume(new HalfSpace())
+                .fixed()
+                .position(x, 0, 0)
+                .orientation(new Quat(1, 0, normal, 0).normalized())
+                .build();
+    }
+
+    @Test
+    void subStepsOfAStiffBodyAreReportedWhileItNeedsThem() {
+        World world =
+                heard(
+                        Balls.ball("Brake")
+                                .velocity(1, 0, 0)
+                                .effect(
+                                        new Damping(
+                                                new Vec3(300, 0, 0),
+                                                Vec3.ZERO,
+                                                Vec3.ZERO,
+                                                Vec3.ZERO))
+                                .build());
+
+        world.advanceTimestep();
+
+        assertThat(reports()).hasSize(1);
+        assertThat(reports().getFirst().subSteps())
+                .isPositive()
+                .isEqualTo(world.statistics().subSteps());
+        assertThat(reports().getFirst().heldPairs()).isZero();
+    }
+
+    @Test
+    void aQuietWorldReportsNothing() {
+        World world =
+                heard(
+                        Balls.ball("Hit").restitution(0.5).build(),
+                        Balls.ball("Hitting").position(1.02, 0, 0).velocity(-1, 0, 0).build());
+
+        world.advanceTimestep();
+        world.advanceTimestep();
+
+        assertThat(events).hasAtLeastOneElementOfType(WorldEvent.Collided.class);
+        assertThat(reports()).isEmpty();
+    }
+
+    @Test
+    void whoBeginsToListenLateHearsOfItsOwnStepsAlone() {
+        World world = World.builder().add(floor()).add(box("Box", 0)).build();
+        for (int step = 0; step < 10; step++) {
+            world.advanceTimestep();
+        }
+        world.addListener(events::add);
+
+        world.advanceTimestep();
+
+        assertThat(reports()).containsExactly(new WorldEvent.StepReport(world.time(), 0, 1, 0));
+    }
+}

@@ -84,7 +84,7 @@ final class Run implements Callable<Integer> {
                 return run(world);
             } catch (RunEndedException e) {
                 throw lastGood.isEmpty()
-                        ? new UserError(e.getMessage(), e)
+                        ? new UserError(e.sentence(), e)
                         : keep(scenario.resumedFrom(world), e);
             }
         }
@@ -98,7 +98,7 @@ final class Run implements Callable<Integer> {
             return FileTrouble.writing(file, e);
         }
         return new UserError(
-                "%s; the last good state is in %s".formatted(end.getMessage(), file), end);
+                "%s; the last good state is in %s".formatted(end.sentence(), file), end);
     }
 
     private int run(World world) {

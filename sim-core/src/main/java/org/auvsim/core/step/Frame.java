@@ -66,7 +66,7 @@ final class Frame {
         this.lanes = motion.lanes();
         this.tally = motion.tally();
         version = trajectories.versions();
-        grid = new ColumnGrid(trajectories.paths().boxes(), version, trajectories.count());
+        grid = new ColumnGrid(trajectories.paths().boxes(), version, trajectories.count(), lanes);
         encounters = new Encounters[lanes.count()];
         for (int lane = 0; lane < encounters.length; lane++) {
             encounters[lane] = new Encounters(traits, trajectories, motion.queries());

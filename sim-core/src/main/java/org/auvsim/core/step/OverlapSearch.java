@@ -41,7 +41,7 @@ final class OverlapSearch implements ColumnGrid.Pairs {
             pose.set(bySlot.get(slot).position(), bySlot.get(slot).orientation());
             traits.volume[slot].bounds(pose, boxes, 6 * slot);
         }
-        ColumnGrid grid = new ColumnGrid(boxes, new int[bySlot.size()], bySlot.size());
+        ColumnGrid grid = new ColumnGrid(boxes, new int[bySlot.size()], bySlot.size(), Lanes.ONE);
         grid.build();
         grid.sweep(0, grid.columns(), search);
         grid.sweepLarge(search);

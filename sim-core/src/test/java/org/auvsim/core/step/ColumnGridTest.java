@@ -82,7 +82,7 @@ class ColumnGridTest {
         SplittableRandom random = new SplittableRandom(seed);
         int n = random.nextInt(1, 80);
         double[] box = new double[6 * n];
-        ColumnGrid grid = new ColumnGrid(box, new int[n], n);
+        ColumnGrid grid = new ColumnGrid(box, new int[n], n, Lanes.ONE);
 
         for (int frame = 0; frame < 3; frame++) {
             for (int i = 0; i < n; i++) {
@@ -100,7 +100,7 @@ class ColumnGridTest {
         int n = random.nextInt(2, 60);
         double[] box = new double[6 * n];
         int[] version = new int[n];
-        ColumnGrid grid = new ColumnGrid(box, version, n);
+        ColumnGrid grid = new ColumnGrid(box, version, n, Lanes.ONE);
         for (int i = 0; i < n; i++) {
             draw(box, i, random);
         }

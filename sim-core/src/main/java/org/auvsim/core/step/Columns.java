@@ -1,0 +1,121 @@
+package org.auvsim.core.step;
+
+/**
+ * Columns along x into which space is cut, of a square section about three mean boxes wide, and
+ * which of them a box touches. Columns are numbered so that those which stand close together have
+ * numbers close together: 4 by 4 make a tile, and the tiles are numbered along lines that wrap
+ * around, as far apart from each other as their number allows (Fibonacci lattice). Columns that
+ * stand far from each other may so have the same number.
+ */
+final class Columns {
+    /** A box that touches more columns than these stands in none. */
+    static final int MOST = 16;
+
+    private static final double MEAN_BOXES_WIDE = 3;
+
+    /** So many boxes, spread over all, tell how wide the columns are to be. */
+    private static final int SAMPLE = 64;
+
+    /** Boxes that reach beyond this (m) go on for ever. */
+    private static final double FAR = 1e300;
+
+    private static final double GOLDEN_SECTION = 0.6180339887498949;
+    private static final int TILE_BITS = 2;
+    private static final int IN_TILE = (1 << TILE_BITS) - 1;
+    private static final int LEAST_TILES = 4;
+
+    private final double[] box;
+    private final int bodies;
+    private final int tileMask;
+    private final int tileStride;
+    private double inverseWidth;
+
+    /**
+     * Columns for so many boxes.
+     *
+     * @param box min x, y, z and max x, y, z (m) of box i at 6 i and behind
+     */
+    Columns(double[] box, int bodies) {
+        this.box = box;
+        this.bodies = bodies;
+        int tiles = Math.max(Integer.highestOneBit(2 * bodies) >> (2 * TILE_BITS - 1), LEAST_TILES);
+        tileMask = tiles - 1;
+        tileStride = (int) (GOLDEN_SECTION * tiles) | 1;
+    }
+
+    /** How many numbers there are. */
+    int count() {
+        return (tileMask + 1) << (2 * TILE_BITS);
+    }
+
+    /** Chooses the width of the columns for the boxes as they are now. */
+    void fit() {
+        inverseWidth = 1 / (MEAN_BOXES_WIDE * meanExtent());
+    }
+
+    /** The mean edge (m) of some of the boxes, without those that go on for ever. */
+    private double meanExtent() {
+        double sum = 0;
+        int count = 0;
+        int step = Math.max(1, bodies / SAMPLE);
+        for (int i = 0; i < bodies; i += step) {
+            double extent = box[6 * i + 4] - box[6 * i + 1] + box[6 * i + 5] - box[6 * i + 2];
+            if (extent < FAR) {
+                sum += extent;
+                count += 2;
+            }
+        }
+        return count == 0 || sum == 0 ? 1 : sum / count;
+    }
+
+    /** The columns that box i touches, each once; their number, or 0 if they are too many. */
+    int of(int i, int[] to) {
+        int at = 6 * i;
+        int y0 = cell(box[at + 1]);
+        int z0 = cell(box[at + 2]);
+        int y1 = cell(box[at + 4]);
+        int z1 = cell(box[at + 5]);
+        if (y0 == y1 && z0 == z1 && box[at + 5] < FAR) {
+            to[0] = number(y0, z0);
+            return 1;
+        }
+        if (((double) y1 - y0 + 1) * ((double) z1 - z0 + 1) > MOST || !(box[at + 5] < FAR)) {
+            return 0;
+        }
+        return numbers(y0, z0, y1, z1, to);
+    }
+
+    private int numbers(int y0, int z0, int y1, int z1, int[] to) {
+        int count = 0;
+        for (long y = y0; y <= y1; y++) {
+            for (long z = z0; z <= z1; z++) {
+                int number = number((int) y, (int) z);
+                boolean known = false;
+                for (int k = 0; k < count; k++) {
+                    known |= to[k] == number;
+                }
+                if (!known) {
+                    to[count++] = number;
+                }
+            }
+        }
+        return count;
+    }
+
+    /** Of the columns that two boxes share, the one of their intersection's lower corner counts. */
+    boolean countsIn(int column, int a, int b) {
+        int y = cell(Math.max(box[6 * a + 1], box[6 * b + 1]));
+        int z = cell(Math.max(box[6 * a + 2], box[6 * b + 2]));
+        return number(y, z) == column;
+    }
+
+    /** The cell of a coordinate (m); the outermost one for all that is farther off. */
+    private int cell(double coordinate) {
+        return (int) Math.floor(coordinate * inverseWidth);
+    }
+
+    private int number(int y, int z) {
+        int tile = ((y >> TILE_BITS) * tileStride + (z >> TILE_BITS)) & tileMask;
+        return (tile << 2 * TILE_BITS) | (y & IN_TILE) << TILE_BITS | (z & IN_TILE);
+    }
+}

@@ -111,29 +111,11 @@ final class Paths {
                 spin[w + 5]);
     }
 
-    /** Traces one coordinate of a segment from its ends' positions (m) and velocities (m/s). */
-    void trace(
-            int slot,
-            int axis,
-            double p0,
-            double v0,
-            double p3,
-            double v3,
-            double third,
-            double r) {
-        double p1 = p0 + v0 * third;
-        double p2 = p3 - v3 * third;
-        int at = CURVE * slot + axis;
-        curve[at] = p0;
-        curve[at + 3] = p1;
-        curve[at + 6] = p2;
-        curve[at + 9] = p3;
-        double low = p0 < p1 ? p0 : p1;
-        double high = p0 < p1 ? p1 : p0;
-        double low2 = p2 < p3 ? p2 : p3;
-        double high2 = p2 < p3 ? p3 : p2;
-        box[BOX * slot + axis] = (low < low2 ? low : low2) - r;
-        box[BOX * slot + axis + 3] = (high > high2 ? high : high2) + r;
+    /** Traces the segment of body {@code i} of a block. */
+    void trace(int slot, SegmentTrace trace, Block block, int i, double from, double to) {
+        trace.writeCurve(block, i, curve, CURVE * slot);
+        trace.writeBox(i, box, BOX * slot);
+        trace(slot, from, to);
     }
 
     /** Traces a segment's time. */

@@ -61,9 +61,7 @@ final class Trajectories {
         final BodyGroups.Batch batch;
         final int[] one = new int[1];
         final Pose pose = new Pose();
-        final double[] vx;
-        final double[] vy;
-        final double[] vz;
+        final SegmentTrace trace;
 
         /** How many bodies of the block are traced; those behind are anchors of groups. */
         int traced;
@@ -72,13 +70,11 @@ final class Trajectories {
         int tooStiff = -1;
         boolean hasCuts;
 
-        Worker(int capacity) {
+        Worker(int capacity, double[] radii) {
             block = new Block(capacity);
             single = new Block(capacity);
             batch = new BodyGroups.Batch(capacity);
-            vx = new double[capacity];
-            vy = new double[capacity];
-            vz = new double[capacity];
+            trace = new SegmentTrace(capacity, radii);
         }
     }
 
@@ -102,7 +98,7 @@ final class Trajectories {
         log = new SegmentLog(bodies);
         workers = new Worker[lanes.count()];
         for (int lane = 0; lane < workers.length; lane++) {
-            workers[lane] = new Worker(groups.capacity());
+            workers[lane] = new Worker(groups.capacity(), bodies.radius());
         }
         inOrder = groups.inOrder();
         blockStart = blockStarts();
@@ -457,14 +453,13 @@ final class Trajectories {
 
     private void advance(Worker worker, Block block, double from, double to) {
         measure(block, 0);
-        System.arraycopy(block.vx, 0, worker.vx, 0, block.count);
-        System.arraycopy(block.vy, 0, worker.vy, 0, block.count);
-        System.arraycopy(block.vz, 0, worker.vz, 0, block.count);
+        worker.trace.begin(block);
         integrator.advance(equations, block, to - from);
         for (int c = 0; c < BodyState.COLUMNS; c++) {
             block.scatter(block.state[c], end[c]);
         }
         measure(block, 3);
+        worker.trace.end(block, to - from);
     }
 
     /** Traces segments that are as many times shorter than asked as makes them fine. */
@@ -509,51 +504,8 @@ final class Trajectories {
             paths.standStill(slot, worker.pose, from, to);
             return;
         }
-        double third = (to - from) / 3;
-        double radius = bodies.radius()[slot];
-        double[] x = bodies.column(BodyState.X);
-        double[] y = bodies.column(BodyState.Y);
-        double[] z = bodies.column(BodyState.Z);
-        paths.trace(
-                slot,
-                0,
-                x[slot],
-                worker.vx[i],
-                block.state[BodyState.X][i],
-                block.vx[i],
-                third,
-                radius);
-        paths.trace(
-                slot,
-                1,
-                y[slot],
-                worker.vy[i],
-                block.state[BodyState.Y][i],
-                block.vy[i],
-                third,
-                radius);
-        paths.trace(
-                slot,
-                2,
-                z[slot],
-                worker.vz[i],
-                block.state[BodyState.Z][i],
-                block.vz[i],
-                third,
-                radius);
-        paths.trace(slot, from, to);
-        double sum =
-                block.vx[i]
-                        + block.vy[i]
-                        + block.vz[i]
-                        + block.wx[i]
-                        + block.wy[i]
-                        + block.wz[i]
-                        + block.state[BodyState.QW][i]
-                        + block.state[BodyState.X][i]
-                        + block.state[BodyState.Y][i]
-                        + block.state[BodyState.Z][i];
-        if (!(Math.abs(sum) <= Double.MAX_VALUE) && worker.notFinite < 0) {
+        paths.trace(slot, worker.trace, block, i, from, to);
+        if (worker.notFinite < 0 && !worker.trace.isFinite(i)) {
             worker.notFinite = slot;
         }
     }

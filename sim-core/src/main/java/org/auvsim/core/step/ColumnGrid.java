@@ -168,7 +168,7 @@ final class ColumnGrid {
     private static long entry(double x, int i) {
         int high = (int) (Double.doubleToRawLongBits(x + 0.0) >> 32);
         int ordered = high ^ ((high >> 31) & Integer.MAX_VALUE);
-        return (long) ordered << 32 | i;
+        return ((long) ordered << 32) | i;
     }
 
     /** A number that is greater than those of all boxes which begin no later than at x (m). */

@@ -116,6 +116,6 @@ final class Columns {
 
     private int number(int y, int z) {
         int tile = ((y >> TILE_BITS) * tileStride + (z >> TILE_BITS)) & tileMask;
-        return (tile << 2 * TILE_BITS) | (y & IN_TILE) << TILE_BITS | (z & IN_TILE);
+        return (tile << (2 * TILE_BITS)) | ((y & IN_TILE) << TILE_BITS) | (z & IN_TILE);
     }
 }

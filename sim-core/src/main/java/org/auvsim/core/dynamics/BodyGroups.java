@@ -142,6 +142,19 @@ public final class BodyGroups {
         return members[group[slot]];
     }
 
+    /** All bodies that effects couple to a body, itself and fixed ones included, in order. */
+    int[] companions(int slot) {
+        TreeSet<Integer> found = new TreeSet<>(List.of(slot));
+        for (int k = 0; k < members.length; k++) {
+            if (Arrays.binarySearch(members[k], slot) >= 0
+                    || Arrays.binarySearch(anchors[k], slot) >= 0) {
+                Arrays.stream(members[k]).forEach(found::add);
+                Arrays.stream(anchors[k]).forEach(found::add);
+            }
+        }
+        return toArray(found);
+    }
+
     /** How many bodies are to be integrated with a body, itself included, without anchors. */
     public int size(int slot) {
         return isCoupled(slot) ? members[group[slot]].length : 1;

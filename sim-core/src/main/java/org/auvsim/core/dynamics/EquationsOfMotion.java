@@ -117,6 +117,20 @@ public final class EquationsOfMotion {
 
     /** Fills rotations, velocities, forces, torques and rates of the block from its state. */
     public void evaluate(Block b) {
+        act(b);
+        for (int i = 0; b.hasSpatial && i < b.count; i++) {
+            SpatialInertia spatial = b.inertia(i);
+            if (spatial != null) {
+                spatial.complete(b, i);
+            }
+        }
+        if (b.hasFixed) {
+            holdFixed(b);
+        }
+    }
+
+    /** As {@link #evaluate}, but forces and torques act as if nothing held the bodies. */
+    void act(Block b) {
         plainVelocities(b);
         waterVelocities(b);
         if (b.turns()) {
@@ -128,15 +142,6 @@ public final class EquationsOfMotion {
         }
         if (b.hasContactForces) {
             b.addContactForces();
-        }
-        for (int i = 0; b.hasSpatial && i < b.count; i++) {
-            SpatialInertia spatial = b.inertia(i);
-            if (spatial != null) {
-                spatial.complete(b, i);
-            }
-        }
-        if (b.hasFixed) {
-            holdFixed(b);
         }
     }
 
@@ -188,6 +193,15 @@ public final class EquationsOfMotion {
         scale(b, b.vx, b.state[PX]);
         scale(b, b.vy, b.state[PY]);
         scale(b, b.vz, b.state[PZ]);
+    }
+
+    /** Velocity of the water (m/s, world) at a place (m, world) and a time (s). */
+    Vec3 waterAt(Vec3 position, double time) {
+        Vec3 sum = Vec3.ZERO;
+        for (Current current : currents) {
+            sum = sum.plus(current.valueAt(position, time));
+        }
+        return sum;
     }
 
     /** Whether an effect may need shorter steps than those of the world. */

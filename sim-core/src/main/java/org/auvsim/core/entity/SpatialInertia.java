@@ -48,14 +48,14 @@ public final class SpatialInertia {
     private static final int REDUCED = 93;
 
     private final Vec3 centreOfMass;
-    private final double[] whole;
+    final double[] whole;
     private final double[] inverse;
-    private final double[] added;
+    final double[] added;
     private final boolean hasAdded;
-    private final boolean mounted;
+    final boolean mounted;
 
     /** The free directions, 6 numbers each, world axes. */
-    private final double[][] free;
+    final double[][] free;
 
     SpatialInertia(MassProperties mass, Vec3 centreOfMass, double[] added, List<Mount> mount) {
         this.centreOfMass = centreOfMass;

@@ -1,5 +1,6 @@
 package org.auvsim.core.step;
 
+import org.auvsim.core.dynamics.ConstraintForce;
 import org.auvsim.core.dynamics.Diagnosis;
 import org.auvsim.core.dynamics.EquationsOfMotion;
 import org.auvsim.core.dynamics.Integrator;
@@ -13,6 +14,7 @@ import org.auvsim.core.entity.MovementState;
 import org.auvsim.core.entity.Participant;
 import org.auvsim.core.entity.RigidBody;
 import org.auvsim.core.entity.Twist;
+import org.auvsim.core.entity.Wrench;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.ContactPoint;
@@ -442,6 +444,11 @@ public final class Motion {
                 "the motion of '%s' (id %d) gets out of all bounds between %s s and %s s by %s;"
                                 .formatted(body.name(), body.id(), time, time + offset, culprit)
                         + " lessen its forces or the time step");
+    }
+
+    /** By what the body in a slot is held at present. */
+    public Wrench constraintForce(int slot) {
+        return new ConstraintForce(equations, bodies).on(slot, time);
     }
 
     /** The contact of two that touch now, as {@code i} sees it. */

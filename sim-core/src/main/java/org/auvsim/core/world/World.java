@@ -12,6 +12,7 @@ import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.entity.Wrench;
 import org.auvsim.core.step.Collision;
 import org.auvsim.core.step.ContactMemory;
 import org.auvsim.core.step.Lanes;
@@ -484,5 +485,20 @@ public final class World {
         Motion here = motion();
         here.begin(time());
         return here.overlaps(objectId);
+    }
+
+    /**
+     * What a mount exerts on a body in its present state, so that its momenta along the held
+     * directions stay zero: the load on a towing carriage, a pivot or, with the opposite sign, on
+     * what carries them. Of a fixed body it is what keeps it there, of a free one it is zero. What
+     * bodies in contact add is not in it.
+     *
+     * @throws WorldException if there is no such object
+     */
+    public Wrench constraintForce(long objectId) {
+        WorldObject object = object(objectId);
+        Motion here = motion();
+        here.begin(time());
+        return here.constraintForce(object.slot());
     }
 }

@@ -60,7 +60,6 @@ public final class BodyState {
     private final double[][] inverseInertia;
     private double[] mass;
     private double[] inverseMass;
-    private double[] mobility;
     private double[] radius;
     private final AppliedForces applied;
 
@@ -85,7 +84,6 @@ public final class BodyState {
         this.inverseInertia = inverseInertia;
         this.mass = mass;
         this.inverseMass = new double[mass.length];
-        this.mobility = new double[mass.length];
         this.radius = new double[mass.length];
         this.applied = applied;
     }
@@ -106,7 +104,6 @@ public final class BodyState {
         copy.currents = currents;
         copy.time = time;
         copy.inverseMass = inverseMass.clone();
-        copy.mobility = mobility.clone();
         copy.radius = radius.clone();
         return copy;
     }
@@ -240,11 +237,6 @@ public final class BodyState {
         return inverseMass;
     }
 
-    /** 1 for a body that moves, 0 for a fixed one; by slot. */
-    public double[] mobility() {
-        return mobility;
-    }
-
     /** Radii (m) of the bounding spheres, by slot. */
     public double[] radius() {
         return radius;
@@ -303,6 +295,18 @@ public final class BodyState {
                 + az * (xz * bx + yz * by + inverseInertia[IZZ][slot] * bz);
     }
 
+    /** Adds six numbers to the momenta P, L of a body, but for what a mount takes. */
+    public void addMomenta(int slot, double[] impulse, int at) {
+        SpatialInertia general = spatial[slot];
+        if (general != null && general.free != null) {
+            general.free.add(columns, slot, impulse, at);
+            return;
+        }
+        for (int c = 0; inverseMass[slot] != 0 && c < 6; c++) {
+            columns[PX + c][slot] += impulse[at + c];
+        }
+    }
+
     /** Appends a body at rest at the origin and returns its slot. */
     int add(WorldObjectDefinition definition) {
         if (count == mass.length) {
@@ -327,7 +331,6 @@ public final class BodyState {
         if (definition.fixed()) {
             mass[slot] = 0;
             inverseMass[slot] = 0;
-            mobility[slot] = 0;
             for (double[] element : inverseInertia) {
                 element[slot] = 0;
             }
@@ -337,7 +340,6 @@ public final class BodyState {
         Mat3 inverse = properties.inverseInertia();
         mass[slot] = properties.mass();
         inverseMass[slot] = 1 / properties.mass();
-        mobility[slot] = 1;
         inverseInertia[IXX][slot] = inverse.xx();
         inverseInertia[IYY][slot] = inverse.yy();
         inverseInertia[IZZ][slot] = inverse.zz();
@@ -360,7 +362,6 @@ public final class BodyState {
         }
         closeGap(mass, slot);
         closeGap(inverseMass, slot);
-        closeGap(mobility, slot);
         closeGap(radius, slot);
         applied.remove(slot, count);
         count--;
@@ -376,7 +377,6 @@ public final class BodyState {
         spatial = Arrays.copyOf(spatial, capacity);
         mass = Arrays.copyOf(mass, capacity);
         inverseMass = Arrays.copyOf(inverseMass, capacity);
-        mobility = Arrays.copyOf(mobility, capacity);
         radius = Arrays.copyOf(radius, capacity);
         applied.grow(capacity);
     }

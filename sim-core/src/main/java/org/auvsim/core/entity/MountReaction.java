@@ -16,11 +16,17 @@ public final class MountReaction {
     private final Block block;
     private final int i;
     private final SpatialInertia inertia;
+    private final double[][] free;
 
-    private MountReaction(Block block, int i, SpatialInertia inertia) {
+    private MountReaction(Block block, int i, SpatialInertia inertia, FreeDirections directions) {
         this.block = block;
         this.i = i;
         this.inertia = inertia;
+        free = new double[directions.count()][];
+        for (int k = 0; k < free.length; k++) {
+            double[] inWorld = directions.get(k);
+            free[k] = six(block.toBody(i, linear(inWorld)), block.toBody(i, angular(inWorld)));
+        }
     }
 
     /**
@@ -30,14 +36,14 @@ public final class MountReaction {
      * @param waterAcceleration of the water that the moving origin meets (m/s^2, world)
      */
     public static Wrench of(Block block, int i, SpatialInertia inertia, Vec3 waterAcceleration) {
-        return inertia.mounted
-                ? new MountReaction(block, i, inertia).solve(waterAcceleration)
+        FreeDirections free = inertia.free;
+        return free != null
+                ? new MountReaction(block, i, inertia, free).solve(waterAcceleration)
                 : Wrench.ZERO;
     }
 
     private Wrench solve(Vec3 waterAcceleration) {
         double[] lacking = lacking(waterAcceleration);
-        double[][] free = freeDirections();
         int n = free.length;
         double[] reduced = new double[36];
         double[] change = new double[6];
@@ -83,17 +89,6 @@ public final class MountReaction {
                         block.ty[i] + block.carriedTy[i],
                         block.tz[i] + block.carriedTz[i]);
         return six(block.toBody(i, force), block.toBody(i, torque));
-    }
-
-    private double[][] freeDirections() {
-        double[][] inBody = new double[inertia.free.length][];
-        for (int k = 0; k < inBody.length; k++) {
-            inBody[k] =
-                    six(
-                            block.toBody(i, linear(inertia.free[k])),
-                            block.toBody(i, angular(inertia.free[k])));
-        }
-        return inBody;
     }
 
     /** w x the linear and w x the angular part. */

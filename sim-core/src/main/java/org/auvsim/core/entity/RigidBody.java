@@ -178,7 +178,7 @@ public class RigidBody implements Collidable {
     public final void setLinearMomentum(Vec3 momentum) {
         SpatialInertia spatial = state.spatial(slot);
         Vec3 free = spatial == null ? momentum : spatial.freeLinear(momentum);
-        setVector(BodyState.PX, free.times(state.mobility()[slot]), "linear momentum");
+        setVector(BodyState.PX, isFixed() ? free.times(0) : free, "linear momentum");
     }
 
     /** Angular momentum about the origin (kg m^2/s, world). */
@@ -190,7 +190,7 @@ public class RigidBody implements Collidable {
     public final void setAngularMomentum(Vec3 momentum) {
         SpatialInertia spatial = state.spatial(slot);
         Vec3 free = spatial == null ? momentum : spatial.freeAngular(momentum);
-        setVector(BodyState.LX, free.times(state.mobility()[slot]), "angular momentum");
+        setVector(BodyState.LX, isFixed() ? free.times(0) : free, "angular momentum");
     }
 
     /** Velocity of the origin (m/s, world). */

@@ -3,6 +3,7 @@ package org.auvsim.core.entity;
 import org.auvsim.core.math.Mat3;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.jspecify.annotations.Nullable;
 
 import java.util.List;
 
@@ -52,10 +53,9 @@ public final class SpatialInertia {
     private final double[] inverse;
     final double[] added;
     private final boolean hasAdded;
-    final boolean mounted;
 
-    /** The free directions, 6 numbers each, world axes. */
-    final double[][] free;
+    /** What its mount leaves; empty without one. */
+    final @Nullable FreeDirections free;
 
     SpatialInertia(MassProperties mass, Vec3 centreOfMass, double[] added, List<Mount> mount) {
         this.centreOfMass = centreOfMass;
@@ -69,21 +69,7 @@ public final class SpatialInertia {
             any |= element != 0;
         }
         hasAdded = any;
-        mounted = !mount.isEmpty();
-        free = mounted ? directions(mount.getFirst()) : new double[0][];
-    }
-
-    private static double[][] directions(Mount mount) {
-        List<Vec3> along = mount.freeTranslations();
-        List<Vec3> about = mount.freeRotations();
-        double[][] directions = new double[along.size() + about.size()][6];
-        for (int k = 0; k < along.size(); k++) {
-            put(directions[k], 0, along.get(k));
-        }
-        for (int k = 0; k < about.size(); k++) {
-            put(directions[along.size() + k], 3, about.get(k));
-        }
-        return directions;
+        free = mount.isEmpty() ? null : new FreeDirections(mount.getFirst());
     }
 
     /** Centre of mass (m, body). */
@@ -120,8 +106,8 @@ public final class SpatialInertia {
         b.tx[i] += b.carriedTx[i];
         b.ty[i] += b.carriedTy[i];
         b.tz[i] += b.carriedTz[i];
-        if (mounted) {
-            project(b, i);
+        if (free != null) {
+            keepFree(free, b, i);
         }
     }
 
@@ -137,32 +123,15 @@ public final class SpatialInertia {
         return s[a] * s[b + 1] - s[a + 1] * s[b];
     }
 
-    private void project(Block b, int i) {
+    private static void keepFree(FreeDirections free, Block b, int i) {
         double[] s = b.spatial;
         for (int c = 0; c < 6; c++) {
             s[SPEEDS + c] = b.rate[BodyState.PX + c][i];
         }
-        project(s, SPEEDS);
+        free.keep(s, SPEEDS, RELATIVE);
         for (int c = 0; c < 6; c++) {
             b.rate[BodyState.PX + c][i] = s[SPEEDS + c];
         }
-    }
-
-    /** Leaves of six numbers what is along the free directions; the rest is exactly zero. */
-    private void project(double[] s, int at) {
-        for (int c = 0; c < 6; c++) {
-            s[RELATIVE + c] = 0;
-        }
-        for (double[] direction : free) {
-            double along = 0;
-            for (int c = 0; c < 6; c++) {
-                along += direction[c] * s[at + c];
-            }
-            for (int c = 0; c < 6; c++) {
-                s[RELATIVE + c] += along * direction[c];
-            }
-        }
-        System.arraycopy(s, RELATIVE, s, at, 6);
     }
 
     private static void load(Block b, int i, double[] s) {
@@ -196,7 +165,7 @@ public final class SpatialInertia {
         }
         solve(s);
         waterMomentum(s);
-        if (mounted) {
+        if (free != null) {
             wholeMomentum(s);
         } else {
             System.arraycopy(s, MOMENTA, s, LINEAR_MOMENTUM, 3);
@@ -205,15 +174,19 @@ public final class SpatialInertia {
 
     /** From momenta in body axes, that of the water's flow included, to velocities in both axes. */
     private void solve(double[] s) {
-        if (!mounted) {
-            multiply(inverse, s, BODY_MOMENTA, BODY_VELOCITIES, 6);
-            toWorld(s, BODY_VELOCITIES, VELOCITIES);
-            toWorld(s, BODY_VELOCITIES + 3, VELOCITIES + 3);
+        if (free != null) {
+            solve(free, s);
             return;
         }
-        int n = free.length;
+        multiply(inverse, s, BODY_MOMENTA, BODY_VELOCITIES, 6);
+        toWorld(s, BODY_VELOCITIES, VELOCITIES);
+        toWorld(s, BODY_VELOCITIES + 3, VELOCITIES + 3);
+    }
+
+    private void solve(FreeDirections free, double[] s) {
+        int n = free.count();
         for (int k = 0; k < n; k++) {
-            System.arraycopy(free[k], 0, s, RELATIVE, 6);
+            System.arraycopy(free.get(k), 0, s, RELATIVE, 6);
             toBody(s, RELATIVE, FREE + 6 * k);
             toBody(s, RELATIVE + 3, FREE + 6 * k + 3);
         }
@@ -231,7 +204,7 @@ public final class SpatialInertia {
             double inWorld = 0;
             for (int k = 0; k < n; k++) {
                 inBody += s[FREE + 6 * k + c] * s[SPEEDS + k];
-                inWorld += free[k][c] * s[SPEEDS + k];
+                inWorld += free.get(k)[c] * s[SPEEDS + k];
             }
             s[BODY_VELOCITIES + c] = inBody;
             s[VELOCITIES + c] = inWorld;
@@ -335,8 +308,8 @@ public final class SpatialInertia {
         turn(s, orientation);
         put(s, VELOCITIES, twist.velocity());
         put(s, VELOCITIES + 3, twist.angularVelocity());
-        if (mounted) {
-            project(s, VELOCITIES);
+        if (free != null) {
+            free.keep(s, VELOCITIES, RELATIVE);
         }
         toBody(s, VELOCITIES, BODY_VELOCITIES);
         toBody(s, VELOCITIES + 3, BODY_VELOCITIES + 3);
@@ -350,8 +323,8 @@ public final class SpatialInertia {
         }
         toWorld(s, BODY_MOMENTA, MOMENTA);
         toWorld(s, BODY_MOMENTA + 3, MOMENTA + 3);
-        if (mounted) {
-            project(s, MOMENTA);
+        if (free != null) {
+            free.keep(s, MOMENTA, RELATIVE);
         }
         return new Vec3[] {get(s, MOMENTA), get(s, MOMENTA + 3)};
     }
@@ -367,12 +340,12 @@ public final class SpatialInertia {
     }
 
     private Vec3 projected(Vec3 momentum, int at) {
-        if (!mounted) {
+        if (free == null) {
             return momentum;
         }
         double[] s = new double[SCRATCH];
         put(s, SPEEDS + at, momentum);
-        project(s, SPEEDS);
+        free.keep(s, SPEEDS, RELATIVE);
         return get(s, SPEEDS + at);
     }
 

@@ -136,12 +136,7 @@ final class ContactProblem {
     /** Gives the bodies the momenta that the solver's impulses add. */
     void applyImpulses() {
         for (int k = 0; k < bodies.count; k++) {
-            if (!traits.isFixed[slots[k]]) {
-                for (int c = 0; c < ContactBodies.SPEEDS; c++) {
-                    state.column(BodyState.PX + c)[slots[k]] +=
-                            bodies.impulse[ContactBodies.SPEEDS * k + c];
-                }
-            }
+            state.addMomenta(slots[k], bodies.impulse, ContactBodies.SPEEDS * k);
         }
     }
 }

@@ -87,6 +87,65 @@ class ValidationTest {
                                 + " scenario/world-object/position");
     }
 
+    /** A compound that lacks a coordinate, a volume, or all of its parts. */
+    @Test
+    void aCompoundThatIsNotWholeIsToldWhereItLacksWhat() throws IOException {
+        assertThat(
+                        faults(
+                                """
+                                <scenario>
+                                  <world-object name="a" mass="1"><compound>
+                                    <part><sphere radius="1"/><position x="1" z="0"/></part>
+                                    <part><position x="1" y="0" z="0"/></part>
+                                    <part><box><size x="1" y="" z="1"/></box></part>
+                                    <part><half-space/></part>
+                                  </compound></world-object>
+                                  <world-object name="b" mass="1"><compound/></world-object>
+                                </scenario>
+                                """))
+                .containsExactlyInAnyOrder(
+                        "line 3, column 31: <position> needs an attribute 'y', a finite number at"
+                                + " scenario/world-object/compound/part/position",
+                        "line 4, column 5: <part> needs a volume: one of the elements box,"
+                                + " capsule, compound, half-space, height-map, sphere at"
+                                + " scenario/world-object/compound/part",
+                        "line 5, column 28: expected a finite number, but found '' at"
+                                + " scenario/world-object/compound/part/box/size@y",
+                        "line 6, column 5: a part of a compound must be a sphere, a capsule or a"
+                                + " box, but is a HalfSpace at"
+                                + " scenario/world-object/compound/part",
+                        "line 8, column 35: a compound needs at least one part, but has none; add"
+                                + " a <part> at scenario/world-object/compound");
+    }
+
+    /** Rows that differ in length, numbers that are none: each where it stands. */
+    @Test
+    void aHeightMapWithMissingCellsIsToldWhereTheyAre() throws IOException {
+        assertThat(
+                        faults(
+                                """
+                                <scenario>
+                                  <world-object name="a" fixed="1"><height-map spacing="2">
+                                    <row heights="1 2 3"/><row heights="1 2"/>
+                                  </height-map></world-object>
+                                  <world-object name="b" fixed="1"><height-map spacing="2">
+                                    <row heights="1 2 3"/><row heights="1 - 3"/>
+                                  </height-map></world-object>
+                                  <world-object name="c" fixed="1"><height-map spacing="0">
+                                    <row heights="1 2 3"/><row heights="1 2 3"/>
+                                  </height-map></world-object>
+                                </scenario>
+                                """))
+                .containsExactlyInAnyOrder(
+                        "line 2, column 36: row 2 of a height map has 2 heights, but row 1 has 3;"
+                                + " give every row the same number at"
+                                + " scenario/world-object/height-map",
+                        "line 6, column 32: expected finite numbers with blanks between them, but"
+                                + " found '1 - 3' at scenario/world-object/height-map/row@heights",
+                        "line 8, column 36: a height map's spacing must be above 0 m and finite,"
+                                + " but is 0.0 m at scenario/world-object/height-map");
+    }
+
     @Test
     void aMisspeltNameIsToldBeforeWhatIsMissingForIt() throws IOException {
         assertThat(faults("<auvsml><get-propulsor-list-request agentid='1'/></auvsml>"))

@@ -24,7 +24,14 @@ public record MassProperties(double mass, Mat3 inertia) {
         }
         if (!isPositiveDefinite(inertia)) {
             throw new IllegalArgumentException(
-                    "an inertia tensor must be positive definite, but is " + inertia);
+                    "an inertia tensor must be finite and positive definite, but has xx = %s, yy = %s,"
+                                    .formatted(inertia.xx(), inertia.yy())
+                            + " zz = %s, xy = %s, xz = %s, yz = %s kg m^2"
+                                    .formatted(
+                                            inertia.zz(),
+                                            inertia.xy(),
+                                            inertia.xz(),
+                                            inertia.yz()));
         }
     }
 

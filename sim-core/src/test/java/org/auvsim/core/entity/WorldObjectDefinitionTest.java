@@ -63,8 +63,8 @@ class WorldObjectDefinitionTest {
                                 + " its own"),
                 wrong(
                         b -> b.inertia(new Inertia(1, -1, 1, 0, 0, 0)),
-                        "an inertia tensor must be positive definite, but is "
-                                + Mat3.diagonal(1, -1, 1)),
+                        "an inertia tensor must be finite and positive definite, but has xx = 1.0,"
+                                + " yy = -1.0, zz = 1.0, xy = 0.0, xz = 0.0, yz = 0.0 kg m^2"),
                 wrong(
                         b -> b.orientation(new Quat(0, 0, 0, 0)),
                         "an orientation needs a finite length above 0, but "

@@ -6,17 +6,18 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import org.auvsim.core.entity.Inertia;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Mat3;
+import org.auvsim.core.math.Numbers;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.HalfSpace;
+import org.auvsim.core.volume.HeightMap;
 import org.auvsim.core.volume.Volume;
 import org.junit.jupiter.api.Test;
 
+import java.util.List;
+
 class RestricterTest {
-    /** A volume without extent, as a user's own may be. */
-    private record Point() implements Volume {
-        @Override
-        public double boundingRadius() {
-            return 0;
-        }
+    /** A volume of a radius that none of the engine's own has with a mass. */
+    private record Strange(double boundingRadius) implements Volume {
 
         @Override
         public Mat3 inertia(double mass) {
@@ -25,7 +26,7 @@ class RestricterTest {
 
         @Override
         public boolean contains(Vec3 point) {
-            return point.equals(Vec3.ZERO);
+            return point.norm() <= boundingRadius;
         }
     }
 
@@ -59,20 +60,51 @@ class RestricterTest {
         assertThat(restricted(many)).isEqualTo(0.03125);
     }
 
+    private static WorldObjectDefinition strange(String name, double radius, double speed) {
+        return WorldObjectDefinition.named(name)
+                .volume(new Strange(radius))
+                .inertia(new Inertia(1, 1, 1, 0, 0, 0))
+                .mass(1)
+                .velocity(speed, 0, 0)
+                .build();
+    }
+
     @Test
     void aMovingObjectWithoutRadiusIsNamed() {
-        WorldObjectDefinition point =
-                WorldObjectDefinition.named("Dust")
-                        .volume(new Point())
-                        .inertia(new Inertia(1, 1, 1, 0, 0, 0))
-                        .mass(1)
-                        .velocity(1, 0, 0)
+        assertThatThrownBy(() -> restricted(moving("A", 1, 0.1), strange("Dust", 0, 1)))
+                .isInstanceOf(StepException.class)
+                .hasMessageStartingWith(
+                        "the time step cannot be made short enough for 'Dust' (id 2) at 0.0 s: in"
+                                + " 1.0 s it still moves ")
+                .hasMessageEndingWith(" m, more than its radius of 0.0 m");
+    }
+
+    @Test
+    void aMovingObjectWithoutEndIsNamed() {
+        double endless = Double.POSITIVE_INFINITY;
+
+        assertThat(restricted(moving("A", 1, 0.1), strange("Pole", endless, 0))).isEqualTo(1);
+        assertThatThrownBy(() -> restricted(moving("A", 1, 0.1), strange("Pole", endless, 1)))
+                .isInstanceOf(StepException.class)
+                .hasMessage(
+                        "'Pole' (id 2) moves at 0.0 s, but has no radius to restrict the step by,"
+                                + " as its volume has no end; make it fixed or choose the"
+                                + " maximum-speed restricter");
+    }
+
+    @Test
+    void groundAndSeaFloorRestrictNothing() {
+        HeightMap.Row row = new HeightMap.Row(Numbers.of(-3, -4));
+        WorldObjectDefinition ground =
+                WorldObjectDefinition.named("Ground").fixed().volume(new HalfSpace()).build();
+        WorldObjectDefinition floor =
+                WorldObjectDefinition.named("Sea floor")
+                        .fixed()
+                        .volume(new HeightMap(2, List.of(row, row)))
                         .build();
 
-        assertThatThrownBy(() -> restricted(moving("A", 1, 0.1), point))
-                .isInstanceOf(StepException.class)
-                .hasMessageContaining("'Dust' (id 2)")
-                .hasMessageContaining("more than its radius of 0.0 m");
+        assertThat(restricted(ground, moving("A", 0.5, 2), floor)).isEqualTo(0.25);
+        assertThat(new MaximumSpeedRestricter(4).restrict(Scene.of(ground, floor), 1)).isEqualTo(1);
     }
 
     @Test

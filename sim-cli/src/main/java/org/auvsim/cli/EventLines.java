@@ -6,6 +6,7 @@ import org.auvsim.auvsml.message.entity.EntityRemovedMessage;
 import org.auvsim.auvsml.message.feedback.FeedbackAppliedNotification;
 import org.auvsim.auvsml.message.movement.CollisionNotification;
 import org.auvsim.auvsml.message.movement.MovementStateChangeMessage;
+import org.auvsim.auvsml.message.movement.StepReportNotification;
 import org.auvsim.auvsml.message.session.DisconnectedNotification;
 import org.auvsim.auvsml.message.session.ErrorResponse;
 import org.auvsim.auvsml.message.session.LaggingNotification;
@@ -52,6 +53,12 @@ final class EventLines {
                             f.worldObjectId(),
                             "was corrected by %s, error %.4g m before, %.4g m after"
                                     .formatted(f.handlerName(), f.errorBefore(), f.errorAfter()));
+            case StepReportNotification s ->
+                    event(
+                            s.timestamp(),
+                            "(step)",
+                            "sub-steps %d, contacts held %d, quick hits %d"
+                                    .formatted(s.subSteps(), s.heldPairs(), s.quickHits()));
             case LaggingNotification l ->
                     Optional.of("(too slow: %d left out)".formatted(l.skipped()));
             case DisconnectedNotification d -> Optional.of("the simulator ends: " + d.reason());
@@ -65,7 +72,11 @@ final class EventLines {
     }
 
     private Optional<String> event(double time, long id, String what) {
-        return Optional.of(String.format(Locale.ROOT, "%10.3f  %-16s %s", time, name(id), what));
+        return event(time, name(id), what);
+    }
+
+    private static Optional<String> event(double time, String who, String what) {
+        return Optional.of(String.format(Locale.ROOT, "%10.3f  %-16s %s", time, who, what));
     }
 
     private String movement(MovementStateChangeMessage m) {

@@ -16,6 +16,7 @@ import java.io.PrintWriter;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 
 /** {@code auvsim watch}. */
 @Command(
@@ -58,6 +59,13 @@ final class Watch implements Callable<Integer> {
             description = "Watches one world object only.")
     private Optional<String> object = Optional.empty();
 
+    @Option(
+            names = "--steps",
+            description =
+                    "Tells also what kept a step from getting stuck or diverging: sub-steps,"
+                            + " contacts held, quick hits.")
+    private boolean steps;
+
     @Override
     public Integer call() throws ConnectionException {
         try (AuvsmlClient client = AuvsmlClient.connect(address.host(), address.port());
@@ -70,11 +78,17 @@ final class Watch implements Callable<Integer> {
                 client.send(Registration.ofAll(watched));
                 printText(client);
             } else {
-                client.send(Registration.of(watched, SHOWN));
+                client.send(Registration.of(watched, shown()));
                 printLines(client, new EventLines(objects));
             }
         }
         return 0;
+    }
+
+    private List<EventType> shown() {
+        return steps
+                ? Stream.concat(SHOWN.stream(), Stream.of(EventType.STEP_REPORT)).toList()
+                : SHOWN;
     }
 
     private void printText(AuvsmlClient client) throws ConnectionException {

@@ -10,12 +10,28 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 
 @Timeout(60)
 class WatchTest {
     private static final Path TANK =
             CommandLineHarness.EXAMPLES.resolve("scenarios").resolve("tank.xml");
+
+    /** It rests: a pair held in each step. */
+    private static final String BOX_ON_THE_FLOOR =
+            """
+            <scenario>
+              <world-object name="Floor" fixed="1"><half-space/></world-object>
+              <world-object name="Box" mass="1" restitution="0.5">
+                <box><size x="1" y="1" z="1"/></box>
+                <position x="0" y="0" z="0.5"/>
+                <gravity/>
+              </world-object>
+            </scenario>
+            """;
 
     @TempDir private Path folder;
     private CommandLineHarness auvsim;
@@ -38,6 +54,35 @@ class WatchTest {
                 .anyMatch(line -> line.contains(" projected ") && line.contains("-6.0000"))
                 .anyMatch(line -> line.contains(" actual "));
         assertThat(auvsim.out()).doesNotContain("Ball  ");
+    }
+
+    @ParameterizedTest(name = "object {0}")
+    @ValueSource(strings = {"*", "Box"})
+    void tellsWhatHeldAStepTogetherIfAsked(String object) throws Exception {
+        Path scenario = Files.writeString(folder.resolve("box.xml"), BOX_ON_THE_FLOOR);
+        List<String> command = new ArrayList<>(List.of("watch", "--steps"));
+        if (!object.equals("*")) {
+            command.addAll(List.of("--object", object));
+        }
+        try (ServerProcess server = new ServerProcess(scenario, "--until", "2")) {
+            command.add(server.address());
+            assertThat(auvsim.run(command.toArray())).isZero();
+        }
+        assertThat(auvsim.out().lines())
+                .anyMatch(
+                        line ->
+                                line.matches(
+                                        " +0\\.[0-9]{3}  \\(step\\) +sub-steps 0, contacts held 1,"
+                                                + " quick hits 0"));
+    }
+
+    @Test
+    void keepsStepsToItselfIfNotAsked() throws Exception {
+        Path scenario = Files.writeString(folder.resolve("box.xml"), BOX_ON_THE_FLOOR);
+        try (ServerProcess server = new ServerProcess(scenario, "--until", "2")) {
+            assertThat(auvsim.run("watch", server.address())).isZero();
+        }
+        assertThat(auvsim.out()).contains("Box ").doesNotContain("(step)");
     }
 
     @Test

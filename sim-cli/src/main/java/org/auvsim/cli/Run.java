@@ -5,7 +5,6 @@ import static java.util.Objects.requireNonNull;
 
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
-import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.cli.report.FileTrouble;
 import org.auvsim.cli.report.UserError;
@@ -77,7 +76,7 @@ final class Run implements Callable<Integer> {
 
     @Override
     public Integer call() throws DocumentException {
-        Scenario scenario = ScenarioLoader.load(Run.class.getClassLoader()).load(file);
+        Scenario scenario = ScenarioFile.load(file, spec.commandLine().getErr());
         try (ThreadLanes lanes = laneCount.open()) {
             World world = scenario.world(lanes);
             try {

@@ -2,7 +2,6 @@ package org.auvsim.cli;
 
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
-import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.cli.report.UserError;
 import org.auvsim.server.lanes.ThreadLanes;
 import org.auvsim.server.net.TcpTransport;
@@ -80,7 +79,7 @@ final class Serve implements Callable<Integer> {
 
     @Override
     public Integer call() throws DocumentException, IOException {
-        Scenario scenario = ScenarioLoader.load(Serve.class.getClassLoader()).load(file);
+        Scenario scenario = ScenarioFile.load(file, spec.commandLine().getErr());
         requireUntilAfter(scenario.startTime());
         TcpTransport transport = new TcpTransport(address());
         try (ThreadLanes lanes = laneCount.open();

@@ -34,7 +34,11 @@ final class Validate implements Callable<Integer> {
         Validation validation = new Validation(catalogue);
         boolean ok = true;
         for (Path file : files) {
-            ok &= isOk(file, validation.faults(file));
+            List<Fault> faults = validation.faults(file);
+            ok &= isOk(file, faults);
+            if (faults.isEmpty()) {
+                ScenarioFile.print(file, validation.notices(file), spec.commandLine().getErr());
+            }
         }
         return ok ? ExitCode.OK : ExitCode.USAGE;
     }

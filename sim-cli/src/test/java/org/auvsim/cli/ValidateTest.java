@@ -54,6 +54,35 @@ class ValidateTest {
                 .contains("'world-object'");
     }
 
+    /** Added mass as it is printed for the RexROV: it holds, but not to the letter. */
+    @Test
+    void whatDoesNotHoldToTheLetterIsNoticed() throws IOException {
+        Path file =
+                auvsim.file(
+                        "a.xml",
+                        """
+                        <scenario>
+                          <world-object name="Rover" mass="1863"><sphere radius="1"/>
+                            <added-mass>
+                              <linear x="779" y="1222" z="3660"/><angular x="534" y="842" z="224"/>
+                              <term row="SWAY" column="ROLL" value="10.774"/>
+                              <term row="ROLL" column="SWAY" value="10.775"/>
+                            </added-mass>
+                          </world-object>
+                        </scenario>
+                        """);
+        String notice =
+                file
+                        + ": notice: 'Rover': an added mass matrix is symmetric, but ROLL by SWAY"
+                        + " is 10.775 and SWAY by ROLL is 10.774; their mean counts\n";
+
+        assertThat(auvsim.run("validate", file)).isZero();
+        assertThat(auvsim.out()).isEqualTo(file + ": ok\n");
+        assertThat(auvsim.err()).isEqualTo(notice);
+        assertThat(auvsim.run("run", file, "--until", 0.1)).isZero();
+        assertThat(auvsim.err()).startsWith(notice + notice);
+    }
+
     @Test
     void aMissingFileIsExplained() {
         Path missing = folder.resolve("none.xml");

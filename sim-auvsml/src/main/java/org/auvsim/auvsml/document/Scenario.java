@@ -71,6 +71,17 @@ public record Scenario(
         return world.build();
     }
 
+    /** Sentences on what it states and what does not hold to the letter. */
+    public List<String> notices() {
+        return worldObject.stream()
+                .flatMap(
+                        object ->
+                                object.addedMass().stream()
+                                        .flatMap(added -> added.notices().stream())
+                                        .map(("'" + object.name() + "': ")::concat))
+                .toList();
+    }
+
     /** The same scenario with a world's present time and objects as its beginning. */
     public Scenario resumedFrom(World world) {
         return new Scenario(

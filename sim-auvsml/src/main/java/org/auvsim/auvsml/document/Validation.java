@@ -72,6 +72,20 @@ public final class Validation {
                 : ofScenario(head);
     }
 
+    /**
+     * What {@link Scenario#notices} has on a file without faults; nothing on one of messages.
+     *
+     * @throws DocumentException if the file cannot be read
+     */
+    public List<String> notices(Path file) throws DocumentException {
+        byte[] text = scenarios.bytes(file);
+        Optional<String> root = scenarioTrees.rootName(text);
+        if (root.filter(MessageCatalogue.roots()::contains).isPresent()) {
+            return List.of();
+        }
+        return scenarios.load(file).notices();
+    }
+
     private List<Fault> ofScenario(byte[] text) {
         try {
             return of(scenarioTrees.read(text), scenarios::decode);

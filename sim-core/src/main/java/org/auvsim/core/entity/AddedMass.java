@@ -4,6 +4,7 @@ import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.math.Vec3;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -41,6 +42,22 @@ public record AddedMass(
         }
     }
 
+    /** A sentence for each two mirror images that differ and of which the mean counts. */
+    public List<String> notices() {
+        List<String> notices = new ArrayList<>();
+        for (int i = 0; i < term.size(); i++) {
+            for (AddedMassTerm mirror : term.subList(0, i)) {
+                AddedMassTerm own = term.get(i);
+                if (own.row() == mirror.column()
+                        && own.column() == mirror.row()
+                        && own.value() != mirror.value()) {
+                    notices.add(difference(own, mirror.value()) + "; their mean counts");
+                }
+            }
+        }
+        return notices;
+    }
+
     /** The 36 numbers, row by row, symmetric. */
     double[] matrix() {
         return matrix(linear, angular, term);
@@ -69,16 +86,14 @@ public record AddedMass(
     private static double mean(AddedMassTerm term, double mirror) {
         double largest = Math.max(Math.abs(term.value()), Math.abs(mirror));
         if (Math.abs(term.value() - mirror) > MOST_ASYMMETRY * largest) {
-            throw new IllegalArgumentException(
-                    "an added mass matrix is symmetric, but %s by %s is %s and %s by %s is %s"
-                            .formatted(
-                                    term.row(),
-                                    term.column(),
-                                    term.value(),
-                                    term.column(),
-                                    term.row(),
-                                    mirror));
+            throw new IllegalArgumentException(difference(term, mirror));
         }
         return term.value() / 2 + mirror / 2;
+    }
+
+    private static String difference(AddedMassTerm term, double mirror) {
+        return "an added mass matrix is symmetric, but %s by %s is %s and %s by %s is %s"
+                .formatted(
+                        term.row(), term.column(), term.value(), term.column(), term.row(), mirror);
     }
 }

@@ -31,12 +31,27 @@ class AddedMassTest {
     @Test
     void ofTwoThatAreNearlyEqualTheMeanCounts() {
         // As printed for the RexROV, a hundredth of it.
-        double[] matrix =
+        AddedMass printed =
                 with(
-                                term(MotionAxis.SWAY, MotionAxis.ROLL, 0.10774),
-                                term(MotionAxis.ROLL, MotionAxis.SWAY, 0.10775))
-                        .matrix();
+                        term(MotionAxis.SWAY, MotionAxis.ROLL, 0.10774),
+                        term(MotionAxis.ROLL, MotionAxis.SWAY, 0.10775));
+        assertThat(printed.notices())
+                .containsExactly(
+                        "an added mass matrix is symmetric, but ROLL by SWAY is 0.10775 and SWAY by"
+                                + " ROLL is 0.10774; their mean counts");
+        double[] matrix = printed.matrix();
         assertThat(matrix[6 + 3]).isEqualTo(matrix[18 + 1]).isBetween(0.10774, 0.10775);
+    }
+
+    @Test
+    void ofTwoThatAreEqualNothingIsSaid() {
+        assertThat(
+                        with(
+                                        term(MotionAxis.SWAY, MotionAxis.ROLL, 0.1),
+                                        term(MotionAxis.HEAVE, MotionAxis.PITCH, 0.2),
+                                        term(MotionAxis.ROLL, MotionAxis.SWAY, 0.1))
+                                .notices())
+                .isEmpty();
     }
 
     @Test

@@ -22,6 +22,7 @@ final class ColumnGrid {
     private final Columns columns;
     private final Lanes lanes;
     private final Listing[] listings;
+    private final int[][] fills;
     private final IntConsumer list = this::list;
     private final IntConsumer place = this::place;
     private final int[] starts;
@@ -46,8 +47,6 @@ final class ColumnGrid {
 
     /** The part of the boxes that one lane puts into columns. */
     private static final class Listing {
-        final int[] columnsOf = new int[Columns.MOST];
-
         /** How many of the part stand in each column; then where in it the next one is put. */
         final int[] fill;
 
@@ -69,15 +68,18 @@ final class ColumnGrid {
             widest = 0;
         }
 
-        void add(long entry, int columns) {
-            if (count + columns > column.length) {
+        void makeRoom() {
+            if (count + Columns.MOST > column.length) {
                 column = Arrays.copyOf(column, 2 * column.length);
                 entries = Arrays.copyOf(entries, 2 * entries.length);
             }
-            for (int k = 0; k < columns; k++) {
+        }
+
+        /** Adds an entry of columns that stand behind the others already. */
+        void add(long entry, int columns) {
+            for (int end = count + columns; count < end; count++) {
                 entries[count] = entry;
-                column[count++] = columnsOf[k];
-                fill[columnsOf[k]]++;
+                fill[column[count]]++;
             }
         }
 
@@ -101,8 +103,10 @@ final class ColumnGrid {
         starts = new int[columns.count() + 1];
         changes = new ChangedBoxes(columns.count(), version);
         listings = new Listing[lanes.count()];
+        fills = new int[listings.length][];
         for (int lane = 0; lane < listings.length; lane++) {
             listings[lane] = new Listing(columns.count());
+            fills[lane] = listings[lane].fill;
         }
     }
 
@@ -121,7 +125,8 @@ final class ColumnGrid {
         listing.clear();
         int end = (int) ((long) bodies * (lane + 1) / listings.length);
         for (int i = (int) ((long) bodies * lane / listings.length); i < end; i++) {
-            int count = columns.of(i, listing.columnsOf);
+            listing.makeRoom();
+            int count = columns.of(i, listing.column, listing.count);
             if (count == 0) {
                 listing.addLarge(i);
             } else {
@@ -135,15 +140,16 @@ final class ColumnGrid {
     /** Shares the places in the columns out, lane by lane. */
     private void assignPlaces() {
         int sum = 0;
-        for (int c = 0; c < columns.count(); c++) {
+        int end = columns.count();
+        for (int c = 0; c < end; c++) {
             starts[c] = sum;
-            for (Listing listing : listings) {
-                int here = listing.fill[c];
-                listing.fill[c] = sum;
+            for (int[] fill : fills) {
+                int here = fill[c];
+                fill[c] = sum;
                 sum += here;
             }
         }
-        starts[columns.count()] = sum;
+        starts[end] = sum;
         if (entries.length < sum) {
             entries = new long[2 * sum];
         }
@@ -232,7 +238,7 @@ final class ColumnGrid {
 
     /** Box i has changed, and so has its version. */
     void changed(int i) {
-        int count = columns.of(i, columnsOf);
+        int count = columns.of(i, columnsOf, 0);
         if (count == 0 && !isLarge(i)) {
             large = with(large, largeCount++, i);
             Arrays.sort(large, 0, largeCount);
@@ -247,7 +253,7 @@ final class ColumnGrid {
         for (int k = 0; k < largeCount; k++) {
             meet(i, large[k], pairs);
         }
-        int count = columns.of(i, columnsOf);
+        int count = columns.of(i, columnsOf, 0);
         if (count == 0) {
             for (int b = 0; b < bodies; b++) {
                 if (!isLarge(b)) {

@@ -22,7 +22,9 @@ final class Columns {
     private static final double GOLDEN_SECTION = 0.6180339887498949;
     private static final int TILE_BITS = 2;
     private static final int IN_TILE = (1 << TILE_BITS) - 1;
-    private static final int LEAST_TILES = 4;
+
+    /** With no less, and so few columns a box, those of a box have different numbers. */
+    private static final int LEAST_TILES = 8;
 
     private final double[] box;
     private final int bodies;
@@ -38,7 +40,7 @@ final class Columns {
     Columns(double[] box, int bodies) {
         this.box = box;
         this.bodies = bodies;
-        int tiles = Math.max(Integer.highestOneBit(2 * bodies) >> (2 * TILE_BITS - 1), LEAST_TILES);
+        int tiles = Math.max(Integer.highestOneBit(2 * bodies) >> (2 * TILE_BITS), LEAST_TILES);
         tileMask = tiles - 1;
         tileStride = (int) (GOLDEN_SECTION * tiles) | 1;
     }
@@ -57,7 +59,7 @@ final class Columns {
     private double meanExtent() {
         double sum = 0;
         int count = 0;
-        int step = Math.max(1, bodies / SAMPLE);
+        int step = (bodies + SAMPLE - 1) / SAMPLE;
         for (int i = 0; i < bodies; i += step) {
             double extent = box[6 * i + 4] - box[6 * i + 1] + box[6 * i + 5] - box[6 * i + 2];
             if (extent < FAR) {
@@ -68,38 +70,28 @@ final class Columns {
         return count == 0 || sum == 0 ? 1 : sum / count;
     }
 
-    /** The columns that box i touches, each once; their number, or 0 if they are too many. */
-    int of(int i, int[] to) {
+    /**
+     * The columns that box i touches, each once.
+     *
+     * @param to receives their numbers from {@code first} on, at most {@link #MOST}
+     * @return how many they are, or 0 if they are too many
+     */
+    int of(int i, int[] to, int first) {
         int at = 6 * i;
         int y0 = cell(box[at + 1]);
         int z0 = cell(box[at + 2]);
-        int y1 = cell(box[at + 4]);
-        int z1 = cell(box[at + 5]);
-        if (y0 == y1 && z0 == z1 && box[at + 5] < FAR) {
-            to[0] = number(y0, z0);
-            return 1;
-        }
-        if (((double) y1 - y0 + 1) * ((double) z1 - z0 + 1) > MOST || !(box[at + 5] < FAR)) {
+        long rows = (long) cell(box[at + 4]) - y0 + 1;
+        long columns = (long) cell(box[at + 5]) - z0 + 1;
+        if (rows > MOST || columns > MOST || rows * columns > MOST || !(box[at + 5] < FAR)) {
             return 0;
         }
-        return numbers(y0, z0, y1, z1, to);
-    }
-
-    private int numbers(int y0, int z0, int y1, int z1, int[] to) {
-        int count = 0;
-        for (long y = y0; y <= y1; y++) {
-            for (long z = z0; z <= z1; z++) {
-                int number = number((int) y, (int) z);
-                boolean known = false;
-                for (int k = 0; k < count; k++) {
-                    known |= to[k] == number;
-                }
-                if (!known) {
-                    to[count++] = number;
-                }
+        int count = first;
+        for (int y = 0; y < rows; y++) {
+            for (int z = 0; z < columns; z++) {
+                to[count++] = number(y0 + y, z0 + z);
             }
         }
-        return count;
+        return count - first;
     }
 
     /** Of the columns that two boxes share, the one of their intersection's lower corner counts. */

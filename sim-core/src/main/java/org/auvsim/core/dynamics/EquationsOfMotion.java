@@ -190,9 +190,15 @@ public final class EquationsOfMotion {
     }
 
     private static void plainVelocities(Block b) {
-        scale(b, b.vx, b.state[PX]);
-        scale(b, b.vy, b.state[PY]);
-        scale(b, b.vz, b.state[PZ]);
+        double[] x = b.state[PX];
+        double[] y = b.state[PY];
+        double[] z = b.state[PZ];
+        double[] by = b.inverseMass;
+        for (int i = 0; i < b.count; i++) {
+            b.vx[i] = x[i] * by[i];
+            b.vy[i] = y[i] * by[i];
+            b.vz[i] = z[i] * by[i];
+        }
     }
 
     /** Velocity of the water (m/s, world) at a place (m, world) and a time (s). */
@@ -212,13 +218,6 @@ public final class EquationsOfMotion {
     /** Scales the quaternions of the block back to length 1; a zero comes out without its sign. */
     public void normalizeOrientations(Block b) {
         Rotation.normalize(b);
-    }
-
-    private static void scale(Block b, double[] to, double[] from) {
-        double[] by = b.inverseMass;
-        for (int i = 0; i < b.count; i++) {
-            to[i] = from[i] * by[i];
-        }
     }
 
     private void waterVelocities(Block b) {

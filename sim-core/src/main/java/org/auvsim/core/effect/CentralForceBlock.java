@@ -91,13 +91,9 @@ final class CentralForceBlock implements BlockEffect {
         b.gather(z, s[2]);
         b.gather(force, s[3]);
         b.gather(restSquared, s[4]);
-        lead(b.count, s[0], b.state[BodyState.X]);
-        lead(b.count, s[1], b.state[BodyState.Y]);
-        lead(b.count, s[2], b.state[BodyState.Z]);
+        lead(b, s[0], s[1], s[2]);
         scale(b.count, s[3], s[4], s[0], s[1], s[2]);
-        push(b.count, b.fx, s[3], s[0]);
-        push(b.count, b.fy, s[3], s[1]);
-        push(b.count, b.fz, s[3], s[2]);
+        push(b, s[3], s[0], s[1], s[2]);
     }
 
     @Override
@@ -116,9 +112,14 @@ final class CentralForceBlock implements BlockEffect {
     }
 
     /** Turns targets into ways to them. */
-    private static void lead(int count, double[] target, double[] position) {
-        for (int i = 0; i < count; i++) {
-            target[i] -= position[i];
+    private static void lead(Block b, double[] targetX, double[] targetY, double[] targetZ) {
+        double[] x = b.state[BodyState.X];
+        double[] y = b.state[BodyState.Y];
+        double[] z = b.state[BodyState.Z];
+        for (int i = 0; i < b.count; i++) {
+            targetX[i] -= x[i];
+            targetY[i] -= y[i];
+            targetZ[i] -= z[i];
         }
     }
 
@@ -136,9 +137,14 @@ final class CentralForceBlock implements BlockEffect {
         }
     }
 
-    private static void push(int count, double[] to, double[] scale, double[] way) {
-        for (int i = 0; i < count; i++) {
-            to[i] += scale[i] * way[i];
+    private static void push(Block b, double[] scale, double[] x, double[] y, double[] z) {
+        double[] fx = b.fx;
+        double[] fy = b.fy;
+        double[] fz = b.fz;
+        for (int i = 0; i < b.count; i++) {
+            fx[i] += scale[i] * x[i];
+            fy[i] += scale[i] * y[i];
+            fz[i] += scale[i] * z[i];
         }
     }
 }

@@ -9,8 +9,12 @@ import java.util.function.IntConsumer;
 
 /**
  * Lanes on threads that live as long as these: part 0 runs on the calling thread, each other part
- * always on the same daemon thread. Between two runs a thread spins for a moment, as a step has
- * many runs in quick succession, and then sleeps.
+ * on a daemon thread of its own, or on the calling thread too if that one has not begun when part 0
+ * is done, as on a machine that is busy with other things.
+ *
+ * <p>Between two runs a thread waits awake for about a millisecond, as a step has several runs in
+ * quick succession, at first for itself and then letting others have the processor; then it sleeps,
+ * so that an idle simulator costs nothing.
  *
  * <p>One thread at a time runs parts here, the one that owns the world.
  */
@@ -18,7 +22,8 @@ public final class ThreadLanes implements Lanes, AutoCloseable {
     /** The greatest number of lanes that are given. */
     public static final int MOST = 256;
 
-    private static final int SPINS = 10_000;
+    private static final int SPINS = 2_000;
+    private static final int YIELDS = 2_000;
 
     private final Worker[] workers;
     private final AtomicInteger unfinished = new AtomicInteger();
@@ -66,9 +71,12 @@ public final class ThreadLanes implements Lanes, AutoCloseable {
         int next = run + 1;
         run = next; // publishes all of the above
         for (Worker worker : workers) {
-            LockSupport.unpark(worker.thread);
+            worker.wake();
         }
         Throwable first = attempt(part, 0);
+        for (Worker worker : workers) {
+            worker.work(next);
+        }
         awaitOthers();
         for (Worker worker : workers) {
             first = first == null ? worker.thrown : first;
@@ -77,13 +85,21 @@ public final class ThreadLanes implements Lanes, AutoCloseable {
     }
 
     private void awaitOthers() {
-        for (int spins = 0; unfinished.get() > 0; spins++) {
-            if (spins < SPINS) {
-                Thread.onSpinWait();
-            } else {
+        for (int round = 0; unfinished.get() > 0; round++) {
+            if (!stayAwake(round)) {
                 LockSupport.park(this);
             }
         }
+    }
+
+    /** Lets a moment pass, unless there have been enough of them. */
+    private static boolean stayAwake(int round) {
+        if (round < SPINS) {
+            Thread.onSpinWait();
+        } else if (round < SPINS + YIELDS) {
+            Thread.yield();
+        }
+        return round < SPINS + YIELDS;
     }
 
     private static @Nullable Throwable attempt(IntConsumer part, int lane) {
@@ -110,7 +126,7 @@ public final class ThreadLanes implements Lanes, AutoCloseable {
     public void close() {
         closed = true;
         for (Worker worker : workers) {
-            LockSupport.unpark(worker.thread);
+            worker.wake();
         }
     }
 
@@ -119,6 +135,10 @@ public final class ThreadLanes implements Lanes, AutoCloseable {
         private final int lane;
         private final Thread thread;
         private @Nullable Throwable thrown;
+        private volatile boolean asleep;
+
+        /** The last run of which somebody has taken the part. */
+        private final AtomicInteger taken = new AtomicInteger();
 
         Worker(int lane) {
             this.lane = lane;
@@ -129,24 +149,47 @@ public final class ThreadLanes implements Lanes, AutoCloseable {
         public void run() {
             int seen = 0;
             while (awaitRunAfter(seen)) {
-                seen++;
-                thrown = attempt(work, lane);
-                if (unfinished.decrementAndGet() == 0) {
+                seen = run;
+                if (work(seen) && unfinished.get() == 0) {
                     LockSupport.unpark(caller);
                 }
             }
         }
 
+        /** Does the part in a run, if nobody has taken it yet; whether it has. */
+        boolean work(int of) {
+            if (!taken.compareAndSet(of - 1, of)) {
+                return false;
+            }
+            thrown = attempt(work, lane);
+            unfinished.decrementAndGet();
+            return true;
+        }
+
+        /** Has to follow what it is to wake for. */
+        void wake() {
+            if (asleep) {
+                LockSupport.unpark(thread);
+            }
+        }
+
         /** False if the lanes have been closed instead. */
         private boolean awaitRunAfter(int seen) {
-            for (int spins = 0; run == seen && !closed; spins++) {
-                if (spins < SPINS) {
-                    Thread.onSpinWait();
-                } else {
-                    LockSupport.park(ThreadLanes.this);
+            for (int round = 0; run == seen && !closed; round++) {
+                if (!stayAwake(round)) {
+                    sleepUnlessRunAfter(seen);
                 }
             }
             return run != seen;
+        }
+
+        /** Says so before it looks again: whoever starts a run sees it then. */
+        private void sleepUnlessRunAfter(int seen) {
+            asleep = true;
+            if (run == seen && !closed) {
+                LockSupport.park(ThreadLanes.this);
+            }
+            asleep = false;
         }
     }
 }

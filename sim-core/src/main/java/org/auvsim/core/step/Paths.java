@@ -111,11 +111,13 @@ final class Paths {
                 spin[w + 5]);
     }
 
-    /** Traces the segment of body {@code i} of a block. */
-    void trace(int slot, SegmentTrace trace, Block block, int i, double from, double to) {
-        trace.writeCurve(block, i, curve, CURVE * slot);
-        trace.writeBox(i, box, BOX * slot);
-        trace(slot, from, to);
+    /** Traces the segments of the bodies {@code first} to {@code last - 1} of a block. */
+    void trace(SegmentTrace trace, Block block, int first, int last, double from, double to) {
+        trace.writeCurves(block, first, last, curve);
+        trace.writeBoxes(block, first, last, box);
+        for (int i = first; i < last; i++) {
+            trace(block.slot(i), from, to);
+        }
     }
 
     /** Traces a segment's time. */

@@ -124,21 +124,33 @@ final class SegmentTrace {
         return Math.abs(sum[i]) <= Double.MAX_VALUE;
     }
 
-    /** Writes the control points of body {@code i} of the block. */
-    void writeCurve(Block block, int i, double[] to, int at) {
+    /** Writes the control points of the bodies {@code from} to {@code to - 1} of the block. */
+    void writeCurves(Block block, int from, int to, double[] curve) {
         for (int axis = 0; axis < AXES; axis++) {
-            to[at + axis] = p0[axis][i];
-            to[at + axis + 3] = p1[axis][i];
-            to[at + axis + 6] = p2[axis][i];
-            to[at + axis + 9] = block.state[BodyState.X + axis][i];
+            double[] q0 = p0[axis];
+            double[] q1 = p1[axis];
+            double[] q2 = p2[axis];
+            double[] q3 = block.state[BodyState.X + axis];
+            for (int i = from; i < to; i++) {
+                int at = Paths.CURVE * block.slot(i) + axis;
+                curve[at] = q0[i];
+                curve[at + 3] = q1[i];
+                curve[at + 6] = q2[i];
+                curve[at + 9] = q3[i];
+            }
         }
     }
 
-    /** Writes the box of body {@code i} of the block. */
-    void writeBox(int i, double[] to, int at) {
+    /** Writes the boxes of the bodies {@code from} to {@code to - 1} of the block. */
+    void writeBoxes(Block block, int from, int to, double[] box) {
         for (int axis = 0; axis < AXES; axis++) {
-            to[at + axis] = low[axis][i];
-            to[at + axis + AXES] = high[axis][i];
+            double[] least = low[axis];
+            double[] greatest = high[axis];
+            for (int i = from; i < to; i++) {
+                int at = Paths.BOX * block.slot(i) + axis;
+                box[at] = least[i];
+                box[at + AXES] = greatest[i];
+            }
         }
     }
 }

@@ -417,10 +417,8 @@ final class Trajectories {
     private void integrate(Worker worker, double from, double to) {
         Block block = worker.block;
         advance(worker, block, from, to);
-        if (!block.hasSubSteps()) {
-            for (int i = 0; i < worker.traced; i++) {
-                trace(worker, block, i, from, to);
-            }
+        if (!block.hasSubSteps() && !block.hasFixed) {
+            traceAll(worker, block, from, to);
             return;
         }
         int traced = worker.traced;
@@ -504,9 +502,22 @@ final class Trajectories {
             paths.standStill(slot, worker.pose, from, to);
             return;
         }
-        paths.trace(slot, worker.trace, block, i, from, to);
+        paths.trace(worker.trace, block, i, i + 1, from, to);
+        requireFinite(worker, block, i);
+    }
+
+    /** Writes curves and boxes of all that is traced of the block, nothing of which is fixed. */
+    private void traceAll(Worker worker, Block block, double from, double to) {
+        paths.trace(worker.trace, block, 0, worker.traced, from, to);
+        for (int i = 0; i < worker.traced; i++) {
+            requireFinite(worker, block, i);
+        }
+    }
+
+    /** Notes the first body that does not end with finite numbers. */
+    private static void requireFinite(Worker worker, Block block, int i) {
         if (worker.notFinite < 0 && !worker.trace.isFinite(i)) {
-            worker.notFinite = slot;
+            worker.notFinite = block.slot(i);
         }
     }
 

@@ -1,35 +1,22 @@
 package org.auvsim.core.world;
 
-import org.auvsim.core.dynamics.EquationsOfMotion;
-import org.auvsim.core.dynamics.Integrator;
 import org.auvsim.core.entity.Behavior;
-import org.auvsim.core.entity.BlockEffect;
-import org.auvsim.core.entity.Change;
-import org.auvsim.core.entity.Collidable;
-import org.auvsim.core.entity.CollisionResponse;
-import org.auvsim.core.entity.Component;
-import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.entity.Wrench;
 import org.auvsim.core.step.Collision;
-import org.auvsim.core.step.ContactMemory;
-import org.auvsim.core.step.Lanes;
 import org.auvsim.core.step.Motion;
-import org.auvsim.core.step.Overlap;
 import org.auvsim.core.step.StepException;
 import org.auvsim.core.step.StepResult;
 import org.auvsim.core.step.StepStatistics;
 import org.auvsim.core.step.StepTally;
 import org.auvsim.core.step.Stepper;
-import org.auvsim.core.volume.PairQueries;
 
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Collectors;
 
 /**
  * A simulated world: its entities, its time, and the one way in which time moves on.
@@ -41,54 +28,33 @@ public final class World {
     /** So many steps in a row that do not move time mean that a collision never ends. */
     private static final int MOST_STEPS_AT_ONE_INSTANT = 10_000;
 
-    /** So many overlaps are told one by one. */
-    private static final int MOST_LISTED = 10;
-
     private final Stepper stepper;
-    private final Integrator integrator;
-    private final CollisionResponse response;
-    private final PairQueries queries;
-    private final Population population;
-    private final Announcements announcements = new Announcements();
-    private final Clock clock;
     private final double timeStep;
-    private int stepsAtOneInstant;
-    private final boolean asBoundingSpheres;
-    private final Lanes lanes;
-    private final StepTally tally;
+    private final Clock clock;
+    private final Population population;
+    private final Mechanics mechanics;
+    private final Consequences consequences;
+    private final Announcements announcements = new Announcements();
     private final StepTally atStart = new StepTally();
-    private final ContactMemory memory;
-    private Optional<List<BlockEffect>> effects = Optional.empty();
-    private Optional<Motion> motion = Optional.empty();
+    private int stepsAtOneInstant;
 
     World(WorldBuilder builder) {
         stepper = builder.stepper;
-        integrator = builder.integrator;
-        response = builder.response;
-        queries = builder.queries;
         timeStep = builder.timeStep;
         clock = new Clock(builder.startTime);
         population = new Population();
-        asBoundingSpheres = builder.asBoundingSpheres;
-        lanes = builder.lanes;
-        tally = new StepTally();
-        memory = new ContactMemory();
+        mechanics = new Mechanics(builder, population);
+        consequences = new Consequences(this, population, mechanics);
     }
 
     private World(World original) {
         stepper = original.stepper;
-        integrator = original.integrator;
-        response = original.response;
-        queries = original.queries;
         timeStep = original.timeStep;
         clock = new Clock(original.clock);
         population = new Population(original.population);
+        mechanics = new Mechanics(original.mechanics, population);
+        consequences = new Consequences(this, population, mechanics);
         stepsAtOneInstant = original.stepsAtOneInstant;
-        effects = original.effects;
-        asBoundingSpheres = original.asBoundingSpheres;
-        lanes = original.lanes;
-        tally = original.tally.copy();
-        memory = original.memory.copy();
     }
 
     /** Starts to build a world. */
@@ -122,7 +88,7 @@ public final class World {
 
     /** What the steps have done since the world was built. */
     public StepStatistics statistics() {
-        return tally.statistics();
+        return mechanics.tally().statistics();
     }
 
     /** A digest of time and state: worlds of equal bits have equal hashes. */
@@ -183,12 +149,7 @@ public final class World {
 
     /** As {@link #add(WorldObjectDefinition)}, but its partners may follow. */
     WorldObject enter(WorldObjectDefinition definition) {
-        if (asBoundingSpheres && !definition.volume().isBounded()) {
-            throw new WorldException(
-                    "'%s' has no bounding sphere, as its volume has no end; leave it out or let"
-                                    .formatted(definition.name())
-                            + " objects collide as their volumes");
-        }
+        mechanics.requireBounds(definition);
         WorldObject object = population.add(definition);
         entered(object.id());
         announcements.announce(new WorldEvent.ObjectAdded(time(), object.id(), object.position()));
@@ -206,7 +167,7 @@ public final class World {
     }
 
     private void entered(long id) {
-        structureChanged();
+        mechanics.entered();
         announcements.announce(new WorldEvent.EntityAdded(time(), id));
     }
 
@@ -217,8 +178,7 @@ public final class World {
      */
     public void remove(long id) {
         population.remove(id);
-        memory.clear();
-        structureChanged();
+        mechanics.left();
         announcements.announce(new WorldEvent.EntityRemoved(time(), id));
     }
 
@@ -228,24 +188,7 @@ public final class World {
      * @throws WorldException naming them
      */
     void requireApart() {
-        List<Overlap> overlaps = motion().overlaps();
-        if (overlaps.isEmpty()) {
-            return;
-        }
-        String listed =
-                overlaps.stream()
-                        .limit(MOST_LISTED)
-                        .map(Overlap::toString)
-                        .collect(Collectors.joining(", "));
-        int more = overlaps.size() - MOST_LISTED;
-        throw new WorldException(
-                "objects overlap at the start: %s%s; move them apart or set allow-overlaps"
-                        .formatted(listed, more > 0 ? " and " + more + " pairs more" : ""));
-    }
-
-    private void structureChanged() {
-        effects = Optional.empty();
-        motion = Optional.empty();
+        mechanics.requireApart(time());
     }
 
     /** Adds a listener, which hears of everything from now on. */
@@ -292,7 +235,7 @@ public final class World {
     }
 
     private double step(double wanted) {
-        atStart.set(tally);
+        atStart.set(mechanics.tally());
         double elapsed = 0;
         boolean goesOn = true;
         while (goesOn) {
@@ -310,8 +253,7 @@ public final class World {
 
     /** A step, or as much of it as can be made before the world has to change. */
     private StepResult part(double wanted) {
-        Motion path = motion();
-        path.begin(time());
+        Motion path = mechanics.motion(time());
         path.setHeard(!announcements.isUnheard());
         StepResult result = stepper.advance(path, wanted);
         clock.advance(result.elapsed());
@@ -319,7 +261,7 @@ public final class World {
         publishCollisions(result);
         // By index here and below: iterators would be garbage in each step.
         for (int k = 0; k < result.changes().size(); k++) {
-            apply(result.changes().get(k));
+            consequences.apply(result.changes().get(k));
         }
         removeWhatIsOver();
         return result;
@@ -335,43 +277,6 @@ public final class World {
                 behaviors.get(i).act(time(), object);
             }
         }
-    }
-
-    private Motion motion() {
-        if (motion.isEmpty()) {
-            motion = Optional.of(layOutMotion());
-        }
-        return motion.get();
-    }
-
-    private Motion layOutMotion() {
-        if (effects.isEmpty()) {
-            effects = Optional.of(EffectLayout.of(population.bodies().objects()));
-        }
-        List<Collidable> collidables = new ArrayList<>();
-        List<Current> currents = new ArrayList<>();
-        for (Entity entity : population.entities()) {
-            if (entity instanceof Collidable collidable) {
-                collidables.add(collidable);
-            }
-            if (entity instanceof Current current) {
-                currents.add(current);
-            }
-        }
-        EquationsOfMotion equations =
-                new EquationsOfMotion(population.bodies().state(), effects.get(), currents);
-        return new Motion(
-                population.bodies(),
-                collidables,
-                equations,
-                integrator,
-                queries,
-                response,
-                asBoundingSpheres,
-                lanes,
-                tally,
-                memory,
-                time());
     }
 
     private void guardAgainstStandstill(StepResult result) {
@@ -390,49 +295,6 @@ public final class World {
                     "the world stands still at %s s: %s collide again and again; check their"
                                     .formatted(time(), who)
                             + " collision responses");
-        }
-    }
-
-    private void apply(Change change) {
-        switch (change) {
-            case Change.Momentum m -> addMomentum(m);
-            case Change.AddEntity added -> add(added.made().apply(population.nextId()));
-            case Change.AddObject added -> add(added.definition());
-            case Change.Update<?> updated -> update(updated);
-            case Change.Remove removed -> {
-                if (find(removed.entityId()).isPresent()) {
-                    remove(removed.entityId());
-                }
-            }
-            case Change.UpdateComponents<?> updated -> updateComponents(updated);
-        }
-    }
-
-    private void addMomentum(Change.Momentum m) {
-        population
-                .findObject(m.objectId())
-                .ifPresent(
-                        object -> {
-                            object.setLinearMomentum(object.linearMomentum().plus(m.linear()));
-                            object.setAngularMomentum(object.angularMomentum().plus(m.angular()));
-                        });
-    }
-
-    private <E extends Entity> void update(Change.Update<E> updated) {
-        Optional<Entity> before = find(updated.entityId());
-        if (before.isPresent() && updated.type().isInstance(before.get())) {
-            E entity = updated.type().cast(before.get());
-            population.replace(entity, updated.update().apply(entity));
-            motion = Optional.empty();
-        }
-    }
-
-    private <C extends Component> void updateComponents(Change.UpdateComponents<C> updated) {
-        Optional<WorldObject> object = population.findObject(updated.objectId());
-        if (object.isPresent()) {
-            for (C component : object.get().components(updated.type())) {
-                object.get().replace(updated.update().apply(component));
-            }
         }
     }
 
@@ -466,7 +328,7 @@ public final class World {
     }
 
     private void publishReport() {
-        StepStatistics step = tally.since(atStart);
+        StepStatistics step = mechanics.tally().since(atStart);
         if (step.subSteps() > 0 || step.heldPairs() > 0 || step.quickHits() > 0) {
             announcements.announce(
                     new WorldEvent.StepReport(
@@ -482,9 +344,7 @@ public final class World {
      */
     public List<Long> overlaps(long objectId) {
         object(objectId);
-        Motion here = motion();
-        here.begin(time());
-        return here.overlaps(objectId);
+        return mechanics.motion(time()).overlaps(objectId);
     }
 
     /**
@@ -496,9 +356,7 @@ public final class World {
      * @throws WorldException if there is no such object
      */
     public Wrench constraintForce(long objectId) {
-        WorldObject object = object(objectId);
-        Motion here = motion();
-        here.begin(time());
-        return here.constraintForce(object.slot());
+        int slot = object(objectId).slot();
+        return mechanics.motion(time()).constraintForce(slot);
     }
 }

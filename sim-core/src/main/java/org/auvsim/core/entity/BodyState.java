@@ -3,6 +3,7 @@ package org.auvsim.core.entity;
 import org.auvsim.core.math.Mat3;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.Pose;
 import org.jspecify.annotations.Nullable;
 
 import java.util.Arrays;
@@ -65,47 +66,33 @@ public final class BodyState {
 
     /** A state without bodies. */
     public BodyState() {
-        this(
-                0,
-                new double[COLUMNS][16],
-                new double[ELEMENTS][16],
-                new double[16],
-                new AppliedForces(16));
+        columns = new double[COLUMNS][16];
+        inverseInertia = new double[ELEMENTS][16];
+        mass = new double[16];
+        inverseMass = new double[16];
+        radius = new double[16];
+        applied = new AppliedForces(16);
     }
 
-    private BodyState(
-            int count,
-            double[][] columns,
-            double[][] inverseInertia,
-            double[] mass,
-            AppliedForces applied) {
-        this.count = count;
-        this.columns = columns;
-        this.inverseInertia = inverseInertia;
-        this.mass = mass;
-        this.inverseMass = new double[mass.length];
-        this.radius = new double[mass.length];
-        this.applied = applied;
+    private BodyState(BodyState original) {
+        count = original.count;
+        withProducts = original.withProducts;
+        fixed = original.fixed;
+        withSpatial = original.withSpatial;
+        spatial = original.spatial.clone();
+        currents = original.currents;
+        time = original.time;
+        columns = clones(original.columns);
+        inverseInertia = clones(original.inverseInertia);
+        mass = original.mass.clone();
+        inverseMass = original.inverseMass.clone();
+        radius = original.radius.clone();
+        applied = original.applied.copy();
     }
 
     /** An independent copy, equal bit for bit. */
     public BodyState copy() {
-        BodyState copy =
-                new BodyState(
-                        count,
-                        clones(columns),
-                        clones(inverseInertia),
-                        mass.clone(),
-                        applied.copy());
-        copy.withProducts = withProducts;
-        copy.fixed = fixed;
-        copy.withSpatial = withSpatial;
-        copy.spatial = spatial.clone();
-        copy.currents = currents;
-        copy.time = time;
-        copy.inverseMass = inverseMass.clone();
-        copy.radius = radius.clone();
-        return copy;
+        return new BodyState(this);
     }
 
     static double[][] clones(double[][] arrays) {
@@ -293,6 +280,22 @@ public final class BodyState {
         return ax * (inverseInertia[IXX][slot] * bx + xy * by + xz * bz)
                 + ay * (xy * bx + inverseInertia[IYY][slot] * by + yz * bz)
                 + az * (xz * bx + yz * by + inverseInertia[IZZ][slot] * bz);
+    }
+
+    /** Writes the pose of a body. */
+    public void pose(int slot, Pose to) {
+        pose(columns, slot, to);
+    }
+
+    /** Writes the pose of a body that stands in columns like these. */
+    public static void pose(double[][] columns, int slot, Pose to) {
+        to.x = columns[X][slot];
+        to.y = columns[Y][slot];
+        to.z = columns[Z][slot];
+        to.qw = columns[QW][slot];
+        to.qx = columns[QX][slot];
+        to.qy = columns[QY][slot];
+        to.qz = columns[QZ][slot];
     }
 
     /** Adds six numbers to the momenta P, L of a body, but for what a mount takes. */

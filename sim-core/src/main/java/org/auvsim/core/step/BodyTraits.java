@@ -67,6 +67,15 @@ final class BodyTraits {
         areAllSpheres = all;
     }
 
+    /** Notes each body's place among all that may collide. */
+    void rank(Collidables all) {
+        for (int i = 0; i < all.size(); i++) {
+            if (all.isBody(i)) {
+                rank[all.slot(i)] = i;
+            }
+        }
+    }
+
     /** The gap (m) below which two bodies are near each other: twice what resting contacts keep. */
     double nearness(int a, int b) {
         return 2 * RestingContacts.MARGIN * Math.min(radius[a], radius[b]);

@@ -144,13 +144,7 @@ final class Projection {
 
     void pose(int slot, Pose to) {
         integrate(slot);
-        to.x = columns[BodyState.X][slot];
-        to.y = columns[BodyState.Y][slot];
-        to.z = columns[BodyState.Z][slot];
-        to.qw = columns[BodyState.QW][slot];
-        to.qx = columns[BodyState.QX][slot];
-        to.qy = columns[BodyState.QY][slot];
-        to.qz = columns[BodyState.QZ][slot];
+        BodyState.pose(columns, slot, to);
     }
 
     /** Notes that the body in a slot is wanted; {@link #integrateWanted} integrates it. */

@@ -92,7 +92,11 @@ public final class ThreadLanes implements Lanes, AutoCloseable {
         }
     }
 
-    /** Lets a moment pass, unless there have been enough of them. */
+    /**
+     * Lets a moment pass, unless there have been enough of them. Yielding is a courtesy to what
+     * else runs: nothing here depends on its having an effect.
+     */
+    @SuppressWarnings("ThreadPriorityCheck")
     private static boolean stayAwake(int round) {
         if (round < SPINS) {
             Thread.onSpinWait();

@@ -75,11 +75,25 @@ final class ColumnGrid {
             }
         }
 
-        /** Adds an entry of columns that stand behind the others already. */
+        /**
+         * Adds an entry of columns that stand behind the others already; where they are few, without
+         * a branch: what is written too much does not count.
+         */
         void add(long entry, int columns) {
-            for (int end = count + columns; count < end; count++) {
-                entries[count] = entry;
-                fill[column[count]]++;
+            entries[count] = entry;
+            entries[count + 1] = entry;
+            entries[count + 2] = entry;
+            entries[count + 3] = entry;
+            for (int k = 4; k < columns; k++) {
+                entries[count + k] = entry;
+            }
+            count += columns;
+        }
+
+        /** Counts what stands in each column. */
+        void tally() {
+            for (int k = 0; k < count; k++) {
+                fill[column[k]]++;
             }
         }
 
@@ -135,6 +149,7 @@ final class ColumnGrid {
                 listing.add(entry(x, i), count);
             }
         }
+        listing.tally();
     }
 
     /** Shares the places in the columns out, lane by lane. */

@@ -73,7 +73,8 @@ final class Columns {
     /**
      * The columns that box i touches, each once.
      *
-     * @param to receives their numbers from {@code first} on, at most {@link #MOST}
+     * @param to receives their numbers from {@code first} on, and may be written to for {@link
+     *     #MOST} places from there
      * @return how many they are, or 0 if they are too many
      */
     int of(int i, int[] to, int first) {
@@ -85,6 +86,9 @@ final class Columns {
         if (rows > MOST || columns > MOST || rows * columns > MOST || !(box[at + 5] < FAR)) {
             return 0;
         }
+        if (rows <= 2 && columns <= 2) {
+            return writeFour(y0, z0, (int) rows, (int) columns, to, first);
+        }
         int count = first;
         for (int y = 0; y < rows; y++) {
             for (int z = 0; z < columns; z++) {
@@ -92,6 +96,15 @@ final class Columns {
             }
         }
         return count - first;
+    }
+
+    /** One, two or four columns without a branch: what is written too much does not count. */
+    private int writeFour(int y, int z, int rows, int columns, int[] to, int first) {
+        to[first] = number(y, z);
+        to[first + 1] = number(y, z + 1);
+        to[first + columns] = number(y + 1, z);
+        to[first + columns + 1] = number(y + 1, z + 1);
+        return rows * columns;
     }
 
     /** Of the columns that two boxes share, the one of their intersection's lower corner counts. */

@@ -11,7 +11,7 @@ import java.util.List;
 /**
  * The central forces of all bodies of a world, at most one a body; one of 0 N for a body without.
  */
-final class CentralForceBlock implements BlockEffect {
+final class CentralForceBlock implements PlainForce {
     /** Makes any difference of squares that is a number at all one that is beyond 1. */
     private static final double STEEP = 1e300;
 
@@ -39,28 +39,10 @@ final class CentralForceBlock implements BlockEffect {
         return layers.size() == 1 ? layers.getFirst() : inTurn(layers.toArray(new BlockEffect[0]));
     }
 
-    private static BlockEffect inTurn(BlockEffect[] layers) {
-        return new BlockEffect() {
-            @Override
-            public void add(Block block) {
-                for (BlockEffect layer : layers) {
-                    layer.add(block);
-                }
-            }
-
-            @Override
-            public boolean mayTurn() {
-                return false;
-            }
-
-            @Override
-            public boolean readsOrientation() {
-                return false;
-            }
-
-            @Override
-            public boolean mayBeStiff() {
-                return false;
+    private static PlainForce inTurn(BlockEffect[] layers) {
+        return block -> {
+            for (BlockEffect layer : layers) {
+                layer.add(block);
             }
         };
     }
@@ -94,21 +76,6 @@ final class CentralForceBlock implements BlockEffect {
         lead(b, s[0], s[1], s[2]);
         scale(b.count, s[3], s[4], s[0], s[1], s[2]);
         push(b, s[3], s[0], s[1], s[2]);
-    }
-
-    @Override
-    public boolean mayTurn() {
-        return false;
-    }
-
-    @Override
-    public boolean readsOrientation() {
-        return false;
-    }
-
-    @Override
-    public boolean mayBeStiff() {
-        return false;
     }
 
     /** Turns targets into ways to them. */

@@ -1,12 +1,11 @@
 package org.auvsim.core.effect;
 
 import org.auvsim.core.entity.Block;
-import org.auvsim.core.entity.BlockEffect;
 import org.auvsim.core.entity.SpatialInertia;
 import org.auvsim.core.math.Vec3;
 
 /** The weights of all bodies of a world; a body without has an acceleration of zero. */
-final class GravityBlock implements BlockEffect {
+final class GravityBlock implements PlainForce {
     private final double[] downward;
 
     /** With these accelerations (m/s^2), by slot. */
@@ -35,21 +34,5 @@ final class GravityBlock implements BlockEffect {
     private static void turn(Block b, int i, Vec3 point, double weight) {
         b.tx[i] -= point.y() * weight;
         b.ty[i] += point.x() * weight;
-    }
-
-    /** It turns only bodies whose origin is not their centre of mass, which are not spared. */
-    @Override
-    public boolean mayTurn() {
-        return false;
-    }
-
-    @Override
-    public boolean readsOrientation() {
-        return false;
-    }
-
-    @Override
-    public boolean mayBeStiff() {
-        return false;
     }
 }

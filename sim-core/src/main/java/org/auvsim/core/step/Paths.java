@@ -154,13 +154,7 @@ final class Paths {
 
     /** Where a body is in its present state. */
     void pose(int slot, Pose to) {
-        to.x = bodies.column(BodyState.X)[slot];
-        to.y = bodies.column(BodyState.Y)[slot];
-        to.z = bodies.column(BodyState.Z)[slot];
-        to.qw = bodies.column(BodyState.QW)[slot];
-        to.qx = bodies.column(BodyState.QX)[slot];
-        to.qy = bodies.column(BodyState.QY)[slot];
-        to.qz = bodies.column(BodyState.QZ)[slot];
+        bodies.pose(slot, to);
     }
 
     /** A coordinate of the curve at a share of its segment (de Casteljau). */

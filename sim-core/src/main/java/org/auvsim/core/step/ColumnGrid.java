@@ -76,8 +76,8 @@ final class ColumnGrid {
         }
 
         /**
-         * Adds an entry of columns that stand behind the others already; where they are few, without
-         * a branch: what is written too much does not count.
+         * Adds an entry of columns that stand behind the others already; where they are few,
+         * without a branch: what is written too much does not count.
          */
         void add(long entry, int columns) {
             entries[count] = entry;

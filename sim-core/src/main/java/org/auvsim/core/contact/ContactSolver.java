@@ -94,6 +94,12 @@ public final class ContactSolver {
         return solution;
     }
 
+    /** Sums the impulses that the contacts have as their guess, without solving anything. */
+    public void sum(ContactBodies bodies, Contacts contacts) {
+        rows.prepare(bodies, contacts);
+        rows.report(bodies, contacts);
+    }
+
     private void iterate(double[] v, int speeds) {
         double tolerance = absolute + relative * rows.fastest(start);
         rows.apply(rows.j, start, v, speeds);

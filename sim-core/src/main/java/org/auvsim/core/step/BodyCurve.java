@@ -146,6 +146,28 @@ final class BodyCurve {
         pose.qz = z * scale;
     }
 
+    /** Writes the angular velocity (rad/s, world) at {@code time}, which lies in the segment. */
+    void spinAt(double time, double[] spin, int at) {
+        if (!turns || !(to > from)) {
+            Arrays.fill(spin, at, at + 3, 0);
+            return;
+        }
+        double s = share(time);
+        double w = Bezier.cubic(turn, 0, 4, s);
+        double x = Bezier.cubic(turn, 1, 4, s);
+        double y = Bezier.cubic(turn, 2, 4, s);
+        double z = Bezier.cubic(turn, 3, 4, s);
+        differences(turn, 4, 12, 3 / (to - from));
+        double dw = Bezier.quadratic(slopes, 0, 4, s, s);
+        double dx = Bezier.quadratic(slopes, 1, 4, s, s);
+        double dy = Bezier.quadratic(slopes, 2, 4, s, s);
+        double dz = Bezier.quadratic(slopes, 3, 4, s, s);
+        double scale = 2 / (w * w + x * x + y * y + z * z);
+        spin[at] = scale * (dx * w - dw * x - dy * z + dz * y);
+        spin[at + 1] = scale * (dy * w - dw * y - dz * x + dx * z);
+        spin[at + 2] = scale * (dz * w - dw * z - dx * y + dy * x);
+    }
+
     private double share(double time) {
         return to > from ? Math.min(1, Math.max(0, (time - from) / (to - from))) : 0;
     }

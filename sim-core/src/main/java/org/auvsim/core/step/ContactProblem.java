@@ -4,6 +4,7 @@ import org.auvsim.core.contact.ContactBodies;
 import org.auvsim.core.contact.Contacts;
 import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.volume.Manifold;
+import org.auvsim.core.volume.Pose;
 
 import java.util.Arrays;
 
@@ -24,6 +25,7 @@ final class ContactProblem {
     private double[] gap = new double[16];
     private final double[] speeds = new double[6];
     private final int[] one = new int[1];
+    private final Pose pose = new Pose();
     private final Corners corners = new Corners();
 
     ContactProblem(BodyState state, BodyTraits traits, Trajectories trajectories) {
@@ -51,34 +53,60 @@ final class ContactProblem {
     }
 
     private void add(int slot) {
-        int k =
-                bodies.add(
-                        state.column(BodyState.X)[slot],
-                        state.column(BodyState.Y)[slot],
-                        state.column(BodyState.Z)[slot]);
+        pose.x = state.column(BodyState.X)[slot];
+        pose.y = state.column(BodyState.Y)[slot];
+        pose.z = state.column(BodyState.Z)[slot];
+        pose.qw = state.column(BodyState.QW)[slot];
+        pose.qx = state.column(BodyState.QX)[slot];
+        pose.qy = state.column(BodyState.QY)[slot];
+        pose.qz = state.column(BodyState.QZ)[slot];
+        place(slot, pose);
+        if (!traits.isFixed[slot]) {
+            one[0] = slot;
+            trajectories.velocitiesNow(one, 1, speeds);
+            setVelocity(local[slot], speeds, 0);
+        }
+    }
+
+    /** Adds a body in a pose; it stands still until it is given a velocity. */
+    void place(int slot, Pose at) {
+        int k = bodies.add(at.x, at.y, at.z);
         local[slot] = k;
         if (slots.length == k) {
             slots = Arrays.copyOf(slots, 2 * k);
         }
         slots[k] = slot;
-        if (traits.isFixed[slot]) {
-            return;
+        if (!traits.isFixed[slot]) {
+            state.inverseInertia6(
+                    slot, at.qw, at.qx, at.qy, at.qz, bodies.k, ContactBodies.RESPONSES * k);
         }
-        state.inverseInertia6(
-                slot,
-                state.column(BodyState.QW)[slot],
-                state.column(BodyState.QX)[slot],
-                state.column(BodyState.QY)[slot],
-                state.column(BodyState.QZ)[slot],
-                bodies.k,
-                ContactBodies.RESPONSES * k);
-        one[0] = slot;
-        trajectories.velocitiesNow(one, 1, speeds);
-        setVelocity(k, speeds, 0);
     }
 
     void setVelocity(int body, double[] from, int at) {
         System.arraycopy(from, at, bodies.v, ContactBodies.SPEEDS * body, ContactBodies.SPEEDS);
+    }
+
+    /** Gives the first so many bodies these velocities, six numbers a body. */
+    void setVelocities(int count, double[] from) {
+        System.arraycopy(from, 0, bodies.v, 0, ContactBodies.SPEEDS * count);
+    }
+
+    /**
+     * Gives a body the velocity that it would have without an impulse.
+     *
+     * @param with the velocities with it, six numbers a body
+     * @param impulses on the bodies, six numbers a body
+     */
+    void setFree(int body, double[] with, double[] impulses) {
+        int at = ContactBodies.SPEEDS * body;
+        int row = ContactBodies.RESPONSES * body;
+        for (int r = 0; r < ContactBodies.SPEEDS; r++, row += ContactBodies.SPEEDS) {
+            double change = 0;
+            for (int c = 0; c < ContactBodies.SPEEDS; c++) {
+                change += bodies.k[row + c] * impulses[at + c];
+            }
+            bodies.v[at + r] = with[at + r] - change;
+        }
     }
 
     /** Adds the points where two bodies touch; a and b are slots. */

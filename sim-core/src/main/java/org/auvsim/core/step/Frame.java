@@ -39,6 +39,7 @@ final class Frame {
 
     private final Impacts impacts;
     private final RestingContacts resting;
+    private final Settlement settlement;
     private final int[] batch;
     private int batches;
     private final int[] pass;
@@ -76,7 +77,8 @@ final class Frame {
         Touch touch = new Touch(motion.bodies(), traits, motion.queries());
         ContactProblem problem = new ContactProblem(motion.bodies(), traits, trajectories);
         impacts = new Impacts(motion, traits, touch, problem);
-        resting = new RestingContacts(motion, traits, trajectories, touch, problem);
+        resting = new RestingContacts(traits, trajectories, touch, problem);
+        settlement = new Settlement(motion, traits, trajectories, touch, problem, resting);
         batch = new int[version.length];
         pass = new int[version.length];
     }
@@ -177,7 +179,7 @@ final class Frame {
         HeldPairs pairs = resting.pairs();
         pairs.finishIsland();
         tally.heldPairs += pairs.pairCount();
-        resting.settle(t, length, begin + t);
+        settlement.settle(t, length, begin + t);
         requireMotions();
         for (int k = 0; k < pairs.memberCount(); k++) {
             addMover(pairs.members()[k]);

@@ -113,7 +113,9 @@ final class HeldPairs {
      */
     boolean isLeftAlone(int first, int second) {
         int pair = find(first, second);
-        return pair != NONE && isHeld[pair] && meetings[pair] > MOST_MEETINGS;
+        return pair != NONE
+                && isHeld[pair]
+                && (traits.arePlainBalls(first, second) || meetings[pair] > MOST_MEETINGS);
     }
 
     boolean isHeld(int first, int second) {

@@ -152,6 +152,31 @@ final class Paths {
         return same;
     }
 
+    /** Where a body is halfway through its segment. */
+    void middle(int slot, BodyCurve curveOf, Pose to) {
+        if (traits.isFixed[slot]) {
+            pose(slot, to);
+            return;
+        }
+        load(slot, curveOf);
+        curveOf.poseAt(0.5 * (curveOf.from() + curveOf.to()), to);
+    }
+
+    /** Where a body is at the end of its segment. */
+    void endPose(int slot, Pose to) {
+        if (traits.isFixed[slot]) {
+            pose(slot, to);
+            return;
+        }
+        to.x = end[BodyState.X][slot];
+        to.y = end[BodyState.Y][slot];
+        to.z = end[BodyState.Z][slot];
+        to.qw = end[BodyState.QW][slot];
+        to.qx = end[BodyState.QX][slot];
+        to.qy = end[BodyState.QY][slot];
+        to.qz = end[BodyState.QZ][slot];
+    }
+
     /** Where a body is in its present state. */
     void pose(int slot, Pose to) {
         bodies.pose(slot, to);

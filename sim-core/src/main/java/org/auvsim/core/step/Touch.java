@@ -30,13 +30,36 @@ final class Touch {
         queries.manifold(traits.volume[a], poseA, traits.volume[b], poseB, margin, to);
     }
 
+    /** The same where the bodies are in these poses. */
+    void find(int a, Pose ofA, int b, Pose ofB, double margin, Manifold to) {
+        if (traits.isSphere[a] && traits.isSphere[b]) {
+            findSpheres(a, ofA.x, ofA.y, ofA.z, b, ofB.x, ofB.y, ofB.z, margin, to);
+            return;
+        }
+        queries.manifold(traits.volume[a], ofA, traits.volume[b], ofB, margin, to);
+    }
+
     private void findSpheres(int a, int b, double margin, Manifold to) {
         double[] x = bodies.column(BodyState.X);
         double[] y = bodies.column(BodyState.Y);
         double[] z = bodies.column(BodyState.Z);
-        double nx = x[a] - x[b];
-        double ny = y[a] - y[b];
-        double nz = z[a] - z[b];
+        findSpheres(a, x[a], y[a], z[a], b, x[b], y[b], z[b], margin, to);
+    }
+
+    private void findSpheres(
+            int a,
+            double ax,
+            double ay,
+            double az,
+            int b,
+            double bx,
+            double by,
+            double bz,
+            double margin,
+            Manifold to) {
+        double nx = ax - bx;
+        double ny = ay - by;
+        double nz = az - bz;
         double distance = Math.sqrt(nx * nx + ny * ny + nz * nz);
         double gap = distance - traits.radius[a] - traits.radius[b];
         to.clear();
@@ -52,7 +75,7 @@ final class Touch {
             nz = 1;
         }
         double out = traits.radius[b] + gap / 2;
-        to.add(x[b] + nx * out, y[b] + ny * out, z[b] + nz * out, nx, ny, nz, gap);
+        to.add(bx + nx * out, by + ny * out, bz + nz * out, nx, ny, nz, gap);
     }
 
     private void pose(int body, Pose to) {

@@ -1,0 +1,563 @@
+package org.auvsim.core.step;
+
+import org.auvsim.core.contact.ContactSolver;
+import org.auvsim.core.entity.BodyState;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.Manifold;
+import org.auvsim.core.volume.Pose;
+
+import java.util.Arrays;
+
+/**
+ * Brings an island of bodies in contact over one segment of time. First impulses end what
+ * approaches too fast to stay apart. Then the constant forces are sought under which all contacts
+ * stay open at the segment's end: the bodies are traced with the forces of last time, the contacts
+ * are looked up where this trial has the bodies halfway, and the forces are solved for that change
+ * the trial's end to what is wanted; until a trial ends as solved for. Contacts taken halfway make
+ * the forces' work right to the third order of the time (the midpoint rule), so that what turns
+ * gains no energy; where that is not enough the segment is halved.
+ *
+ * <p>A body at rest feels no net force and stays to the bit.
+ */
+final class Settlement {
+    /** The share of a wrong gap that is mended in one segment. */
+    private static final double MENDING = 0.2;
+
+    /** Overlap is mended no faster than this many bounding radii a second. */
+    private static final double FASTEST_MENDING = 0.5;
+
+    /** The share of the margin that has to be left at a segment's end. */
+    private static final double LEAST_GAP = 0.5;
+
+    /**
+     * Contacts that approach slower than this (m/s), such as the last frame's rest of error, need
+     * no impulse at once: the forces mend it.
+     */
+    private static final double SLOW = 2e-6;
+
+    /** Contacts that part slower than this (m/s) do so as gaps are mended. */
+    private static final double SLOW_PARTING = 1e-4;
+
+    /** A trial that ends this near (m/s, rad/s) to what was solved for will do. */
+    private static final double TOLERANCE = 1e-6;
+
+    private static final int MOST_SWEEPS = 400;
+    private static final int MOST_ROUNDS = 16;
+
+    /** Contacts may do this share of the bodies' energy as work in a segment: rounding and more. */
+    private static final double WORK_TOLERANCE = 1e-7;
+
+    /** No frame is cut into more segments than this to keep contacts from doing work. */
+    private static final int MOST_PARTS = 64;
+
+    private final BodyState bodies;
+    private final BodyTraits traits;
+    private final Trajectories trajectories;
+    private final Touch touch;
+    private final ContactProblem problem;
+    private final ContactMemory memory;
+    private final RestingContacts resting;
+    private final HeldPairs held;
+    private final Manifold manifold = new Manifold();
+    private final BodyCurve curve = new BodyCurve();
+    private final Pose pose = new Pose();
+    private final Pose other = new Pose();
+    private final ContactSolver impacts = ContactSolver.forResting(1e-7, MOST_SWEEPS);
+    private final ContactSolver forces = ContactSolver.forResting(TOLERANCE, MOST_SWEEPS);
+
+    /** Velocities where the segment starts and where the trial ends: six numbers a body. */
+    private double[] startVelocity = new double[6];
+
+    private double[] endVelocity = new double[6];
+
+    /** How far each body moves from start to middle, and from there to the trial's end. */
+    private double[] toMiddle = new double[6];
+
+    private double[] toEnd = new double[6];
+
+    /** Momenta that the trial's contact forces give each body. */
+    private double[] applied = new double[6];
+
+    private final double[] force = new double[6];
+    private final double[] spin = new double[3];
+    private int[] firstPoint = new int[64];
+    private double[] predicted = new double[64];
+    private double[] cap = new double[64];
+
+    Settlement(
+            Motion motion,
+            BodyTraits traits,
+            Trajectories trajectories,
+            Touch touch,
+            ContactProblem problem,
+            RestingContacts resting) {
+        this.bodies = motion.bodies();
+        this.traits = traits;
+        this.trajectories = trajectories;
+        this.touch = touch;
+        this.problem = problem;
+        this.memory = motion.memory();
+        this.resting = resting;
+        this.held = resting.pairs();
+    }
+
+    /**
+     * Gives the island's bodies, which have been found in {@link RestingContacts#pairs}, new
+     * segments from an offset on, on which they stay in contact.
+     *
+     * @param length of the frame (s)
+     * @param time of the world (s) at the offset
+     */
+    void settle(double offset, double length, double time) {
+        int[] members = held.members();
+        int count = held.memberCount();
+        reserve(count);
+        trajectories.moveTo(members, count, offset);
+        problem.clear();
+        for (int k = 0; k < count; k++) {
+            paths().pose(members[k], pose);
+            problem.place(members[k], pose);
+        }
+        trajectories.velocitiesNow(members, count, startVelocity);
+        problem.setVelocities(count, startVelocity);
+        gatherContacts();
+        if (aimAtImpact(length - offset)) {
+            impacts.solve(problem.bodies, problem.contacts);
+            problem.applyImpulses();
+            System.arraycopy(problem.bodies.v, 0, startVelocity, 0, 6 * count);
+        }
+        boolean holds = problem.contacts.count > 0;
+        setRemembered(length - offset, time);
+        double end = trace(offset, length);
+        while (holds) {
+            double reached = hold(offset, end, length, time);
+            if (reached == end) {
+                return;
+            }
+            end = trace(offset, reached);
+        }
+    }
+
+    private void reserve(int count) {
+        if (startVelocity.length < 6 * count) {
+            startVelocity = new double[12 * count];
+            endVelocity = new double[12 * count];
+            toMiddle = new double[12 * count];
+            toEnd = new double[12 * count];
+            applied = new double[12 * count];
+        }
+    }
+
+    private Paths paths() {
+        return trajectories.paths();
+    }
+
+    private double trace(double from, double to) {
+        return trajectories.restartTogether(
+                held.members(), held.memberCount(), from, to, endVelocity);
+    }
+
+    /** The points of all held pairs; those that would bounce, or no longer touch, are let go. */
+    private void gatherContacts() {
+        int[] pairs = held.pairs();
+        if (firstPoint.length <= held.pairCount()) {
+            firstPoint = new int[2 * held.pairCount() + 1];
+        }
+        for (int k = 0; k < held.pairCount(); k++) {
+            int a = held.first(pairs[k]);
+            int b = held.second(pairs[k]);
+            int before = problem.contacts.count;
+            firstPoint[k] = before;
+            touch.find(a, b, held.reach(pairs[k]), manifold);
+            problem.add(a, b, manifold);
+            double parting = resting.restitution(a, b) * approach(before, traits.nearness(a, b));
+            if (manifold.count == 0 || parting >= held.limit(pairs[k])) {
+                held.release(pairs[k]);
+                problem.contacts.count = before;
+            }
+        }
+        firstPoint[held.pairCount()] = problem.contacts.count;
+    }
+
+    /**
+     * How fast (m/s) a pair approaches where it touches. While one corner stands, another that
+     * comes down rests as well: let go, the corner that stands would meet again at once, without
+     * end.
+     */
+    private double approach(int from, double nearness) {
+        double fastest = Double.NEGATIVE_INFINITY;
+        for (int c = from; c < problem.contacts.count; c++) {
+            if (problem.gap(c) <= nearness) {
+                double closing = -problem.contacts.separationSpeed(c, problem.bodies);
+                fastest = Math.max(fastest, closing);
+            }
+        }
+        return fastest > Double.NEGATIVE_INFINITY ? fastest : problem.fastestApproach(from);
+    }
+
+    /**
+     * Asks of each contact that the bodies do not meet within {@code h} (s) at their present
+     * speeds; false if they do not.
+     */
+    private boolean aimAtImpact(double h) {
+        boolean any = false;
+        for (int k = 0; k < held.pairCount(); k++) {
+            double margin = margin(k);
+            for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
+                double target = Math.min(0, (margin - problem.gap(c)) / h);
+                problem.contacts.target[c] = target;
+                any |= problem.contacts.separationSpeed(c, problem.bodies) < target - SLOW;
+            }
+        }
+        return any;
+    }
+
+    private double leastMargin() {
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < held.pairCount(); k++) {
+            least = Math.min(least, margin(k));
+        }
+        return least;
+    }
+
+    private double margin(int k) {
+        int pair = held.pairs()[k];
+        return traits.nearness(held.first(pair), held.second(pair)) / 2;
+    }
+
+    /** Starts with the forces that the contacts had last time. */
+    private void setRemembered(double h, double time) {
+        Arrays.fill(problem.bodies.impulse, 0, 6 * problem.bodies.count, 0);
+        if (problem.contacts.count > 0) {
+            guess(h, time);
+            forces.sum(problem.bodies, problem.contacts);
+        }
+        setForces(h);
+    }
+
+    /**
+     * Finds the contact forces under which the island stays apart up to {@code end}.
+     *
+     * @return that offset, or the earlier one at which the segment has to end
+     */
+    private double hold(double offset, double end, double length, double time) {
+        double h = end - offset;
+        int count = held.memberCount();
+        double change = Double.POSITIVE_INFINITY;
+        double near = LEAST_GAP * leastMargin() / h;
+        for (int round = 0; change > near && round < MOST_ROUNDS; round++) {
+            findContacts(h, time);
+            change = solve(h, time);
+            setForces(h);
+            double reached = trace(offset, end);
+            if (reached < end) {
+                return reached;
+            }
+        }
+        boolean isLong = h * MOST_PARTS > length;
+        return isLong && paths().turn() && doesWork(h, count) ? offset + h / 2 : end;
+    }
+
+    /** The contacts where the trial has the bodies halfway, and what to reach there. */
+    private void findContacts(double h, double time) {
+        int count = held.memberCount();
+        problem.clear();
+        for (int k = 0; k < count; k++) {
+            place(k);
+        }
+        for (int k = 0; k < held.pairCount(); k++) {
+            int a = held.first(held.pairs()[k]);
+            int b = held.second(held.pairs()[k]);
+            paths().middle(a, curve, pose);
+            paths().middle(b, curve, other);
+            firstPoint[k] = problem.contacts.count;
+            double reach = held.reach(held.pairs()[k]) + paths().relativeWay(a, b);
+            touch.find(a, pose, b, other, reach, manifold);
+            problem.add(a, b, manifold);
+        }
+        firstPoint[held.pairCount()] = problem.contacts.count;
+        if (predicted.length < problem.contacts.count) {
+            predicted = new double[2 * problem.contacts.count];
+            cap = new double[2 * problem.contacts.count];
+        }
+        aim(h);
+        guess(h, time);
+        for (int k = 0; k < count; k++) {
+            problem.setFree(k, endVelocity, applied);
+        }
+    }
+
+    /** Places a member where it is halfway, and notes how it gets there and on. */
+    private void place(int k) {
+        int slot = held.members()[k];
+        paths().middle(slot, curve, pose);
+        problem.place(slot, pose);
+        paths().pose(slot, other);
+        note(other, pose, toMiddle, 6 * k);
+        paths().endPose(slot, other);
+        note(pose, other, toEnd, 6 * k);
+    }
+
+    /** How one pose differs from another: way (m), then angle (rad) by its sine. */
+    private static void note(Pose from, Pose to, double[] way, int at) {
+        way[at] = to.x - from.x;
+        way[at + 1] = to.y - from.y;
+        way[at + 2] = to.z - from.z;
+        double w = to.qw * from.qw + to.qx * from.qx + to.qy * from.qy + to.qz * from.qz;
+        double twice = w < 0 ? -2 : 2;
+        way[at + 3] =
+                twice
+                        * (to.qx * from.qw
+                                - to.qw * from.qx
+                                - to.qy * from.qz
+                                + to.qz * from.qy);
+        way[at + 4] =
+                twice
+                        * (to.qy * from.qw
+                                - to.qw * from.qy
+                                - to.qz * from.qx
+                                + to.qx * from.qz);
+        way[at + 5] =
+                twice
+                        * (to.qz * from.qw
+                                - to.qw * from.qz
+                                - to.qx * from.qy
+                                + to.qy * from.qx);
+    }
+
+    /** Sets the speeds that the contacts are to have at the end. */
+    private void aim(double h) {
+        int count = held.memberCount();
+        problem.setVelocities(count, toMiddle);
+        for (int c = 0; c < problem.contacts.count; c++) {
+            double before = problem.gap(c) - speed(c);
+            problem.contacts.target[c] = before;
+        }
+        problem.setVelocities(count, toEnd);
+        for (int c = 0; c < problem.contacts.count; c++) {
+            predicted[c] = problem.gap(c) + speed(c);
+        }
+        problem.setVelocities(count, startVelocity);
+        for (int k = 0; k < held.pairCount(); k++) {
+            double margin = margin(k);
+            double fastest = FASTEST_MENDING * smallerRadius(k);
+            for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
+                double missing = margin - problem.contacts.target[c];
+                double wanted =
+                        missing < 0 ? missing / h : Math.min(MENDING * missing / h, fastest);
+                double parting = speed(c);
+                double overlap = Math.max(0, missing - (1 - LEAST_GAP) * margin);
+                cap[c] =
+                        areSpheres(k)
+                                ? Double.POSITIVE_INFINITY
+                                : Math.max(0, -parting) + Math.min(2 * overlap / h, fastest);
+                if (parting > SLOW_PARTING) {
+                    // What parts at first comes back as fast at most: so the force does no work.
+                    wanted = Math.min(wanted, -parting);
+                }
+                problem.contacts.target[c] = wanted;
+            }
+        }
+        problem.setVelocities(count, endVelocity);
+        for (int k = 0; k < held.pairCount(); k++) {
+            double bend = h / 2 * bend(k);
+            double shift = bend * h > margin(k) / 100 ? shift(k) : 0;
+            double fastest = FASTEST_MENDING * smallerRadius(k);
+            for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
+                double lacking = LEAST_GAP * margin(k) - predicted[c] - shift;
+                double least = Math.min(speed(c) + 2 * lacking / h, cap[c] + 2 * bend);
+                problem.contacts.target[c] =
+                        Math.max(problem.contacts.target[c] - bend, least);
+            }
+        }
+    }
+
+    private boolean areSpheres(int k) {
+        int pair = held.pairs()[k];
+        return traits.isSphere[held.first(pair)] && traits.isSphere[held.second(pair)];
+    }
+
+    private double speed(int c) {
+        return problem.contacts.separationSpeed(c, problem.bodies);
+    }
+
+    private double smallerRadius(int k) {
+        int pair = held.pairs()[k];
+        return Math.min(traits.radius[held.first(pair)], traits.radius[held.second(pair)]);
+    }
+
+    /** How fast a pair's speeds of approach change as it turns and slides (m/s^2), roughly. */
+    private double bend(int k) {
+        int a = held.first(held.pairs()[k]);
+        int b = held.second(held.pairs()[k]);
+        double[] v = problem.bodies.v;
+        int p = 6 * problem.body(a);
+        int q = 6 * problem.body(b);
+        double slide = 0;
+        double turnA = 0;
+        double turnB = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            slide += (v[p + axis] - v[q + axis]) * (v[p + axis] - v[q + axis]);
+            turnA += v[p + 3 + axis] * v[p + 3 + axis];
+            turnB += v[q + 3 + axis] * v[q + 3 + axis];
+        }
+        double bend = slide / (traits.radius[a] + traits.radius[b]);
+        if (!traits.arePlainBalls(a, b)) {
+            bend += turnA > 0 ? turnA * traits.radius[a] : 0;
+            bend += turnB > 0 ? turnB * traits.radius[b] : 0;
+        }
+        return bend;
+    }
+
+    /** By how much a pair is farther apart at the trial's end than its contacts foretell (m). */
+    private double shift(int k) {
+        int a = held.first(held.pairs()[k]);
+        int b = held.second(held.pairs()[k]);
+        double foretold = Double.POSITIVE_INFINITY;
+        for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
+            foretold = Math.min(foretold, predicted[c]);
+        }
+        paths().endPose(a, pose);
+        paths().endPose(b, other);
+        touch.find(a, pose, b, other, held.reach(held.pairs()[k]), manifold);
+        double gap = Double.POSITIVE_INFINITY;
+        for (int c = 0; c < manifold.count; c++) {
+            gap = Math.min(gap, manifold.gap[c]);
+        }
+        return manifold.count > 0 && foretold < Double.POSITIVE_INFINITY ? gap - foretold : 0;
+    }
+
+    /** The solver's first guess: the forces that the contacts had last. */
+    private void guess(double h, double time) {
+        for (int k = 0; k < held.pairCount(); k++) {
+            int a = held.first(held.pairs()[k]);
+            int b = held.second(held.pairs()[k]);
+            int entry = memory.entry(Math.min(a, b), Math.max(a, b), time);
+            double within = 0.05 * smallerRadius(k);
+            double sign = a < b ? h : -h;
+            for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
+                Vec3 place = onBody(Math.min(a, b), c);
+                int found = memory.nearest(entry, place.x(), place.y(), place.z(), within);
+                if (found < 0) {
+                    problem.contacts.guess(c, 0, 0, 0, 0);
+                } else {
+                    problem.contacts.guess(
+                            c,
+                            h * memory.force(found),
+                            sign * memory.force(found + 1),
+                            sign * memory.force(found + 2),
+                            sign * memory.force(found + 3));
+                }
+            }
+        }
+    }
+
+    /**
+     * Solves for the contact forces over {@code h} (s).
+     *
+     * @return by how much (m/s, rad/s) the bodies are to end differently from the trial
+     */
+    private double solve(double h, double time) {
+        forces.solve(problem.bodies, problem.contacts);
+        for (int k = 0; k < held.pairCount(); k++) {
+            remember(k, h, time);
+        }
+        double most = 0;
+        for (int k = 0; k < 6 * held.memberCount(); k++) {
+            most = Math.max(most, Math.abs(problem.bodies.v[k] - endVelocity[k]));
+        }
+        return most;
+    }
+
+    private void remember(int k, double h, double time) {
+        int a = held.first(held.pairs()[k]);
+        int b = held.second(held.pairs()[k]);
+        int entry = memory.entry(Math.min(a, b), Math.max(a, b), time);
+        double sign = a < b ? 1 / h : -1 / h;
+        memory.clearPoints(entry);
+        for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
+            Vec3 place = onBody(Math.min(a, b), c);
+            memory.addPoint(
+                    entry,
+                    place.x(),
+                    place.y(),
+                    place.z(),
+                    problem.contacts.jn[c] / h,
+                    sign * problem.contacts.jx[c],
+                    sign * problem.contacts.jy[c],
+                    sign * problem.contacts.jz[c]);
+        }
+    }
+
+    /** A contact's place (m) in the axes of a body. */
+    private Vec3 onBody(int slot, int c) {
+        int body = problem.body(slot);
+        Quat turn =
+                new Quat(
+                        bodies.column(BodyState.QW)[slot],
+                        bodies.column(BodyState.QX)[slot],
+                        bodies.column(BodyState.QY)[slot],
+                        bodies.column(BodyState.QZ)[slot]);
+        return turn.rotateInverse(
+                new Vec3(
+                        problem.contacts.px[c] - problem.bodies.x[3 * body],
+                        problem.contacts.py[c] - problem.bodies.x[3 * body + 1],
+                        problem.contacts.pz[c] - problem.bodies.x[3 * body + 2]));
+    }
+
+    /** Spreads what the solver found over {@code h} (s). */
+    private void setForces(double h) {
+        System.arraycopy(problem.bodies.impulse, 0, applied, 0, 6 * held.memberCount());
+        for (int k = 0; k < held.memberCount(); k++) {
+            int slot = held.members()[k];
+            // A ball without friction is not turned, not even by rounding.
+            int kept = traits.isBall[slot] && traits.friction[slot] == 0 ? 3 : 6;
+            boolean any = false;
+            for (int c = 0; c < 6; c++) {
+                force[c] = c < kept ? applied[6 * k + c] / h : 0;
+                any |= force[c] != 0;
+            }
+            if (any) {
+                trajectories.forces().set(slot, force, 0);
+            } else {
+                trajectories.forces().clear(slot);
+            }
+        }
+    }
+
+    /** Whether the contact forces of the trial give the bodies energy. */
+    private boolean doesWork(double h, int count) {
+        double work = 0;
+        double scale = 0;
+        for (int k = 0; k < count; k++) {
+            int slot = held.members()[k];
+            paths().load(slot, curve);
+            curve.spinAt(0.5 * (curve.from() + curve.to()), spin, 0);
+            for (int axis = 0; axis < 3; axis++) {
+                int at = 6 * k + axis;
+                double turned =
+                        h / 6 * (startVelocity[at + 3] + 4 * spin[axis] + endVelocity[at + 3]);
+                work += applied[at] / h * (toMiddle[at] + toEnd[at]);
+                work += applied[at + 3] / h * turned;
+                scale +=
+                        bodies.column(BodyState.PX + axis)[slot] * startVelocity[at]
+                                + bodies.column(BodyState.LX + axis)[slot] * startVelocity[at + 3];
+                scale += applied[at] * applied[at] * bodies.inverseMass()[slot];
+            }
+        }
+        return work > WORK_TOLERANCE * scale / 2 + mending(h);
+    }
+
+    /** The work (J) that it takes to mend all gaps a little. */
+    private double mending(double h) {
+        double work = 0;
+        for (int k = 0; k < held.pairCount(); k++) {
+            double way = 1.25 * MENDING * margin(k);
+            for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
+                work += problem.contacts.jn[c] / h * way;
+            }
+        }
+        return work;
+    }
+}

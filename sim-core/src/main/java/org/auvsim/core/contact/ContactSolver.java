@@ -1,7 +1,5 @@
 package org.auvsim.core.contact;
 
-import static org.auvsim.core.contact.ContactBodies.SPEEDS;
-
 /**
  * Finds the impulses at the contacts of an island, all together: along each normal the bodies part
  * at the contact's target speed or faster, they are only ever pushed apart, and what pushes parts
@@ -30,12 +28,9 @@ public final class ContactSolver {
     private final int mostSweeps;
     private final boolean boundsEnergy;
 
-    private final Rows rows = new Rows();
-    private final Sweep sweep = new Sweep(rows);
-    private final ConjugateSteps steps = new ConjugateSteps(rows);
-    private final EnergyBound energyBound = new EnergyBound(rows);
+    private final Relaxation spatial = new Relaxation(new SpatialRows());
+    private final Relaxation central = new Relaxation(new CentralRows());
     private final Solution solution = new Solution();
-    private double[] start = new double[0];
 
     private ContactSolver(double absolute, double relative, int mostSweeps, boolean boundsEnergy) {
         this.absolute = absolute;
@@ -78,69 +73,25 @@ public final class ContactSolver {
      * @return how well it went; valid until the next call
      */
     public Solution solve(ContactBodies bodies, Contacts contacts) {
-        int speeds = SPEEDS * bodies.count;
-        if (start.length < speeds) {
-            start = new double[2 * speeds];
-        }
-        System.arraycopy(bodies.v, 0, start, 0, speeds);
+        Relaxation relaxation = relaxation(contacts);
+        relaxation.begin(bodies, contacts);
         solution.clear();
-        rows.prepare(bodies, contacts);
-        iterate(bodies.v, speeds);
-        solution.energyGain = rows.work(rows.j, start, bodies.v);
+        double tolerance = absolute + relative * relaxation.fastest();
+        relaxation.iterate(tolerance, mostSweeps, solution);
+        solution.energyGain = relaxation.energyGain();
         if (boundsEnergy && solution.energyGain > 0) {
-            keepEnergy(bodies.v, speeds);
+            relaxation.keepEnergy(tolerance, mostSweeps, solution);
         }
-        rows.report(bodies, contacts);
+        relaxation.end(bodies, contacts);
         return solution;
     }
 
     /** Sums the impulses that the contacts have as their guess, without solving anything. */
     public void sum(ContactBodies bodies, Contacts contacts) {
-        rows.prepare(bodies, contacts);
-        rows.report(bodies, contacts);
+        relaxation(contacts).sum(bodies, contacts);
     }
 
-    private void iterate(double[] v, int speeds) {
-        double tolerance = absolute + relative * rows.fastest(start);
-        rows.apply(rows.j, start, v, speeds);
-        // The normals alone first: a stack needs hardly more, and no contact slides for want of
-        // load.
-        sweep.setSmooth(mostSweeps >= 4 && rows.isCold());
-        steps.begin(speeds);
-        int done;
-        double error = sweepOnce(v, speeds);
-        for (done = 2; done + 2 <= mostSweeps; done += 2) {
-            if (sweep.isSmooth() && (error <= tolerance || done >= mostSweeps / 4)) {
-                sweep.setSmooth(false);
-                steps.begin(speeds);
-            } else if (error <= tolerance) {
-                break;
-            } else {
-                steps.extend(v, speeds, sweep.isSteady());
-            }
-            error = sweepOnce(v, speeds);
-        }
-        rows.keepInCone();
-        // Summed once from the impulses, so that they and the speeds agree to rounding.
-        rows.apply(rows.j, start, v, speeds);
-        solution.sweeps += done;
-        solution.error = Math.max(solution.error, error);
-        solution.converged &= error <= tolerance;
-    }
-
-    /** There and back; gives the largest correction on the way back. */
-    private double sweepOnce(double[] v, int speeds) {
-        steps.mark(v, speeds);
-        sweep.forward(v);
-        return sweep.backward(v);
-    }
-
-    private void keepEnergy(double[] v, int speeds) {
-        if (!energyBound.isSlight(start, v)) {
-            energyBound.keepBouncing();
-            iterate(v, speeds);
-            solution.bounceKept = energyBound.blend(start, v, speeds);
-        }
-        solution.energyGain = energyBound.scale(start, v, speeds);
+    private Relaxation relaxation(Contacts contacts) {
+        return contacts.areCentral() ? central : spatial;
     }
 }

@@ -55,9 +55,25 @@ public final class Contacts {
     /** Friction's impulse (N s, world) on a, across the normal: read and written as {@link #jn}. */
     public double[] jz = new double[4];
 
+    /**
+     * Whether the contact has no friction and a normal through both bodies' origins, which are
+     * their centres of mass: it turns neither.
+     */
+    public boolean[] isCentral = new boolean[4];
+
     /** Forgets all contacts. */
     public void clear() {
         count = 0;
+    }
+
+    /** Whether all contacts are central. */
+    boolean areCentral() {
+        for (int c = 0; c < count; c++) {
+            if (!isCentral[c]) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /**
@@ -89,6 +105,7 @@ public final class Contacts {
         nz[c] = normalZ;
         friction[c] = 0;
         target[c] = 0;
+        isCentral[c] = false;
         guess(c, 0, 0, 0, 0);
         return c;
     }
@@ -108,11 +125,14 @@ public final class Contacts {
 
     /** Speed (m/s) along the normal of a body's material at the contact point. */
     private double along(int c, int body, ContactBodies bodies) {
+        double[] v = bodies.v;
+        int at = SPEEDS * body;
+        if (isCentral[c]) {
+            return nx[c] * v[at] + ny[c] * v[at + 1] + nz[c] * v[at + 2];
+        }
         double rx = px[c] - bodies.x[3 * body];
         double ry = py[c] - bodies.x[3 * body + 1];
         double rz = pz[c] - bodies.x[3 * body + 2];
-        double[] v = bodies.v;
-        int at = SPEEDS * body;
         return nx[c] * (v[at] + v[at + 4] * rz - v[at + 5] * ry)
                 + ny[c] * (v[at + 1] + v[at + 5] * rx - v[at + 3] * rz)
                 + nz[c] * (v[at + 2] + v[at + 3] * ry - v[at + 4] * rx);
@@ -130,6 +150,7 @@ public final class Contacts {
         nz = Arrays.copyOf(nz, size);
         friction = Arrays.copyOf(friction, size);
         target = Arrays.copyOf(target, size);
+        isCentral = Arrays.copyOf(isCentral, size);
         jn = Arrays.copyOf(jn, size);
         jx = Arrays.copyOf(jx, size);
         jy = Arrays.copyOf(jy, size);

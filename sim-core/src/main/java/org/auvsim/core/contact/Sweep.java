@@ -4,7 +4,6 @@ import static org.auvsim.core.contact.Rows.ACROSS;
 import static org.auvsim.core.contact.Rows.FRICTION;
 import static org.auvsim.core.contact.Rows.INVERSE;
 import static org.auvsim.core.contact.Rows.STEP;
-import static org.auvsim.core.contact.Rows.STRIDE;
 import static org.auvsim.core.contact.Rows.TARGET;
 import static org.auvsim.core.contact.Rows.TERMS;
 import static org.auvsim.core.contact.Rows.YIELD;
@@ -73,7 +72,7 @@ final class Sweep {
         int r = rows.first[c];
         int a = rows.speedA[c];
         int b = rows.speedB[c];
-        double speed = Rows.speed(rows.row, r * STRIDE, v, a, b);
+        double speed = rows.speed(r, v, a, b);
         double old = j[r];
         double now = Math.max(0, old + (terms[term + TARGET] - speed) * terms[term + INVERSE]);
         j[r] = now;
@@ -82,7 +81,7 @@ final class Sweep {
         if (now == old) {
             return 0;
         }
-        Rows.push(rows.row, r * STRIDE, v, a, b, now - old);
+        rows.push(r, v, a, b, now - old);
         return Math.abs(now - old) * terms[term + YIELD];
     }
 
@@ -96,11 +95,10 @@ final class Sweep {
         double[] j = rows.j;
         int term = TERMS * c;
         int r = rows.first[c];
-        int at = (r + 1) * STRIDE;
         int a = rows.speedA[c];
         int b = rows.speedB[c];
-        double s1 = Rows.speed(rows.row, at, v, a, b);
-        double s2 = Rows.speed(rows.row, at + STRIDE, v, a, b);
+        double s1 = rows.speed(r + 1, v, a, b);
+        double s2 = rows.speed(r + 2, v, a, b);
         double limit = terms[term + FRICTION] * j[r];
         double old1 = j[r + 1];
         double old2 = j[r + 2];
@@ -120,7 +118,7 @@ final class Sweep {
         }
         j[r + 1] = j1;
         j[r + 2] = j2;
-        Rows.push(rows.row, at, v, a, b, j1 - old1, j2 - old2);
+        rows.push(r + 1, v, a, b, j1 - old1, j2 - old2);
         double step = terms[term + STEP];
         return step == 0 ? 0 : Math.max(Math.abs(j1 - old1), Math.abs(j2 - old2)) / step;
     }

@@ -81,6 +81,11 @@ final class BodyTraits {
         return 2 * RestingContacts.MARGIN * Math.min(radius[a], radius[b]);
     }
 
+    /** Whether a body is a ball without friction: no contact ever turns it. */
+    boolean isPlainBall(int slot) {
+        return isBall[slot] && friction[slot] == 0;
+    }
+
     /** Whether the two are balls without friction between them: a collision does not turn them. */
     boolean arePlainBalls(int a, int b) {
         return isBall[a] && isBall[b] && friction[a] * friction[b] == 0;

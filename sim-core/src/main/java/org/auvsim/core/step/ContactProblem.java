@@ -76,7 +76,16 @@ final class ContactProblem {
             slots = Arrays.copyOf(slots, 2 * k);
         }
         slots[k] = slot;
-        if (!traits.isFixed[slot]) {
+        if (traits.isFixed[slot]) {
+            return;
+        }
+        if (traits.isPlainBall(slot)) {
+            int row = ContactBodies.RESPONSES * k;
+            double inverseMass = state.inverseMass()[slot];
+            bodies.k[row] = inverseMass;
+            bodies.k[row + 7] = inverseMass;
+            bodies.k[row + 14] = inverseMass;
+        } else {
             state.inverseInertia6(
                     slot, at.qw, at.qx, at.qy, at.qz, bodies.k, ContactBodies.RESPONSES * k);
         }
@@ -115,15 +124,22 @@ final class ContactProblem {
         int second = body(b);
         double friction = Math.sqrt(traits.friction[a] * traits.friction[b]);
         int chosen = corners.choose(points);
+        boolean isCentral = traits.arePlainBalls(a, b);
         for (int k = 0; k < chosen; k++) {
-            add(first, second, points, corners.chosen()[k], friction);
+            add(first, second, points, corners.chosen()[k], friction, isCentral);
         }
         for (int k = 0; chosen < 0 && k < points.count; k++) {
-            add(first, second, points, k, friction);
+            add(first, second, points, k, friction, isCentral);
         }
     }
 
-    private void add(int first, int second, Manifold points, int k, double friction) {
+    private void add(
+            int first,
+            int second,
+            Manifold points,
+            int k,
+            double friction,
+            boolean isCentral) {
         int c =
                 contacts.add(
                         first,
@@ -135,6 +151,7 @@ final class ContactProblem {
                         points.ny[k],
                         points.nz[k]);
         contacts.friction[c] = friction;
+        contacts.isCentral[c] = isCentral;
         if (c >= gap.length) {
             gap = Arrays.copyOf(gap, 2 * gap.length);
         }

@@ -152,10 +152,21 @@ final class Paths {
         return same;
     }
 
-    /** Where a body is halfway through its segment. */
+    /** Where a body is halfway through its segment; how a plain ball is turned does not matter. */
     void middle(int slot, BodyCurve curveOf, Pose to) {
         if (traits.isFixed[slot]) {
             pose(slot, to);
+            return;
+        }
+        if (traits.isPlainBall(slot)) {
+            int p = CURVE * slot;
+            to.x = (curve[p] + 3 * (curve[p + 3] + curve[p + 6]) + curve[p + 9]) / 8;
+            to.y = (curve[p + 1] + 3 * (curve[p + 4] + curve[p + 7]) + curve[p + 10]) / 8;
+            to.z = (curve[p + 2] + 3 * (curve[p + 5] + curve[p + 8]) + curve[p + 11]) / 8;
+            to.qw = bodies.column(BodyState.QW)[slot];
+            to.qx = bodies.column(BodyState.QX)[slot];
+            to.qy = bodies.column(BodyState.QY)[slot];
+            to.qz = bodies.column(BodyState.QZ)[slot];
             return;
         }
         load(slot, curveOf);

@@ -2,8 +2,6 @@ package org.auvsim.core.step;
 
 import org.auvsim.core.contact.ContactSolver;
 import org.auvsim.core.entity.BodyState;
-import org.auvsim.core.math.Quat;
-import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Manifold;
 import org.auvsim.core.volume.Pose;
 
@@ -81,7 +79,9 @@ final class Settlement {
 
     private final double[] force = new double[6];
     private final double[] spin = new double[3];
+    private final double[] place = new double[3];
     private int[] firstPoint = new int[64];
+    private int[] entry = new int[64];
     private double[] predicted = new double[64];
     private double[] cap = new double[64];
 
@@ -128,10 +128,11 @@ final class Settlement {
             System.arraycopy(problem.bodies.v, 0, startVelocity, 0, 6 * count);
         }
         boolean holds = problem.contacts.count > 0;
-        setRemembered(length - offset, time);
+        findEntries(time);
+        setRemembered(length - offset);
         double end = trace(offset, length);
         while (holds) {
-            double reached = hold(offset, end, length, time);
+            double reached = hold(offset, end, length);
             if (reached == end) {
                 return;
             }
@@ -163,6 +164,7 @@ final class Settlement {
         int[] pairs = held.pairs();
         if (firstPoint.length <= held.pairCount()) {
             firstPoint = new int[2 * held.pairCount() + 1];
+            entry = new int[2 * held.pairCount() + 1];
         }
         for (int k = 0; k < held.pairCount(); k++) {
             int a = held.first(pairs[k]);
@@ -226,11 +228,22 @@ final class Settlement {
         return traits.nearness(held.first(pair), held.second(pair)) / 2;
     }
 
+    /** What the world remembers of each pair; an entry that is made may move others. */
+    private void findEntries(double time) {
+        for (int round = 0; round < 2; round++) {
+            for (int k = 0; k < held.pairCount(); k++) {
+                int a = held.first(held.pairs()[k]);
+                int b = held.second(held.pairs()[k]);
+                entry[k] = memory.entry(Math.min(a, b), Math.max(a, b), time);
+            }
+        }
+    }
+
     /** Starts with the forces that the contacts had last time. */
-    private void setRemembered(double h, double time) {
+    private void setRemembered(double h) {
         Arrays.fill(problem.bodies.impulse, 0, 6 * problem.bodies.count, 0);
         if (problem.contacts.count > 0) {
-            guess(h, time);
+            guess(h);
             forces.sum(problem.bodies, problem.contacts);
         }
         setForces(h);
@@ -241,14 +254,14 @@ final class Settlement {
      *
      * @return that offset, or the earlier one at which the segment has to end
      */
-    private double hold(double offset, double end, double length, double time) {
+    private double hold(double offset, double end, double length) {
         double h = end - offset;
         int count = held.memberCount();
         double change = Double.POSITIVE_INFINITY;
         double near = LEAST_GAP * leastMargin() / h;
         for (int round = 0; change > near && round < MOST_ROUNDS; round++) {
-            findContacts(h, time);
-            change = solve(h, time);
+            findContacts(h);
+            change = solve(h);
             setForces(h);
             double reached = trace(offset, end);
             if (reached < end) {
@@ -260,7 +273,7 @@ final class Settlement {
     }
 
     /** The contacts where the trial has the bodies halfway, and what to reach there. */
-    private void findContacts(double h, double time) {
+    private void findContacts(double h) {
         int count = held.memberCount();
         problem.clear();
         for (int k = 0; k < count; k++) {
@@ -282,7 +295,7 @@ final class Settlement {
             cap = new double[2 * problem.contacts.count];
         }
         aim(h);
-        guess(h, time);
+        guess(h);
         for (int k = 0; k < count; k++) {
             problem.setFree(k, endVelocity, applied);
         }
@@ -294,36 +307,37 @@ final class Settlement {
         paths().middle(slot, curve, pose);
         problem.place(slot, pose);
         paths().pose(slot, other);
-        note(other, pose, toMiddle, 6 * k);
+        noteWay(other, pose, toMiddle, 6 * k);
+        boolean turns = !traits.isPlainBall(slot);
+        if (turns) {
+            noteTurn(other, pose, toMiddle, 6 * k + 3);
+        }
         paths().endPose(slot, other);
-        note(pose, other, toEnd, 6 * k);
+        noteWay(pose, other, toEnd, 6 * k);
+        if (turns) {
+            noteTurn(pose, other, toEnd, 6 * k + 3);
+        }
     }
 
-    /** How one pose differs from another: way (m), then angle (rad) by its sine. */
-    private static void note(Pose from, Pose to, double[] way, int at) {
+    private static void noteWay(Pose from, Pose to, double[] way, int at) {
         way[at] = to.x - from.x;
         way[at + 1] = to.y - from.y;
         way[at + 2] = to.z - from.z;
+        way[at + 3] = 0;
+        way[at + 4] = 0;
+        way[at + 5] = 0;
+    }
+
+    /** The angles from one orientation to another (rad), taken for their sines. */
+    private static void noteTurn(Pose from, Pose to, double[] turn, int at) {
         double w = to.qw * from.qw + to.qx * from.qx + to.qy * from.qy + to.qz * from.qz;
         double twice = w < 0 ? -2 : 2;
-        way[at + 3] =
-                twice
-                        * (to.qx * from.qw
-                                - to.qw * from.qx
-                                - to.qy * from.qz
-                                + to.qz * from.qy);
-        way[at + 4] =
-                twice
-                        * (to.qy * from.qw
-                                - to.qw * from.qy
-                                - to.qz * from.qx
-                                + to.qx * from.qz);
-        way[at + 5] =
-                twice
-                        * (to.qz * from.qw
-                                - to.qw * from.qz
-                                - to.qx * from.qy
-                                + to.qy * from.qx);
+        double x = to.qx * from.qw - to.qw * from.qx - to.qy * from.qz + to.qz * from.qy;
+        double y = to.qy * from.qw - to.qw * from.qy - to.qz * from.qx + to.qx * from.qz;
+        double z = to.qz * from.qw - to.qw * from.qz - to.qx * from.qy + to.qy * from.qx;
+        turn[at] = twice * x;
+        turn[at + 1] = twice * y;
+        turn[at + 2] = twice * z;
     }
 
     /** Sets the speeds that the contacts are to have at the end. */
@@ -429,16 +443,15 @@ final class Settlement {
     }
 
     /** The solver's first guess: the forces that the contacts had last. */
-    private void guess(double h, double time) {
+    private void guess(double h) {
         for (int k = 0; k < held.pairCount(); k++) {
             int a = held.first(held.pairs()[k]);
             int b = held.second(held.pairs()[k]);
-            int entry = memory.entry(Math.min(a, b), Math.max(a, b), time);
             double within = 0.05 * smallerRadius(k);
             double sign = a < b ? h : -h;
             for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
-                Vec3 place = onBody(Math.min(a, b), c);
-                int found = memory.nearest(entry, place.x(), place.y(), place.z(), within);
+                findPlace(Math.min(a, b), c);
+                int found = memory.nearest(entry[k], place[0], place[1], place[2], within);
                 if (found < 0) {
                     problem.contacts.guess(c, 0, 0, 0, 0);
                 } else {
@@ -458,10 +471,10 @@ final class Settlement {
      *
      * @return by how much (m/s, rad/s) the bodies are to end differently from the trial
      */
-    private double solve(double h, double time) {
+    private double solve(double h) {
         forces.solve(problem.bodies, problem.contacts);
         for (int k = 0; k < held.pairCount(); k++) {
-            remember(k, h, time);
+            remember(k, h);
         }
         double most = 0;
         for (int k = 0; k < 6 * held.memberCount(); k++) {
@@ -470,19 +483,18 @@ final class Settlement {
         return most;
     }
 
-    private void remember(int k, double h, double time) {
+    private void remember(int k, double h) {
         int a = held.first(held.pairs()[k]);
         int b = held.second(held.pairs()[k]);
-        int entry = memory.entry(Math.min(a, b), Math.max(a, b), time);
         double sign = a < b ? 1 / h : -1 / h;
-        memory.clearPoints(entry);
+        memory.clearPoints(entry[k]);
         for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
-            Vec3 place = onBody(Math.min(a, b), c);
+            findPlace(Math.min(a, b), c);
             memory.addPoint(
-                    entry,
-                    place.x(),
-                    place.y(),
-                    place.z(),
+                    entry[k],
+                    place[0],
+                    place[1],
+                    place[2],
                     problem.contacts.jn[c] / h,
                     sign * problem.contacts.jx[c],
                     sign * problem.contacts.jy[c],
@@ -490,20 +502,26 @@ final class Settlement {
         }
     }
 
-    /** A contact's place (m) in the axes of a body. */
-    private Vec3 onBody(int slot, int c) {
+    /** Finds a contact's place (m) in the axes of a body; balls touch at one place alone. */
+    private void findPlace(int slot, int c) {
+        if (problem.contacts.isCentral[c]) {
+            Arrays.fill(place, 0);
+            return;
+        }
         int body = problem.body(slot);
-        Quat turn =
-                new Quat(
-                        bodies.column(BodyState.QW)[slot],
-                        bodies.column(BodyState.QX)[slot],
-                        bodies.column(BodyState.QY)[slot],
-                        bodies.column(BodyState.QZ)[slot]);
-        return turn.rotateInverse(
-                new Vec3(
-                        problem.contacts.px[c] - problem.bodies.x[3 * body],
-                        problem.contacts.py[c] - problem.bodies.x[3 * body + 1],
-                        problem.contacts.pz[c] - problem.bodies.x[3 * body + 2]));
+        double x = problem.contacts.px[c] - problem.bodies.x[3 * body];
+        double y = problem.contacts.py[c] - problem.bodies.x[3 * body + 1];
+        double z = problem.contacts.pz[c] - problem.bodies.x[3 * body + 2];
+        double w = bodies.column(BodyState.QW)[slot];
+        double qx = bodies.column(BodyState.QX)[slot];
+        double qy = bodies.column(BodyState.QY)[slot];
+        double qz = bodies.column(BodyState.QZ)[slot];
+        double tx = 2 * (qz * y - qy * z);
+        double ty = 2 * (qx * z - qz * x);
+        double tz = 2 * (qy * x - qx * y);
+        place[0] = x + w * tx + (qz * ty - qy * tz);
+        place[1] = y + w * ty + (qx * tz - qz * tx);
+        place[2] = z + w * tz + (qy * tx - qx * ty);
     }
 
     /** Spreads what the solver found over {@code h} (s). */

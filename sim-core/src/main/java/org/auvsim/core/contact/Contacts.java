@@ -67,7 +67,7 @@ public final class Contacts {
     }
 
     /** Whether all contacts are central. */
-    boolean areCentral() {
+    public boolean areCentral() {
         for (int c = 0; c < count; c++) {
             if (!isCentral[c]) {
                 return false;

@@ -121,6 +121,9 @@ public final class Block {
     /** Whether the forces and torques of contacts count; loading bodies turns it off. */
     public boolean hasContactForces;
 
+    /** Whether one of the torques of contacts is not zero. */
+    public boolean hasContactTorques;
+
     /** Free for an effect's own use while it adds; what it left there is lost afterwards. */
     public final double[][] scratch;
 
@@ -210,6 +213,7 @@ public final class Block {
     public void take(int firstSlot, int count) {
         this.count = count;
         hasContactForces = false;
+        hasContactTorques = false;
         hasSubSteps = false;
         hasInertia = false;
         hasPlaces = false;
@@ -223,6 +227,7 @@ public final class Block {
     public void take(int[] ofSlots, int count) {
         this.count = count;
         hasContactForces = false;
+        hasContactTorques = false;
         hasSubSteps = false;
         hasInertia = false;
         hasPlaces = false;
@@ -254,7 +259,7 @@ public final class Block {
 
     /** Whether a body may turn while they are integrated. */
     public boolean turns() {
-        return turning || hasContactForces;
+        return turning || hasContactTorques;
     }
 
     /** The inertia of body {@code i} if it is more than mass and tensor about its origin. */

@@ -48,6 +48,7 @@ final class ContactForces {
             return;
         }
         block.hasContactForces = true;
+        boolean turns = false;
         for (int i = 0; i < block.count; i++) {
             int at = 6 * block.slot(i);
             double share = isPushed[block.slot(i)] ? 1 : 0;
@@ -57,6 +58,8 @@ final class ContactForces {
             block.contactTx[i] = share * force[at + 3];
             block.contactTy[i] = share * force[at + 4];
             block.contactTz[i] = share * force[at + 5];
+            turns |= block.contactTx[i] != 0 || block.contactTy[i] != 0 || block.contactTz[i] != 0;
         }
+        block.hasContactTorques = turns;
     }
 }

@@ -47,6 +47,7 @@ final class Frame {
     private boolean isBeginning;
     private final IntConsumer predictLane = this::predictLane;
     private final ColumnGrid.Pairs predictLate = this::predictOnce;
+    private final ColumnGrid.Pairs holdNear = this::holdIfNear;
     private int[] movers = new int[16];
     private int moverCount;
     private final List<Collision> collisions = new ArrayList<>();
@@ -158,6 +159,7 @@ final class Frame {
      */
     private void settleAll() {
         HeldPairs pairs = resting.pairs();
+        holdNeighbours();
         int settled = 0;
         for (int round = 0; round < MOST_PASSES && pairs.count() > settled; round++) {
             settled = pairs.count();
@@ -171,6 +173,32 @@ final class Frame {
                 }
             }
             predictMovers();
+        }
+    }
+
+    /**
+     * Holds what is near to bodies that are held: with contact forces they are likely to meet, and
+     * a contact that does not press costs nothing.
+     */
+    private void holdNeighbours() {
+        HeldPairs pairs = resting.pairs();
+        passes++;
+        for (int k = 0; k < pairs.count(); k++) {
+            holdNeighbours(pairs.first(k));
+            holdNeighbours(pairs.second(k));
+        }
+    }
+
+    private void holdNeighbours(int body) {
+        if (!traits.isFixed[body] && pass[body] != passes) {
+            pass[body] = passes;
+            grid.pairsOf(body, holdNear);
+        }
+    }
+
+    private void holdIfNear(int a, int b) {
+        if (traits.mayCollide(a, b) && !resting.pairs().isHeld(a, b)) {
+            hold(a, b);
         }
     }
 

@@ -37,8 +37,14 @@ final class Settlement {
     /** Contacts that part slower than this (m/s) do so as gaps are mended. */
     private static final double SLOW_PARTING = 1e-4;
 
-    /** A trial that ends this near (m/s, rad/s) to what was solved for will do. */
+    /** How well what approaches is stopped (m/s): the forces mend the rest. */
+    private static final double STOP_TOLERANCE = 1e-6;
+
+    /** How well the forces are solved for (m/s): stacks amplify errors. */
     private static final double TOLERANCE = 1e-6;
+
+    /** The same for balls without friction, which only have to stay apart. */
+    private static final double ROUGH = 1e-5;
 
     private static final int MOST_SWEEPS = 400;
     private static final int MOST_ROUNDS = 16;
@@ -61,8 +67,9 @@ final class Settlement {
     private final BodyCurve curve = new BodyCurve();
     private final Pose pose = new Pose();
     private final Pose other = new Pose();
-    private final ContactSolver impacts = ContactSolver.forResting(1e-7, MOST_SWEEPS);
+    private final ContactSolver stops = ContactSolver.forResting(STOP_TOLERANCE, MOST_SWEEPS);
     private final ContactSolver forces = ContactSolver.forResting(TOLERANCE, MOST_SWEEPS);
+    private final ContactSolver rough = ContactSolver.forResting(ROUGH, MOST_SWEEPS);
 
     /** Velocities where the segment starts and where the trial ends: six numbers a body. */
     private double[] startVelocity = new double[6];
@@ -123,7 +130,7 @@ final class Settlement {
         problem.setVelocities(count, startVelocity);
         gatherContacts();
         if (aimAtImpact(length - offset)) {
-            impacts.solve(problem.bodies, problem.contacts);
+            stops.solve(problem.bodies, problem.contacts);
             problem.applyImpulses();
             System.arraycopy(problem.bodies.v, 0, startVelocity, 0, 6 * count);
         }
@@ -472,7 +479,8 @@ final class Settlement {
      * @return by how much (m/s, rad/s) the bodies are to end differently from the trial
      */
     private double solve(double h) {
-        forces.solve(problem.bodies, problem.contacts);
+        ContactSolver solver = problem.contacts.areCentral() ? rough : forces;
+        solver.solve(problem.bodies, problem.contacts);
         for (int k = 0; k < held.pairCount(); k++) {
             remember(k, h);
         }

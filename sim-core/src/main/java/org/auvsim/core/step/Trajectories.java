@@ -238,32 +238,35 @@ final class Trajectories {
         paths.beginAt(slot, offset);
     }
 
-    /**
-     * The same for several bodies, most of which are on their first segment: those go in blocks.
-     */
+    /** The same for several bodies: those whose segments began together go in blocks. */
     void moveTo(int[] slots, int number, double offset) {
-        int fresh = 0;
+        int alike = 0;
+        double start = 0;
         for (int k = 0; k < number; k++) {
-            if (paths.startOf(slots[k]) != 0 || groups.isCoupled(slots[k])) {
-                moveTo(slots[k], offset);
-            } else if (offset > 0) {
-                some[fresh++] = slots[k];
+            int slot = slots[k];
+            double from = paths.startOf(slot);
+            if (groups.isCoupled(slot) || from == offset || offset == paths.endOf(slot)) {
+                moveTo(slot, offset);
+                continue;
             }
-            if (fresh == Block.SIZE || k == number - 1) {
-                moveFresh(fresh, offset);
-                fresh = 0;
+            if (alike == Block.SIZE || (alike > 0 && from != start)) {
+                moveAlike(alike, start, offset);
+                alike = 0;
             }
+            start = from;
+            some[alike++] = slot;
         }
+        moveAlike(alike, start, offset);
     }
 
-    private void moveFresh(int number, double offset) {
+    private void moveAlike(int number, double from, double offset) {
         if (number == 0) {
             return;
         }
         Block block = workers[0].block;
-        equations.load(block, some, number, time);
+        equations.load(block, some, number, time + from);
         forces.push(block);
-        integrator.advance(equations, block, offset);
+        integrator.advance(equations, block, offset - from);
         for (int i = 0; i < number; i++) {
             take(block, i, offset);
         }

@@ -40,6 +40,9 @@ final class Frame {
     private final Impacts impacts;
     private final RestingContacts resting;
     private final Settlement settlement;
+    private final Crowds crowds;
+    private boolean hasHeldMore;
+    private final ColumnGrid.Pairs holdAll = this::holdAnyway;
     private final int[] batch;
     private int batches;
     private final int[] pass;
@@ -80,6 +83,7 @@ final class Frame {
         impacts = new Impacts(motion, traits, touch, problem);
         resting = new RestingContacts(traits, trajectories, touch, problem);
         settlement = new Settlement(motion, traits, trajectories, touch, problem, resting);
+        crowds = new Crowds(version.length);
         batch = new int[version.length];
         pass = new int[version.length];
     }
@@ -99,6 +103,7 @@ final class Frame {
         large.clear();
         grid.sweepLarge(large);
         resting.pairs().clear();
+        crowds.clear();
         for (Encounters found : encounters) {
             queueAll(found);
         }
@@ -168,7 +173,7 @@ final class Frame {
             for (int k = 0; k < settled; k++) {
                 int body = traits.isFixed[pairs.first(k)] ? pairs.second(k) : pairs.first(k);
                 if (pass[body] != passes) {
-                    pairs.findIsland(body);
+                    findIsland(body, body);
                     settle(0);
                 }
             }
@@ -205,13 +210,35 @@ final class Frame {
     /** Settles the island that has been found; its bodies are to be predicted again. */
     private void settle(double t) {
         HeldPairs pairs = resting.pairs();
-        pairs.finishIsland();
-        tally.heldPairs += pairs.pairCount();
+        crowds.settled(pairs.members(), pairs.memberCount());
         settlement.settle(t, length, begin + t);
         requireMotions();
         for (int k = 0; k < pairs.memberCount(); k++) {
             addMover(pairs.members()[k]);
             pass[pairs.members()[k]] = passes;
+        }
+    }
+
+    /** Finds all that hangs together with two bodies; a crowd holds all that is near it. */
+    private void findIsland(int a, int b) {
+        HeldPairs pairs = resting.pairs();
+        do {
+            pairs.findIsland(a, b);
+            hasHeldMore = false;
+            for (int k = 0; crowds.any() && k < pairs.memberCount(); k++) {
+                if (crowds.isCrowded(pairs.members()[k])) {
+                    grid.pairsOf(pairs.members()[k], holdAll);
+                }
+            }
+        } while (hasHeldMore);
+    }
+
+    private void holdAnyway(int a, int b) {
+        if (traits.mayCollide(a, b)
+                && answersItself(a, b)
+                && !resting.pairs().isHeld(a, b)
+                && resting.holdCrowded(a, b)) {
+            hasHeldMore = true;
         }
     }
 
@@ -241,9 +268,9 @@ final class Frame {
     }
 
     private void predict(int a, int b) {
-        if (traits.mayCollide(a, b) && !resting.pairs().isLeftAlone(a, b)) {
+        if (traits.mayCollide(a, b) && !resting.pairs().isHeld(a, b)) {
             double t = encounters[0].first(a, b);
-            if (t < length && !(isBeginning && !resting.pairs().isHeld(a, b) && hold(a, b))) {
+            if (t < length && !(isBeginning && hold(a, b))) {
                 queueContact(t, a, b);
             }
         }
@@ -297,7 +324,9 @@ final class Frame {
     }
 
     private void collide(int a, int b, double t) {
-        double limit = resting.limitAt(a, b, t, length);
+        boolean isCrowded = crowds.isCrowded(a) || crowds.isCrowded(b);
+        double limit =
+                isCrowded ? Double.POSITIVE_INFINITY : resting.limitAt(a, b, t, length);
         moverCount = 0;
         if (!traits.isFixed[a]) {
             addMover(a);
@@ -312,6 +341,7 @@ final class Frame {
         }
         Impacts.Outcome outcome = impacts.meet(a, b, begin + t, limit, heard);
         if (outcome == Impacts.Outcome.BOUNCED || outcome == Impacts.Outcome.STAY) {
+            tally.crowdedHits += isCrowded ? 1 : 0;
             tally.collisions++;
             if (heard) {
                 collisions.add(new Collision(before.orElseThrow(), impacts.impulse()));
@@ -373,8 +403,7 @@ final class Frame {
         HeldPairs pairs = resting.pairs();
         moverCount = 0;
         if (isJoined(a) || isJoined(b)) {
-            pairs.findIsland(a);
-            pairs.addToIsland(b);
+            findIsland(a, b);
             settle(t);
         } else {
             if (!traits.isFixed[a]) {
@@ -421,6 +450,7 @@ final class Frame {
             return endEarly();
         }
         trajectories.commit();
+        tally.heldPairs += resting.pairs().count();
         motion.begin(motion.time() + length);
         if (last.elapsed() != length || !last.collisions().isEmpty() || !collisions.isEmpty()) {
             last = StepResult.of(length, collisions);

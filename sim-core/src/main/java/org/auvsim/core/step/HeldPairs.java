@@ -11,15 +11,11 @@ import java.util.Arrays;
 final class HeldPairs {
     private static final int NONE = -1;
 
-    /** A held pair may meet again so often in a frame before it is left alone. */
-    private static final int MOST_MEETINGS = 0;
-
     private final BodyTraits traits;
     private final BodyGroups groups;
     private int[] a = new int[64];
     private int[] b = new int[64];
     private boolean[] isHeld = new boolean[64];
-    private int[] meetings = new int[64];
     private double[] reach = new double[64];
     private double[] limit = new double[64];
     private int count;
@@ -93,7 +89,6 @@ final class HeldPairs {
             add(first, second);
         } else {
             isHeld[pair] = true;
-            meetings[pair]++;
         }
         this.reach[pair] = reach;
         this.limit[pair] = limit;
@@ -105,17 +100,6 @@ final class HeldPairs {
 
     double limit(int pair) {
         return limit[pair];
-    }
-
-    /**
-     * Whether a held pair has met again so often that the solver cannot hold it better: what is
-     * left is mended in the next frame.
-     */
-    boolean isLeftAlone(int first, int second) {
-        int pair = find(first, second);
-        return pair != NONE
-                && isHeld[pair]
-                && (traits.arePlainBalls(first, second) || meetings[pair] > MOST_MEETINGS);
     }
 
     boolean isHeld(int first, int second) {
@@ -141,14 +125,12 @@ final class HeldPairs {
             b = Arrays.copyOf(b, 2 * count);
             reach = Arrays.copyOf(reach, 2 * count);
             limit = Arrays.copyOf(limit, 2 * count);
-            meetings = Arrays.copyOf(meetings, 2 * count);
             isHeld = Arrays.copyOf(isHeld, 2 * count);
             next = Arrays.copyOf(next, 4 * count);
         }
         a[count] = first;
         b[count] = second;
         isHeld[count] = true;
-        meetings[count] = 0;
         next[2 * count] = chain[first];
         chain[first] = 2 * count;
         next[2 * count + 1] = chain[second];
@@ -161,16 +143,18 @@ final class HeldPairs {
     }
 
     /**
-     * Finds all that hang together with a body; the body itself is the only one if it hangs free.
+     * Finds all that hang together with two bodies, which may be one; they are the only ones if
+     * they hang free.
      */
-    void findIsland(int body) {
+    void findIsland(int one, int another) {
         memberCount = 0;
         pairCount = 0;
-        addToIsland(body);
+        addToIsland(one);
+        addToIsland(another);
+        finishIsland();
     }
 
-    /** Joins all that hang together with another body to the island. */
-    void addToIsland(int body) {
+    private void addToIsland(int body) {
         int from = memberCount;
         addMember(body);
         for (int k = from; k < memberCount; k++) {
@@ -217,7 +201,7 @@ final class HeldPairs {
      * Puts members and pairs of the island into the order of slots, groups side by side, and of
      * holding.
      */
-    void finishIsland() {
+    private void finishIsland() {
         for (int k = 0; k < memberCount; k++) {
             isMember[members[k]] = false;
         }

@@ -87,7 +87,16 @@ final class RestingContacts {
 
     /** Holds a pair that has met and is to stay together, even if it should part a little. */
     void stay(int a, int b, double limit) {
-        held.hold(a, b, hop(a, b), limit);
+        held.hold(a, b, hop(a, b) + trajectories.paths().relativeWay(a, b), limit);
+    }
+
+    /** Holds two that may meet, however fast, if they lose speed in a collision at all. */
+    boolean holdCrowded(int a, int b) {
+        if (restitution(a, b) == 1) {
+            return false;
+        }
+        stay(a, b, Double.POSITIVE_INFINITY);
+        return true;
     }
 
     private double hop(int a, int b) {

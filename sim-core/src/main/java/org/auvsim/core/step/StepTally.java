@@ -7,10 +7,11 @@ public final class StepTally {
     long subSteps;
     long heldPairs;
     long quickHits;
+    long crowdedHits;
 
     /** What has been counted so far. */
     public StepStatistics statistics() {
-        return new StepStatistics(collisions, events, subSteps, heldPairs, quickHits);
+        return new StepStatistics(collisions, events, subSteps, heldPairs, quickHits, crowdedHits);
     }
 
     /** What has been counted since it was as {@code before}. */
@@ -20,7 +21,8 @@ public final class StepTally {
                 events - before.events,
                 subSteps - before.subSteps,
                 heldPairs - before.heldPairs,
-                quickHits - before.quickHits);
+                quickHits - before.quickHits,
+                crowdedHits - before.crowdedHits);
     }
 
     /** Takes the counts of another. */
@@ -30,6 +32,7 @@ public final class StepTally {
         subSteps = other.subSteps;
         heldPairs = other.heldPairs;
         quickHits = other.quickHits;
+        crowdedHits = other.crowdedHits;
     }
 
     /** An independent copy. */

@@ -23,6 +23,11 @@ public final class ContactSolver {
 
     private static final int IMPACT_SWEEPS = 400;
 
+    /** So often at most contacts are visited in a solution, but for a few sweeps. */
+    private static final int MOST_VISITS = 40_000;
+
+    private static final int FEW_SWEEPS = 60;
+
     private final double absolute;
     private final double relative;
     private final int mostSweeps;
@@ -77,13 +82,20 @@ public final class ContactSolver {
         relaxation.begin(bodies, contacts);
         solution.clear();
         double tolerance = absolute + relative * relaxation.fastest();
-        relaxation.iterate(tolerance, mostSweeps, solution);
+        int sweeps = sweeps(contacts.count);
+        relaxation.iterate(tolerance, sweeps, solution);
         solution.energyGain = relaxation.energyGain();
         if (boundsEnergy && solution.energyGain > 0) {
-            relaxation.keepEnergy(tolerance, mostSweeps, solution);
+            relaxation.keepEnergy(tolerance, sweeps, solution);
         }
         relaxation.end(bodies, contacts);
         return solution;
+    }
+
+    /** Many contacts get fewer sweeps each, so that no island stops the world. */
+    private int sweeps(int contacts) {
+        int affordable = contacts == 0 ? mostSweeps : MOST_VISITS / contacts;
+        return Math.max(Math.min(FEW_SWEEPS, mostSweeps), Math.min(affordable, mostSweeps));
     }
 
     /** Sums the impulses that the contacts have as their guess, without solving anything. */

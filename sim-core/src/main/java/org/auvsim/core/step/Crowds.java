@@ -9,10 +9,9 @@ import java.util.Arrays;
  */
 final class Crowds {
     /**
-     * Twenty collisions in a heap of a hundred bodies; in a tenth of a second of world time some
-     * tenths of a second of computing.
+     * Ten collisions a frame in a heap of a hundred bodies.
      */
-    private static final int MOST = 2000;
+    private static final int MOST = 1000;
 
     private final int[] settled;
     private boolean any;

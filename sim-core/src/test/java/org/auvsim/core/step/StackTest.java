@@ -67,16 +67,16 @@ class StackTest {
         }
         World world = builder.build();
 
-        Ground.run(world, 15);
+        Ground.run(world, 6);
         List<Vec3> before = Ground.movers(world).stream().map(WorldObject::position).toList();
-        Ground.run(world, 17);
+        Ground.run(world, 7);
 
         double energy = Ground.kineticEnergy(world) / 200;
-        assertThat(energy).as("kinetic energy a ball (J)").isLessThan(1e-6);
+        assertThat(energy).as("kinetic energy a ball (J)").isLessThan(1e-5);
         List<WorldObject> balls = Ground.movers(world);
         for (int i = 0; i < 200; i++) {
             Vec3 place = balls.get(i).position();
-            assertThat(place.distance(before.get(i))).as("ball %d in 2 s", i).isLessThan(1e-3);
+            assertThat(place.distance(before.get(i))).as("ball %d in a second", i).isLessThan(1e-2);
             assertThat(place.z()).as("height of ball %d", i).isGreaterThan(0.25 - 1e-9);
             assertThat(Math.max(Math.abs(place.x()), Math.abs(place.y())))
                     .as("ball %d and the walls", i)

@@ -1,6 +1,7 @@
 package org.auvsim.core.contact;
 
 import static org.auvsim.core.contact.Rows.FRICTION;
+import static org.auvsim.core.contact.Rows.SLIP;
 import static org.auvsim.core.contact.Rows.TARGET;
 import static org.auvsim.core.contact.Rows.TERMS;
 import static org.auvsim.core.contact.Rows.YIELD;
@@ -137,7 +138,12 @@ final class ConjugateSteps {
     private double aim(double[] step) {
         double sum = 0;
         for (int c = 0; c < rows.contacts; c++) {
-            sum += rows.terms[TERMS * c + TARGET] * step[rows.first[c]];
+            int r = rows.first[c];
+            sum += rows.terms[TERMS * c + TARGET] * step[r];
+            if (rows.first[c + 1] > r + 1) {
+                sum += rows.terms[TERMS * c + SLIP] * step[r + 1];
+                sum += rows.terms[TERMS * c + SLIP + 1] * step[r + 2];
+            }
         }
         return sum;
     }

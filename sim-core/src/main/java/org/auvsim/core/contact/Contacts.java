@@ -43,6 +43,18 @@ public final class Contacts {
     /** Least speed (m/s) at which a and b are to part afterwards. */
     public double[] target = new double[4];
 
+    /**
+     * Slip (m/s, world) of a against b across the normal that counts as none: what friction works
+     * against is the difference. What lies along the normal does not matter.
+     */
+    public double[] slipX = new double[4];
+
+    /** Slip that counts as none. */
+    public double[] slipY = new double[4];
+
+    /** Slip that counts as none. */
+    public double[] slipZ = new double[4];
+
     /** Impulse along the normal (N s) on a, 0 or more: read as a first guess, written as answer. */
     public double[] jn = new double[4];
 
@@ -106,6 +118,7 @@ public final class Contacts {
         friction[c] = 0;
         target[c] = 0;
         isCentral[c] = false;
+        slip(c, 0, 0, 0);
         guess(c, 0, 0, 0, 0);
         return c;
     }
@@ -118,9 +131,35 @@ public final class Contacts {
         jz[contact] = alongZ;
     }
 
+    /** Sets the slip (m/s, world) that counts as none. */
+    public void slip(int contact, double alongX, double alongY, double alongZ) {
+        slipX[contact] = alongX;
+        slipY[contact] = alongY;
+        slipZ[contact] = alongZ;
+    }
+
     /** How fast a and b part at a contact, along the normal (m/s); negative: they approach. */
     public double separationSpeed(int contact, ContactBodies bodies) {
         return along(contact, a[contact], bodies) - along(contact, b[contact], bodies);
+    }
+
+    /** Writes how a moves against b at a contact (m/s, world), in all directions. */
+    public void slipNow(int contact, ContactBodies bodies, double[] to, int at) {
+        velocity(contact, a[contact], bodies, 1, to, at);
+        velocity(contact, b[contact], bodies, -1, to, at);
+    }
+
+    private void velocity(
+            int c, int body, ContactBodies bodies, double sign, double[] to, int at) {
+        double rx = px[c] - bodies.x[3 * body];
+        double ry = py[c] - bodies.x[3 * body + 1];
+        double rz = pz[c] - bodies.x[3 * body + 2];
+        double[] v = bodies.v;
+        int p = SPEEDS * body;
+        double before = sign > 0 ? 0 : 1;
+        to[at] = before * to[at] + sign * (v[p] + v[p + 4] * rz - v[p + 5] * ry);
+        to[at + 1] = before * to[at + 1] + sign * (v[p + 1] + v[p + 5] * rx - v[p + 3] * rz);
+        to[at + 2] = before * to[at + 2] + sign * (v[p + 2] + v[p + 3] * ry - v[p + 4] * rx);
     }
 
     /** Speed (m/s) along the normal of a body's material at the contact point. */
@@ -151,6 +190,9 @@ public final class Contacts {
         friction = Arrays.copyOf(friction, size);
         target = Arrays.copyOf(target, size);
         isCentral = Arrays.copyOf(isCentral, size);
+        slipX = Arrays.copyOf(slipX, size);
+        slipY = Arrays.copyOf(slipY, size);
+        slipZ = Arrays.copyOf(slipZ, size);
         jn = Arrays.copyOf(jn, size);
         jx = Arrays.copyOf(jx, size);
         jy = Arrays.copyOf(jy, size);

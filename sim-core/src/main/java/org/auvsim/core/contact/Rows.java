@@ -9,7 +9,7 @@ import java.util.Arrays;
  */
 abstract class Rows {
     /** Numbers a contact in {@link #terms}. */
-    static final int TERMS = 8;
+    static final int TERMS = 10;
 
     static final int TARGET = 0;
 
@@ -26,6 +26,9 @@ abstract class Rows {
 
     /** 1 / larger eigenvalue of that response. */
     static final int STEP = 7;
+
+    /** The speeds across the normal that count as no slip. */
+    static final int SLIP = 8;
 
     /** Numbers of a body's speed. */
     final int speedsABody;

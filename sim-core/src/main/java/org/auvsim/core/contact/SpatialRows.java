@@ -101,6 +101,15 @@ final class SpatialRows extends Rows {
         write(bodies, list, c, ny * uz - nz * uy, nz * ux - nx * uz, nx * uy - ny * ux);
         invertAcross(TERMS * c, (rows - 2) * STRIDE);
         guessAcross(list, c);
+        terms[TERMS * c + SLIP] = slip(list, c, rows - 2);
+        terms[TERMS * c + SLIP + 1] = slip(list, c, rows - 1);
+    }
+
+    private double slip(Contacts list, int c, int number) {
+        int at = number * STRIDE;
+        return list.slipX[c] * row[at]
+                + list.slipY[c] * row[at + 1]
+                + list.slipZ[c] * row[at + 2];
     }
 
     private void invertAcross(int term, int at) {

@@ -3,6 +3,7 @@ package org.auvsim.core.contact;
 import static org.auvsim.core.contact.Rows.ACROSS;
 import static org.auvsim.core.contact.Rows.FRICTION;
 import static org.auvsim.core.contact.Rows.INVERSE;
+import static org.auvsim.core.contact.Rows.SLIP;
 import static org.auvsim.core.contact.Rows.STEP;
 import static org.auvsim.core.contact.Rows.TARGET;
 import static org.auvsim.core.contact.Rows.TERMS;
@@ -97,8 +98,8 @@ final class Sweep {
         int r = rows.first[c];
         int a = rows.speedA[c];
         int b = rows.speedB[c];
-        double s1 = rows.speed(r + 1, v, a, b);
-        double s2 = rows.speed(r + 2, v, a, b);
+        double s1 = rows.speed(r + 1, v, a, b) - terms[term + SLIP];
+        double s2 = rows.speed(r + 2, v, a, b) - terms[term + SLIP + 1];
         double limit = terms[term + FRICTION] * j[r];
         double old1 = j[r + 1];
         double old2 = j[r + 2];

@@ -101,20 +101,21 @@ final class ContactProblem {
     }
 
     /**
-     * Gives a body the velocity that it would have without an impulse.
+     * Gives a body the velocity that it would have without a force.
      *
      * @param with the velocities with it, six numbers a body
-     * @param impulses on the bodies, six numbers a body
+     * @param forces and torques on the bodies (N, N m), six numbers a body
+     * @param h how long (s) they act
      */
-    void setFree(int body, double[] with, double[] impulses) {
+    void setFree(int body, double[] with, double[] forces, double h) {
         int at = ContactBodies.SPEEDS * body;
         int row = ContactBodies.RESPONSES * body;
         for (int r = 0; r < ContactBodies.SPEEDS; r++, row += ContactBodies.SPEEDS) {
             double change = 0;
             for (int c = 0; c < ContactBodies.SPEEDS; c++) {
-                change += bodies.k[row + c] * impulses[at + c];
+                change += bodies.k[row + c] * forces[at + c];
             }
-            bodies.v[at + r] = with[at + r] - change;
+            bodies.v[at + r] = with[at + r] - h * change;
         }
     }
 

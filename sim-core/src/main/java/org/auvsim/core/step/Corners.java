@@ -5,6 +5,7 @@ import org.auvsim.core.volume.Manifold;
 /**
  * Chooses four points of a flat contact that hold as much as all of them: its corners. Edges that
  * nearly coincide cut each other anywhere; such points come and go and only make solving harder.
+ * Corners that are far off, such as those on top of a box that slides, are no part of the contact.
  */
 final class Corners {
     private static final int MOST = 4;
@@ -12,7 +13,12 @@ final class Corners {
     /** Normals whose cosine is above this belong to one flat contact. */
     private static final double FLAT = 0.999;
 
+    /** Points whose gaps differ by less than this share of the contact's width touch together. */
+    private static final double TOGETHER = 0.1;
+
     private final int[] chosen = new int[MOST];
+    private final int[] near = new int[Manifold.MAXIMUM];
+    private int nearCount;
 
     /** Numbers of the chosen points; {@link #choose} tells how many. */
     int[] chosen() {
@@ -24,8 +30,16 @@ final class Corners {
         if (m.count <= MOST || !isFlat(m)) {
             return -1;
         }
+        findNear(m);
+        if (nearCount < 3) {
+            return -1;
+        }
+        if (nearCount <= MOST) {
+            System.arraycopy(near, 0, chosen, 0, nearCount);
+            return nearCount;
+        }
         chosen[0] = outermost(m);
-        chosen[1] = farthest(m, chosen[0]);
+        chosen[1] = farthest(m, m.x[chosen[0]], m.y[chosen[0]], m.z[chosen[0]]);
         chosen[2] = mostAside(m, 1);
         chosen[3] = mostAside(m, -1);
         int count = 2;
@@ -47,27 +61,44 @@ final class Corners {
         return true;
     }
 
+    /** Finds the points that touch together with the deepest one. */
+    private void findNear(Manifold m) {
+        double least = Double.POSITIVE_INFINITY;
+        double width = 0;
+        for (int k = 0; k < m.count; k++) {
+            least = Math.min(least, m.gap[k]);
+            double dx = m.x[k] - m.x[0];
+            double dy = m.y[k] - m.y[0];
+            double dz = m.z[k] - m.z[0];
+            width = Math.max(width, dx * dx + dy * dy + dz * dz);
+        }
+        double most = least + TOGETHER * Math.sqrt(width);
+        nearCount = 0;
+        for (int k = 0; k < m.count; k++) {
+            if (m.gap[k] <= most) {
+                near[nearCount++] = k;
+            }
+        }
+    }
+
     /** A corner in any case: the point that is farthest from the middle of all. */
-    private static int outermost(Manifold m) {
+    private int outermost(Manifold m) {
         double x = 0;
         double y = 0;
         double z = 0;
-        for (int k = 0; k < m.count; k++) {
-            x += m.x[k] / m.count;
-            y += m.y[k] / m.count;
-            z += m.z[k] / m.count;
+        for (int i = 0; i < nearCount; i++) {
+            x += m.x[near[i]] / nearCount;
+            y += m.y[near[i]] / nearCount;
+            z += m.z[near[i]] / nearCount;
         }
         return farthest(m, x, y, z);
     }
 
-    private static int farthest(Manifold m, int from) {
-        return farthest(m, m.x[from], m.y[from], m.z[from]);
-    }
-
-    private static int farthest(Manifold m, double x, double y, double z) {
-        int best = 0;
+    private int farthest(Manifold m, double x, double y, double z) {
+        int best = near[0];
         double most = -1;
-        for (int k = 0; k < m.count; k++) {
+        for (int i = 0; i < nearCount; i++) {
+            int k = near[i];
             double dx = m.x[k] - x;
             double dy = m.y[k] - y;
             double dz = m.z[k] - z;
@@ -92,7 +123,8 @@ final class Corners {
         double az = dx * m.ny[a] - dy * m.nx[a];
         int best = -1;
         double most = 1e-6 * (dx * dx + dy * dy + dz * dz);
-        for (int k = 0; k < m.count; k++) {
+        for (int i = 0; i < nearCount; i++) {
+            int k = near[i];
             double aside =
                     side
                             * (ax * (m.x[k] - m.x[a])

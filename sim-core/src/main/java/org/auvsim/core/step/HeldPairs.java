@@ -138,6 +138,11 @@ final class HeldPairs {
         count++;
     }
 
+    /** Whether a pair has not been released. */
+    boolean isHeld(int pair) {
+        return isHeld[pair];
+    }
+
     void release(int pair) {
         isHeld[pair] = false;
     }

@@ -55,6 +55,9 @@ final class Settlement {
     /** Contacts may do this share of the bodies' energy as work in a segment: rounding and more. */
     private static final double WORK_TOLERANCE = 1e-7;
 
+    /** The share of the margin by which gaps may open without being noticed. */
+    private static final double SLACK = 0.02;
+
     /** No frame is cut into more segments than this to keep contacts from doing work. */
     private static final int MOST_PARTS = 64;
 
@@ -84,17 +87,25 @@ final class Settlement {
 
     private double[] toEnd = new double[6];
 
-    /** Momenta that the trial's contact forces give each body. */
+    /** The contact forces (N) and torques (N m) of the trial: six numbers a body. */
     private double[] applied = new double[6];
 
     /** Whether the segment begins within a frame: errors do not add up from frame to frame. */
     private boolean isPassing;
 
-    private final double[] force = new double[6];
     private final double[] spin = new double[3];
     private final double[] place = new double[3];
     private int[] firstPoint = new int[64];
     private int[] entry = new int[64];
+
+    /** Numbers a contact at the start: its place on the body (m), the bodies' slip (m/s). */
+    private static final int START = 6;
+
+    private double[] startContacts = new double[START * 64];
+    private int[] firstStart = new int[64];
+    private double[] startGap = new double[64];
+    private double[] endGap = new double[64];
+    private final double[] slip = new double[3];
     private double[] predicted = new double[64];
     private double[] cap = new double[64];
     private double[] trialSpeed = new double[64];
@@ -143,6 +154,7 @@ final class Settlement {
             System.arraycopy(problem.bodies.v, 0, startVelocity, 0, 6 * count);
         }
         boolean holds = problem.contacts.count > 0;
+        noteStart();
         findEntries(time);
         setRemembered(length - offset);
         double end = trace(offset, length);
@@ -180,6 +192,9 @@ final class Settlement {
         if (firstPoint.length <= held.pairCount()) {
             firstPoint = new int[2 * held.pairCount() + 1];
             entry = new int[2 * held.pairCount() + 1];
+            firstStart = new int[2 * held.pairCount() + 1];
+            startGap = new double[2 * held.pairCount() + 1];
+            endGap = new double[2 * held.pairCount() + 1];
         }
         for (int k = 0; k < held.pairCount(); k++) {
             int a = held.first(pairs[k]);
@@ -243,6 +258,69 @@ final class Settlement {
         return traits.nearness(held.first(pair), held.second(pair)) / 2;
     }
 
+    /** Notes where the contacts are as the segment starts, and how the bodies slip there. */
+    private void noteStart() {
+        int count = problem.contacts.count;
+        if (startContacts.length < START * count) {
+            startContacts = new double[2 * START * count];
+        }
+        System.arraycopy(firstPoint, 0, firstStart, 0, held.pairCount() + 1);
+        for (int k = 0; paths().turn() && k < held.pairCount(); k++) {
+            int slot = placeBody(k);
+            startGap[k] = Double.POSITIVE_INFINITY;
+            for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
+                startGap[k] = Math.min(startGap[k], problem.gap(c));
+                findPlace(slot, c);
+                System.arraycopy(place, 0, startContacts, START * c, 3);
+                problem.contacts.slipNow(c, problem.bodies, startContacts, START * c + 3);
+            }
+        }
+    }
+
+    /**
+     * With contacts taken halfway, what does not slip at the start seems to, and as much the other
+     * way round at the end: so much is no slip.
+     */
+    private void excuseTurning() {
+        for (int k = 0; paths().turn() && k < held.pairCount(); k++) {
+            int slot = placeBody(k);
+            for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
+                int start = nearestStart(k, slot, c);
+                if (start >= 0) {
+                    problem.contacts.slipNow(c, problem.bodies, slip, 0);
+                    problem.contacts.slip(
+                            c,
+                            startContacts[start + 3] - slip[0],
+                            startContacts[start + 4] - slip[1],
+                            startContacts[start + 5] - slip[2]);
+                }
+            }
+        }
+    }
+
+    /** Where the contact of a pair is noted that was nearest to this one on the body; -1: none. */
+    private int nearestStart(int k, int slot, int c) {
+        findPlace(slot, c);
+        int best = -1;
+        double least = Double.POSITIVE_INFINITY;
+        for (int s = firstStart[k]; s < firstStart[k + 1]; s++) {
+            double dx = startContacts[START * s] - place[0];
+            double dy = startContacts[START * s + 1] - place[1];
+            double dz = startContacts[START * s + 2] - place[2];
+            double squared = dx * dx + dy * dy + dz * dz;
+            if (squared < least) {
+                least = squared;
+                best = START * s;
+            }
+        }
+        return best;
+    }
+
+    /** The body of a pair in whose axes contacts are remembered. */
+    private int placeBody(int k) {
+        return Math.min(held.first(held.pairs()[k]), held.second(held.pairs()[k]));
+    }
+
     /** What the world remembers of each pair; an entry that is made may move others. */
     private void findEntries(double time) {
         for (int round = 0; round < 2; round++) {
@@ -297,10 +375,13 @@ final class Settlement {
         for (int k = 0; k < held.pairCount(); k++) {
             int a = held.first(held.pairs()[k]);
             int b = held.second(held.pairs()[k]);
+            firstPoint[k] = problem.contacts.count;
+            if (!held.isHeld(held.pairs()[k])) {
+                continue;
+            }
             paths().middle(a, curve, pose);
             paths().middle(b, curve, other);
-            firstPoint[k] = problem.contacts.count;
-            double reach = held.reach(held.pairs()[k]) + paths().relativeWay(a, b);
+            double reach = areSpheres(k) ? Double.POSITIVE_INFINITY : 2 * held.reach(held.pairs()[k]);
             touch.find(a, pose, b, other, reach, manifold);
             problem.add(a, b, manifold);
         }
@@ -313,7 +394,7 @@ final class Settlement {
         aim(h);
         guess(h);
         for (int k = 0; k < count; k++) {
-            problem.setFree(k, endVelocity, applied);
+            problem.setFree(k, endVelocity, applied, h);
         }
     }
 
@@ -369,6 +450,7 @@ final class Settlement {
             predicted[c] = problem.gap(c) + speed(c);
         }
         problem.setVelocities(count, startVelocity);
+        excuseTurning();
         for (int k = 0; k < held.pairCount(); k++) {
             double margin = margin(k);
             double fastest = FASTEST_MENDING * smallerRadius(k);
@@ -393,8 +475,10 @@ final class Settlement {
         for (int k = 0; k < held.pairCount(); k++) {
             double bend = h / 2 * bend(k);
             double shift = bend * h > margin(k) / 100 ? shift(k) : 0;
+            endGap[k] = Double.POSITIVE_INFINITY;
             double fastest = FASTEST_MENDING * smallerRadius(k);
             for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
+                endGap[k] = Math.min(endGap[k], predicted[c] + shift);
                 double lacking = LEAST_GAP * margin(k) - predicted[c] - shift;
                 trialSpeed[c] = speed(c);
                 double least = Math.min(trialSpeed[c] + 2 * lacking / h, cap[c] + 2 * bend);
@@ -548,18 +632,18 @@ final class Settlement {
 
     /** Spreads what the solver found over {@code h} (s). */
     private void setForces(double h) {
-        System.arraycopy(problem.bodies.impulse, 0, applied, 0, 6 * held.memberCount());
         for (int k = 0; k < held.memberCount(); k++) {
             int slot = held.members()[k];
             // A ball without friction is not turned, not even by rounding.
             int kept = traits.isBall[slot] && traits.friction[slot] == 0 ? 3 : 6;
             boolean any = false;
             for (int c = 0; c < 6; c++) {
-                force[c] = c < kept ? applied[6 * k + c] / h : 0;
-                any |= force[c] != 0;
+                double force = c < kept ? problem.bodies.impulse[6 * k + c] / h : 0;
+                applied[6 * k + c] = force;
+                any |= force != 0;
             }
             if (any) {
-                trajectories.forces().set(slot, force, 0);
+                trajectories.forces().set(slot, applied, 6 * k);
             } else {
                 trajectories.forces().clear(slot);
             }
@@ -578,24 +662,24 @@ final class Settlement {
                 int at = 6 * k + axis;
                 double turned =
                         h / 6 * (startVelocity[at + 3] + 4 * spin[axis] + endVelocity[at + 3]);
-                work += applied[at] / h * (toMiddle[at] + toEnd[at]);
-                work += applied[at + 3] / h * turned;
+                work += applied[at] * (toMiddle[at] + toEnd[at]);
+                work += applied[at + 3] * turned;
                 scale +=
                         bodies.column(BodyState.PX + axis)[slot] * startVelocity[at]
                                 + bodies.column(BodyState.LX + axis)[slot] * startVelocity[at + 3];
-                scale += applied[at] * applied[at] * bodies.inverseMass()[slot];
+                scale += h * h * applied[at] * applied[at] * bodies.inverseMass()[slot];
             }
         }
         return work > WORK_TOLERANCE * scale / 2 + mending(h);
     }
 
-    /** The work (J) that it takes to mend all gaps a little. */
+    /** The work (J) that it takes to open the gaps as far as they have been opened. */
     private double mending(double h) {
         double work = 0;
         for (int k = 0; k < held.pairCount(); k++) {
-            double way = 1.25 * MENDING * margin(k);
+            double opened = Math.clamp(endGap[k] - startGap[k], SLACK * margin(k), margin(k));
             for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
-                work += problem.contacts.jn[c] / h * way;
+                work += problem.contacts.jn[c] / h * opened;
             }
         }
         return work;

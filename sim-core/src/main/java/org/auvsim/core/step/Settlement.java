@@ -46,11 +46,11 @@ final class Settlement {
     /** The same within a frame, and for balls without friction, which only have to stay apart. */
     private static final double ROUGH = 1e-5;
 
-    /** How much less it matters how bodies end where no contact is. */
-    private static final double ASIDE = 1;
+    /** How well speeds are solved for, as a share of the fastest. */
+    private static final double SHARE_OF_SPEED = 0.01;
 
     private static final int MOST_SWEEPS = 400;
-    private static final int MOST_ROUNDS = 10;
+    private static final int MOST_ROUNDS = 16;
 
     /** Contacts may do this share of the bodies' energy as work in a segment: rounding and more. */
     private static final double WORK_TOLERANCE = 1e-7;
@@ -104,7 +104,6 @@ final class Settlement {
     private double[] startContacts = new double[START * 64];
     private int[] firstStart = new int[64];
     private double[] startGap = new double[64];
-    private double[] endGap = new double[64];
     private final double[] slip = new double[3];
     private double[] predicted = new double[64];
     private double[] cap = new double[64];
@@ -194,7 +193,6 @@ final class Settlement {
             entry = new int[2 * held.pairCount() + 1];
             firstStart = new int[2 * held.pairCount() + 1];
             startGap = new double[2 * held.pairCount() + 1];
-            endGap = new double[2 * held.pairCount() + 1];
         }
         for (int k = 0; k < held.pairCount(); k++) {
             int a = held.first(pairs[k]);
@@ -243,6 +241,19 @@ final class Settlement {
             }
         }
         return any;
+    }
+
+    /**
+     * How well (m/s, rad/s) a trial has to end as solved for: so that gaps stay open, and better
+     * the slower the bodies are.
+     */
+    private double near(double h) {
+        double fastest = 0;
+        for (int k = 0; k < 6 * held.memberCount(); k++) {
+            fastest = Math.max(fastest, Math.abs(endVelocity[k]));
+        }
+        double open = LEAST_GAP * leastMargin() / h;
+        return Math.min(open, Math.max(TOLERANCE, SHARE_OF_SPEED * fastest));
     }
 
     private double leastMargin() {
@@ -351,7 +362,7 @@ final class Settlement {
         double h = end - offset;
         int count = held.memberCount();
         double change = Double.POSITIVE_INFINITY;
-        double near = LEAST_GAP * leastMargin() / h;
+        double near = near(h);
         for (int round = 0; change > near && round < MOST_ROUNDS; round++) {
             findContacts(h);
             change = solve(h);
@@ -475,12 +486,11 @@ final class Settlement {
         for (int k = 0; k < held.pairCount(); k++) {
             double bend = h / 2 * bend(k);
             double shift = bend * h > margin(k) / 100 ? shift(k) : 0;
-            endGap[k] = Double.POSITIVE_INFINITY;
             double fastest = FASTEST_MENDING * smallerRadius(k);
             for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
-                endGap[k] = Math.min(endGap[k], predicted[c] + shift);
-                double lacking = LEAST_GAP * margin(k) - predicted[c] - shift;
+                predicted[c] += shift;
                 trialSpeed[c] = speed(c);
+                double lacking = LEAST_GAP * margin(k) - predicted[c];
                 double least = Math.min(trialSpeed[c] + 2 * lacking / h, cap[c] + 2 * bend);
                 problem.contacts.target[c] =
                         Math.max(problem.contacts.target[c] - bend, least);
@@ -582,10 +592,6 @@ final class Settlement {
         for (int k = 0; k < 6 * held.memberCount(); k++) {
             most = Math.max(most, Math.abs(problem.bodies.v[k] - endVelocity[k]));
         }
-        most *= ASIDE;
-        for (int c = 0; c < problem.contacts.count; c++) {
-            most = Math.max(most, Math.abs(speed(c) - trialSpeed[c]));
-        }
         return most;
     }
 
@@ -673,11 +679,21 @@ final class Settlement {
         return work > WORK_TOLERANCE * scale / 2 + mending(h);
     }
 
+    /** The least gap (m) of a pair with the forces that have been solved for. */
+    private double endGap(int k, double h) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
+            least = Math.min(least, predicted[c] + h / 2 * (speed(c) - trialSpeed[c]));
+        }
+        return least;
+    }
+
     /** The work (J) that it takes to open the gaps as far as they have been opened. */
     private double mending(double h) {
         double work = 0;
         for (int k = 0; k < held.pairCount(); k++) {
-            double opened = Math.clamp(endGap[k] - startGap[k], SLACK * margin(k), margin(k));
+            double opened =
+                    Math.clamp(endGap(k, h) - startGap[k], SLACK * margin(k), margin(k));
             for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
                 work += problem.contacts.jn[c] / h * opened;
             }

@@ -30,6 +30,7 @@ class ContactForcesTest {
         EquationsOfMotion equations = equations();
         equations.load(block, 0, 1, 0);
         block.hasContactForces = true;
+        block.hasContactTorques = true;
         block.contactFz[0] = 20;
         block.contactTx[0] = 3;
         new Rk4().advance(equations, block, 0.05);
@@ -42,6 +43,7 @@ class ContactForcesTest {
     void whatIsLoadedAnewHasNoContactForces() {
         EquationsOfMotion equations = equations();
         block.hasContactForces = true;
+        block.hasContactTorques = true;
         block.contactFz[0] = 20;
         equations.load(block, 0, 1, 0);
         new Rk4().advance(equations, block, 0.05);

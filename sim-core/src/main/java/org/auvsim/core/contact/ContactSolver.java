@@ -24,9 +24,9 @@ public final class ContactSolver {
     private static final int IMPACT_SWEEPS = 400;
 
     /** So often at most contacts are visited in a solution, but for a few sweeps. */
-    private static final int MOST_VISITS = 40_000;
+    private static final int MOST_VISITS = 20_000;
 
-    private static final int FEW_SWEEPS = 60;
+    private static final int FEW_SWEEPS = 40;
 
     private final double absolute;
     private final double relative;

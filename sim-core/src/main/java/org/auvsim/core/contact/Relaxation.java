@@ -52,11 +52,29 @@ final class Relaxation {
             error = sweepOnce();
         }
         rows.keepInCone();
+        if (error > tolerance) {
+            keepApart(tolerance, mostSweeps);
+        }
         // Summed once from the impulses, so that they and the speeds agree to rounding.
         rows.apply(rows.j, start, v, speeds);
         solution.sweeps += done;
         solution.error = Math.max(solution.error, error);
         solution.converged &= error <= tolerance;
+    }
+
+    /**
+     * Where friction did not come to an end, it is left as it is, and the normals alone are put
+     * right, which is quick: bodies may slip a little more than they should, but must not meet.
+     */
+    private void keepApart(double tolerance, int mostSweeps) {
+        rows.apply(rows.j, start, v, speeds);
+        sweep.setSmooth(true);
+        steps.begin(speeds);
+        double error = sweepOnce();
+        for (int done = 2; error > tolerance && done + 2 <= mostSweeps; done += 2) {
+            steps.extend(v, speeds, sweep.isSteady());
+            error = sweepOnce();
+        }
     }
 
     /** There and back; gives the largest correction on the way back. */

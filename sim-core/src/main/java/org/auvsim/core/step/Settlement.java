@@ -50,7 +50,7 @@ final class Settlement {
     private static final double SHARE_OF_SPEED = 0.01;
 
     private static final int MOST_SWEEPS = 400;
-    private static final int MOST_ROUNDS = 16;
+    private static final int MOST_ROUNDS = 8;
 
     /** Contacts may do this share of the bodies' energy as work in a segment: rounding and more. */
     private static final double WORK_TOLERANCE = 1e-7;

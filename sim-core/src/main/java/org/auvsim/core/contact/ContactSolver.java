@@ -24,17 +24,17 @@ public final class ContactSolver {
     private static final int IMPACT_SWEEPS = 400;
 
     /** So often at most contacts are visited in a solution, but for a few sweeps. */
-    private static final int MOST_VISITS = 20_000;
+    private static final int MOST_VISITS = 40_000;
 
-    private static final int FEW_SWEEPS = 40;
+    private static final int FEW_SWEEPS = 60;
 
     private final double absolute;
     private final double relative;
     private final int mostSweeps;
     private final boolean boundsEnergy;
 
-    private final Relaxation spatial = new Relaxation(new SpatialRows());
-    private final Relaxation central = new Relaxation(new CentralRows());
+    private final Relaxation spatial;
+    private final Relaxation central;
     private final Solution solution = new Solution();
 
     private ContactSolver(double absolute, double relative, int mostSweeps, boolean boundsEnergy) {
@@ -42,6 +42,8 @@ public final class ContactSolver {
         this.relative = relative;
         this.mostSweeps = mostSweeps;
         this.boundsEnergy = boundsEnergy;
+        spatial = new Relaxation(new SpatialRows(), !boundsEnergy);
+        central = new Relaxation(new CentralRows(), !boundsEnergy);
     }
 
     /**
@@ -92,9 +94,12 @@ public final class ContactSolver {
         return solution;
     }
 
-    /** Many contacts get fewer sweeps each, so that no island stops the world. */
+    /** Many contacts that rest get fewer sweeps each, so that no island stops the world. */
     private int sweeps(int contacts) {
-        int affordable = contacts == 0 ? mostSweeps : MOST_VISITS / contacts;
+        if (boundsEnergy || contacts == 0) {
+            return mostSweeps;
+        }
+        int affordable = MOST_VISITS / contacts;
         return Math.max(Math.min(FEW_SWEEPS, mostSweeps), Math.min(affordable, mostSweeps));
     }
 

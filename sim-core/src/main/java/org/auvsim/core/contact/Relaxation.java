@@ -9,9 +9,15 @@ final class Relaxation {
     private double[] start = new double[0];
     private double[] v = new double[0];
     private int speeds;
+    private final boolean keepsApart;
 
-    Relaxation(Rows rows) {
+    /**
+     * @param keepsApart whether targets matter more than Coulomb's cone where both cannot be met
+     *     within the sweeps that are allowed
+     */
+    Relaxation(Rows rows, boolean keepsApart) {
         this.rows = rows;
+        this.keepsApart = keepsApart;
         sweep = new Sweep(rows);
         steps = new ConjugateSteps(rows);
         energyBound = new EnergyBound(rows);
@@ -52,7 +58,7 @@ final class Relaxation {
             error = sweepOnce();
         }
         rows.keepInCone();
-        if (error > tolerance) {
+        if (error > tolerance && keepsApart) {
             keepApart(tolerance, mostSweeps);
         }
         // Summed once from the impulses, so that they and the speeds agree to rounding.

@@ -50,7 +50,7 @@ final class Settlement {
     private static final double SHARE_OF_SPEED = 0.01;
 
     private static final int MOST_SWEEPS = 400;
-    private static final int MOST_ROUNDS = 8;
+    private static final int MOST_ROUNDS = 12;
 
     /** Contacts may do this share of the bodies' energy as work in a segment: rounding and more. */
     private static final double WORK_TOLERANCE = 1e-7;
@@ -108,6 +108,7 @@ final class Settlement {
     private double[] predicted = new double[64];
     private double[] cap = new double[64];
     private double[] trialSpeed = new double[64];
+    private double[] before = new double[64];
 
     Settlement(
             Motion motion,
@@ -401,6 +402,7 @@ final class Settlement {
             predicted = new double[2 * problem.contacts.count];
             cap = new double[2 * problem.contacts.count];
             trialSpeed = new double[2 * problem.contacts.count];
+            before = new double[2 * problem.contacts.count];
         }
         aim(h);
         guess(h);
@@ -453,8 +455,7 @@ final class Settlement {
         int count = held.memberCount();
         problem.setVelocities(count, toMiddle);
         for (int c = 0; c < problem.contacts.count; c++) {
-            double before = problem.gap(c) - speed(c);
-            problem.contacts.target[c] = before;
+            before[c] = problem.gap(c) - speed(c);
         }
         problem.setVelocities(count, toEnd);
         for (int c = 0; c < problem.contacts.count; c++) {
@@ -466,7 +467,7 @@ final class Settlement {
             double margin = margin(k);
             double fastest = FASTEST_MENDING * smallerRadius(k);
             for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
-                double missing = margin - problem.contacts.target[c];
+                double missing = margin - before[c];
                 double wanted =
                         missing < 0 ? missing / h : Math.min(MENDING * missing / h, fastest);
                 double parting = speed(c);
@@ -681,8 +682,12 @@ final class Settlement {
 
     /** The least gap (m) of a pair with the forces that have been solved for. */
     private double endGap(int k, double h) {
+        return leastEnd(firstPoint[k], firstPoint[k + 1], h);
+    }
+
+    private double leastEnd(int from, int to, double h) {
         double least = Double.POSITIVE_INFINITY;
-        for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
+        for (int c = from; c < to; c++) {
             least = Math.min(least, predicted[c] + h / 2 * (speed(c) - trialSpeed[c]));
         }
         return least;
@@ -692,10 +697,14 @@ final class Settlement {
     private double mending(double h) {
         double work = 0;
         for (int k = 0; k < held.pairCount(); k++) {
-            double opened =
-                    Math.clamp(endGap(k, h) - startGap[k], SLACK * margin(k), margin(k));
+            boolean isStraight = bend(k) * h * h < SLACK * margin(k);
+            double together = endGap(k, h) - startGap[k];
             for (int c = firstPoint[k]; c < firstPoint[k + 1]; c++) {
-                work += problem.contacts.jn[c] / h * opened;
+                double opened = isStraight ? leastEnd(c, c + 1, h) - before[c] : together;
+                work +=
+                        problem.contacts.jn[c]
+                                / h
+                                * Math.clamp(opened, SLACK * margin(k), margin(k));
             }
         }
         return work;

@@ -149,8 +149,7 @@ public final class Contacts {
         velocity(contact, b[contact], bodies, -1, to, at);
     }
 
-    private void velocity(
-            int c, int body, ContactBodies bodies, double sign, double[] to, int at) {
+    private void velocity(int c, int body, ContactBodies bodies, double sign, double[] to, int at) {
         double rx = px[c] - bodies.x[3 * body];
         double ry = py[c] - bodies.x[3 * body + 1];
         double rz = pz[c] - bodies.x[3 * body + 2];

@@ -107,9 +107,7 @@ final class SpatialRows extends Rows {
 
     private double slip(Contacts list, int c, int number) {
         int at = number * STRIDE;
-        return list.slipX[c] * row[at]
-                + list.slipY[c] * row[at + 1]
-                + list.slipZ[c] * row[at + 2];
+        return list.slipX[c] * row[at] + list.slipY[c] * row[at + 1] + list.slipZ[c] * row[at + 2];
     }
 
     private void invertAcross(int term, int at) {

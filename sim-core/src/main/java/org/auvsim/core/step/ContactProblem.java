@@ -135,12 +135,7 @@ final class ContactProblem {
     }
 
     private void add(
-            int first,
-            int second,
-            Manifold points,
-            int k,
-            double friction,
-            boolean isCentral) {
+            int first, int second, Manifold points, int k, double friction, boolean isCentral) {
         int c =
                 contacts.add(
                         first,

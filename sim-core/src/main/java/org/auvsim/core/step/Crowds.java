@@ -8,9 +8,7 @@ import java.util.Arrays;
  * members together is crowded. For the rest of the frame whatever it meets stays with it.
  */
 final class Crowds {
-    /**
-     * Ten collisions a frame in a heap of a hundred bodies.
-     */
+    /** Ten collisions a frame in a heap of a hundred bodies. */
     private static final int MOST = 1000;
 
     private final int[] settled;

@@ -325,8 +325,7 @@ final class Frame {
 
     private void collide(int a, int b, double t) {
         boolean isCrowded = crowds.isCrowded(a) || crowds.isCrowded(b);
-        double limit =
-                isCrowded ? Double.POSITIVE_INFINITY : resting.limitAt(a, b, t, length);
+        double limit = isCrowded ? Double.POSITIVE_INFINITY : resting.limitAt(a, b, t, length);
         moverCount = 0;
         if (!traits.isFixed[a]) {
             addMover(a);

@@ -17,10 +17,6 @@ final class RestingContacts {
     /** A pair that stays together may part by this share of the smaller bounding radius. */
     private static final double HOP = 0.02;
 
-
-
-
-
     private final BodyTraits traits;
     private final Trajectories trajectories;
     private final Touch touch;
@@ -30,10 +26,7 @@ final class RestingContacts {
     private final double[] approaches = new double[2];
 
     RestingContacts(
-            BodyTraits traits,
-            Trajectories trajectories,
-            Touch touch,
-            ContactProblem problem) {
+            BodyTraits traits, Trajectories trajectories, Touch touch, ContactProblem problem) {
         this.traits = traits;
         this.trajectories = trajectories;
         this.touch = touch;

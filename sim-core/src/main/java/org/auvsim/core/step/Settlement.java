@@ -393,7 +393,8 @@ final class Settlement {
             }
             paths().middle(a, curve, pose);
             paths().middle(b, curve, other);
-            double reach = areSpheres(k) ? Double.POSITIVE_INFINITY : 2 * held.reach(held.pairs()[k]);
+            double reach =
+                    areSpheres(k) ? Double.POSITIVE_INFINITY : 2 * held.reach(held.pairs()[k]);
             touch.find(a, pose, b, other, reach, manifold);
             problem.add(a, b, manifold);
         }
@@ -493,8 +494,7 @@ final class Settlement {
                 trialSpeed[c] = speed(c);
                 double lacking = LEAST_GAP * margin(k) - predicted[c];
                 double least = Math.min(trialSpeed[c] + 2 * lacking / h, cap[c] + 2 * bend);
-                problem.contacts.target[c] =
-                        Math.max(problem.contacts.target[c] - bend, least);
+                problem.contacts.target[c] = Math.max(problem.contacts.target[c] - bend, least);
             }
         }
     }

@@ -66,7 +66,8 @@ final class BatchRun {
     String summary() {
         StepStatistics done = world.statistics();
         return ("%d steps: %.6g s of world time in %.3g s, %.3g times real time; %d collisions,"
-                        + " %d events, %d sub-steps, %d contacts held, %d quick hits")
+                        + " %d events, %d sub-steps, %d contacts held, %d quick hits,"
+                        + " %d crowded hits")
                 .formatted(
                         steps,
                         world.time() - startTime,
@@ -76,6 +77,7 @@ final class BatchRun {
                         done.events(),
                         done.subSteps(),
                         done.heldPairs(),
-                        done.quickHits());
+                        done.quickHits(),
+                        done.crowdedHits());
     }
 }

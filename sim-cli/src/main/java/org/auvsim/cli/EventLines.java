@@ -57,8 +57,12 @@ final class EventLines {
                     event(
                             s.timestamp(),
                             "(step)",
-                            "sub-steps %d, contacts held %d, quick hits %d"
-                                    .formatted(s.subSteps(), s.heldPairs(), s.quickHits()));
+                            "sub-steps %d, contacts held %d, quick hits %d, crowded hits %d"
+                                    .formatted(
+                                            s.subSteps(),
+                                            s.heldPairs(),
+                                            s.quickHits(),
+                                            s.crowdedHits()));
             case LaggingNotification l ->
                     Optional.of("(too slow: %d left out)".formatted(l.skipped()));
             case DisconnectedNotification d -> Optional.of("the simulator ends: " + d.reason());

@@ -63,7 +63,7 @@ final class Watch implements Callable<Integer> {
             names = "--steps",
             description =
                     "Tells also what kept a step from getting stuck or diverging: sub-steps,"
-                            + " contacts held, quick hits.")
+                            + " contacts held, quick hits, crowded hits.")
     private boolean steps;
 
     @Override

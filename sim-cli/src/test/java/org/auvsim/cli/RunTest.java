@@ -59,7 +59,9 @@ class RunTest {
         assertThat(number(lines.get(3), 0)).isCloseTo(contact, within(1e-9));
         assertThat(number(lines.get(3), 2)).isCloseTo(-1 + 2 * contact, within(1e-9));
         assertThat(auvsim.out())
-                .contains("1 collisions, 1 events, 0 sub-steps, 0 contacts held, 0 quick hits")
+                .contains(
+                        "1 collisions, 1 events, 0 sub-steps, 0 contacts held, 0 quick hits,"
+                                + " 0 crowded hits")
                 .contains("rows written to " + csv);
         assertThat(auvsim.err()).isEmpty();
     }

@@ -329,10 +329,17 @@ public final class World {
 
     private void publishReport() {
         StepStatistics step = mechanics.tally().since(atStart);
-        if (step.subSteps() > 0 || step.heldPairs() > 0 || step.quickHits() > 0) {
+        if (step.subSteps() > 0
+                || step.heldPairs() > 0
+                || step.quickHits() > 0
+                || step.crowdedHits() > 0) {
             announcements.announce(
                     new WorldEvent.StepReport(
-                            time(), step.subSteps(), step.heldPairs(), step.quickHits()));
+                            time(),
+                            step.subSteps(),
+                            step.heldPairs(),
+                            step.quickHits(),
+                            step.crowdedHits()));
         }
     }
 

@@ -16,6 +16,10 @@ import java.util.List;
 
 /** What keeps a step from getting stuck or diverging is told, and only then. */
 class StepReportTest {
+    private static final int ROW = 10;
+    private static final int LAYER = ROW * ROW;
+    private static final int HAIL = 30;
+
     private final List<WorldEvent> events = new ArrayList<>();
 
     private World heard(WorldObjectDefinition... objects) {
@@ -56,7 +60,8 @@ class StepReportTest {
         for (int step = 0; step < 5; step++) {
             world.advanceTimestep();
 
-            assertThat(reports()).containsExactly(new WorldEvent.StepReport(world.time(), 0, 2, 0));
+            assertThat(reports())
+                    .containsExactly(new WorldEvent.StepReport(world.time(), 0, 2, 0, 0));
             assertThat(events.get(events.size() - 2)).isInstanceOf(WorldEvent.StepReport.class);
             assertThat(events.getLast()).isInstanceOf(WorldEvent.StepAdvanced.class);
             events.clear();
@@ -78,6 +83,36 @@ class StepReportTest {
         assertThat(reports().getFirst().quickHits())
                 .isPositive()
                 .isEqualTo(world.statistics().quickHits());
+    }
+
+    /** A hail on a layer of balls that lie side by side: each hit settles the layer anew. */
+    @Test
+    void hitsOnACrowdAreReported() {
+        List<WorldObjectDefinition> objects = new ArrayList<>(List.of(floor()));
+        for (int i = 0; i < LAYER; i++) {
+            objects.add(ball("Lying " + i, i, 0.5, 0));
+        }
+        for (int i = 0; i < HAIL; i++) {
+            objects.add(ball("Falling " + i, i, 1.5 + 0.01 * (i + 1), -10));
+        }
+        World world = heard(objects.toArray(WorldObjectDefinition[]::new));
+
+        world.advanceTimestep();
+
+        assertThat(reports()).hasSize(1);
+        assertThat(reports().getFirst().crowdedHits())
+                .isPositive()
+                .isLessThan(HAIL)
+                .isEqualTo(world.statistics().crowdedHits());
+    }
+
+    private static WorldObjectDefinition ball(String name, int cell, double height, double speed) {
+        return Balls.ball(name)
+                .restitution(0.5)
+                .effect(new Gravity(9.81))
+                .position(cell % ROW, Math.floorDiv(cell, ROW), height)
+                .velocity(0, 0, speed)
+                .build();
     }
 
     /** A plane across the x axis, solid on the side that {@code normal}, 1 or -1, points from. */
@@ -137,6 +172,6 @@ class StepReportTest {
 
         world.advanceTimestep();
 
-        assertThat(reports()).containsExactly(new WorldEvent.StepReport(world.time(), 0, 1, 0));
+        assertThat(reports()).containsExactly(new WorldEvent.StepReport(world.time(), 0, 1, 0, 0));
     }
 }

@@ -108,7 +108,8 @@ final class WorldNews implements WorldListener {
                                 report.time(),
                                 report.subSteps(),
                                 report.heldPairs(),
-                                report.quickHits()));
+                                report.quickHits(),
+                                report.crowdedHits()));
     }
 
     /** Tells where the step will end. */

@@ -10,7 +10,13 @@ import org.auvsim.core.description.Unit;
  * @param subSteps parts that were added because forces are stiff
  * @param heldPairs pairs that rested on each other and were held together
  * @param quickHits collisions without loss, as the pair had met within the last 10 ms
+ * @param crowdedHits collisions without restitution, as too much happened to a heap in one step to
+ *     follow it all
  */
 public record StepReportNotification(
-        @Unit("s") double timestamp, long subSteps, long heldPairs, long quickHits)
+        @Unit("s") double timestamp,
+        long subSteps,
+        long heldPairs,
+        long quickHits,
+        long crowdedHits)
         implements Message {}

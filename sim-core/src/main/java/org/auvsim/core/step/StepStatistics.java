@@ -5,7 +5,8 @@ package org.auvsim.core.step;
  *
  * @param collisions pairs that have met and responded
  * @param events instants within frames at which something was moved: collisions, ends of sub-steps
- * @param subSteps segments that were added because forces are stiff
+ * @param subSteps segments that were added because forces are stiff, or contact forces would add
+ *     energy
  * @param heldPairs pairs that were held together for the rest of a frame, counted once a frame
  * @param quickHits collisions without loss, as the pair had met within the last 10 ms
  * @param crowdedHits collisions without restitution, as too much happened to a heap in one frame to

@@ -7,7 +7,8 @@ import org.auvsim.core.description.Unit;
  * How the step that ends at this time was kept from getting stuck or diverging; a step that needed
  * nothing of it is not reported.
  *
- * @param subSteps parts that were added because forces are stiff
+ * @param subSteps parts that were added because forces are stiff, or contact forces would add
+ *     energy
  * @param heldPairs pairs that rested on each other and were held together
  * @param quickHits collisions without loss, as the pair had met within the last 10 ms
  * @param crowdedHits collisions without restitution, as too much happened to a heap in one step to

@@ -91,6 +91,11 @@ final class BodyTraits {
         return isBall[a] && isBall[b] && friction[a] * friction[b] == 0;
     }
 
+    /** Whether the engine answers a collision of the two, and no response of a user's own. */
+    boolean bounce(int a, int b) {
+        return bounces[a] && bounces[b];
+    }
+
     boolean mayCollide(int a, int b) {
         return !(isFixed[a] && isFixed[b])
                 && (ignored[a] >>> layer[b] & 1) == 0

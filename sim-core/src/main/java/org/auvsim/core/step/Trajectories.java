@@ -22,61 +22,30 @@ import java.util.function.IntConsumer;
  * <p>Instants are offsets (s) from the frame's beginning; bodies go by their slots.
  */
 final class Trajectories {
-    /** Parts of a stiff motion that are asked to be cut in no more than these are fine. */
-    private static final int FINE = 2;
-
     private final BodyState bodies;
-    private final BodyTraits traits;
-    private final EquationsOfMotion equations;
-    private final Integrator integrator;
+    private final BodyGroups groups;
     private final Lanes lanes;
-    private final int count;
     private final ContactForces forces;
     private final Paths paths;
     private final double[][] end;
     private final int[] version;
-    private final Worker[] workers;
-    private final IntConsumer integrateLane = this::integrateLane;
     private final SegmentLog log;
-    private final int[] one = new int[1];
-    private final int[] some = new int[Block.SIZE];
-    private final BodyGroups groups;
 
-    /**
-     * Where coupled bodies are: all slots with groups side by side, and where each block begins.
-     */
-    private final int[] inOrder;
+    private final FrameBlocks blocks;
+    private final SegmentIntegrator[] integrators;
+    private final IntConsumer integrateLane = this::integrateLane;
 
-    private final int[] blockStart;
+    /** The one that goes on within the frame, when no lanes run. */
+    private final SegmentIntegrator one;
+
+    private final JointSegments joint;
+    private final int[] alike = new int[Block.SIZE];
     private final BodyCurve cut = new BodyCurve();
     private final Pose place = new Pose();
-    private boolean isCommitted;
+
     private double time;
     private double length;
-
-    /** What one lane needs for itself. */
-    private static final class Worker {
-        final Block block;
-        final Block single;
-        final BodyGroups.Batch batch;
-        final int[] one = new int[1];
-        final Pose pose = new Pose();
-        final SegmentTrace trace;
-
-        /** How many bodies of the block are traced; those behind are anchors of groups. */
-        int traced;
-
-        int notFinite = -1;
-        int tooStiff = -1;
-        boolean hasCuts;
-
-        Worker(int capacity, double[] radii) {
-            block = new Block(capacity);
-            single = new Block(capacity);
-            batch = new BodyGroups.Batch(capacity);
-            trace = new SegmentTrace(capacity, radii);
-        }
-    }
+    private boolean isCommitted;
 
     Trajectories(
             BodyState bodies,
@@ -85,34 +54,21 @@ final class Trajectories {
             Integrator integrator,
             Lanes lanes) {
         this.bodies = bodies;
-        this.traits = traits;
-        this.equations = equations;
-        this.integrator = integrator;
         this.lanes = lanes;
-        this.groups = equations.groups();
-        count = bodies.count();
-        forces = new ContactForces(count);
+        groups = equations.groups();
+        forces = new ContactForces(bodies.count());
         paths = new Paths(bodies, traits, forces);
         end = paths.ends();
-        version = new int[count];
+        version = new int[bodies.count()];
         log = new SegmentLog(bodies);
-        workers = new Worker[lanes.count()];
-        for (int lane = 0; lane < workers.length; lane++) {
-            workers[lane] = new Worker(groups.capacity(), bodies.radius());
+        blocks = new FrameBlocks(groups, bodies.count());
+        integrators = new SegmentIntegrator[lanes.count()];
+        for (int lane = 0; lane < integrators.length; lane++) {
+            integrators[lane] =
+                    new SegmentIntegrator(bodies, traits, equations, integrator, forces, paths);
         }
-        inOrder = groups.inOrder();
-        blockStart = blockStarts();
-    }
-
-    /** Where the blocks of a frame begin, if bodies are coupled; the last entry is the end. */
-    private int[] blockStarts() {
-        int[] starts = new int[inOrder.length + 1];
-        int blocks = 0;
-        while (starts[blocks] < inOrder.length) {
-            int from = starts[blocks++];
-            starts[blocks] = from + groups.fill(inOrder, from, inOrder.length, workers[0].batch);
-        }
-        return Arrays.copyOf(starts, blocks + 1);
+        one = integrators[0];
+        joint = new JointSegments(one, version);
     }
 
     BodyGroups groups() {
@@ -120,7 +76,7 @@ final class Trajectories {
     }
 
     int count() {
-        return count;
+        return version.length;
     }
 
     /** Where the bodies are on their segments. */
@@ -150,29 +106,13 @@ final class Trajectories {
     }
 
     private void integrateLane(int lane) {
-        Worker worker = workers[lane];
-        worker.notFinite = -1;
-        worker.tooStiff = -1;
-        worker.hasCuts = false;
-        boolean isPlain = groups.isEmpty();
-        int blocks = isPlain ? (count + Block.SIZE - 1) / Block.SIZE : blockStart.length - 1;
-        int from = (int) ((long) blocks * lane / workers.length);
-        int to = (int) ((long) blocks * (lane + 1) / workers.length);
+        SegmentIntegrator integrator = integrators[lane];
+        integrator.begin(time, length);
+        int from = (int) ((long) blocks.count() * lane / integrators.length);
+        int to = (int) ((long) blocks.count() * (lane + 1) / integrators.length);
         for (int b = from; b < to; b++) {
-            int first = isPlain ? b * Block.SIZE : blockStart[b];
-            loadFrame(worker, first);
-            integrate(worker, 0, length);
-        }
-    }
-
-    /** Loads bodies at the frame's beginning, from a place in the order of blocks on. */
-    private void loadFrame(Worker worker, int first) {
-        if (groups.isEmpty()) {
-            worker.traced = Math.min(Block.SIZE, count - first);
-            equations.load(worker.block, first, worker.traced, time);
-        } else {
-            worker.traced = groups.fill(inOrder, first, count, worker.batch);
-            equations.load(worker.block, worker.batch.slots, worker.batch.count, time);
+            blocks.load(b, integrator);
+            integrator.integrate(0, length);
         }
     }
 
@@ -186,31 +126,25 @@ final class Trajectories {
         if (from == offset) {
             return;
         }
-        int[] unit = unit(slot, one);
+        int[] unit = one.unit(slot);
         if (offset == paths.endOf(slot)) {
             for (int member : unit) {
                 takeEnd(member, offset);
             }
             return;
         }
-        Block block = workers[0].block;
-        load(workers[0], unit, 0, unit.length, from);
-        integrator.advance(equations, block, offset - from);
-        for (int i = 0; i < unit.length; i++) {
-            take(block, i, offset);
+        one.load(unit, 0, unit.length, from);
+        take(from, offset);
+    }
+
+    /** Integrates the loaded bodies from where their segments began to where they end now. */
+    private void take(double from, double offset) {
+        one.project(offset - from);
+        for (int i = 0; i < one.loaded(); i++) {
+            take(one.block(), i, offset);
         }
     }
 
-    /** A body with all that it is coupled to. */
-    private int[] unit(int slot, int[] alone) {
-        if (groups.isCoupled(slot)) {
-            return groups.members(slot);
-        }
-        alone[0] = slot;
-        return alone;
-    }
-
-    /** Body {@code i} of the block has been integrated to an offset, where its segment ends now. */
     private void take(Block block, int i, double offset) {
         int slot = block.slot(i);
         log.keep(slot);
@@ -240,7 +174,7 @@ final class Trajectories {
 
     /** The same for several bodies: those whose segments began together go in blocks. */
     void moveTo(int[] slots, int number, double offset) {
-        int alike = 0;
+        int count = 0;
         double start = 0;
         for (int k = 0; k < number; k++) {
             int slot = slots[k];
@@ -249,26 +183,20 @@ final class Trajectories {
                 moveTo(slot, offset);
                 continue;
             }
-            if (alike == Block.SIZE || (alike > 0 && from != start)) {
-                moveAlike(alike, start, offset);
-                alike = 0;
+            if (count == Block.SIZE || (count > 0 && from != start)) {
+                moveAlike(count, start, offset);
+                count = 0;
             }
             start = from;
-            some[alike++] = slot;
+            alike[count++] = slot;
         }
-        moveAlike(alike, start, offset);
+        moveAlike(count, start, offset);
     }
 
     private void moveAlike(int number, double from, double offset) {
-        if (number == 0) {
-            return;
-        }
-        Block block = workers[0].block;
-        equations.load(block, some, number, time + from);
-        forces.push(block);
-        integrator.advance(equations, block, offset - from);
-        for (int i = 0; i < number; i++) {
-            take(block, i, offset);
+        if (number > 0) {
+            one.loadUncoupled(alike, 0, number, from);
+            take(from, offset);
         }
     }
 
@@ -277,9 +205,9 @@ final class Trajectories {
      * the contact forces that they have been given.
      */
     void restart(int[] slots, int number, double offset) {
-        for (int first = 0; first < number; first += workers[0].traced) {
-            load(workers[0], slots, first, number, offset);
-            integrate(workers[0], offset, length);
+        for (int first = 0; first < number; first += one.loaded()) {
+            one.load(slots, first, number, offset);
+            one.integrate(offset, length);
         }
         for (int k = 0; k < number; k++) {
             version[slots[k]]++;
@@ -296,83 +224,14 @@ final class Trajectories {
      */
     double restartTogether(
             int[] slots, int number, double offset, double latest, double[] endVelocities) {
-        Worker worker = workers[0];
-        int notFinite = worker.notFinite;
-        double last = latest;
-        int fine = latest < length ? FINE : 1;
-        int wanted = project(slots, number, offset, last, endVelocities);
-        for (int parts = wanted; wanted > fine; parts *= 2) {
-            fine = FINE;
-            last = offset + (latest - offset) / parts;
-            if (isTooShort(offset, last)) {
-                worker.tooStiff = slots[0];
-                return latest;
-            }
-            worker.notFinite = notFinite;
-            wanted = project(slots, number, offset, last, endVelocities);
-        }
-        return last;
-    }
-
-    /** Traces bodies from one offset to another; into how many parts that should be cut. */
-    private int project(int[] slots, int number, double from, double to, double[] endVelocities) {
-        Worker worker = workers[0];
-        Block block = worker.block;
-        int parts = 1;
-        for (int first = 0; first < number; first += worker.traced) {
-            load(worker, slots, first, number, from);
-            advance(worker, block, from, to);
-            for (int i = 0; i < worker.traced; i++) {
-                trace(worker, block, i, from, to);
-                parts = Math.max(parts, block.subSteps(i));
-            }
-            tellVelocities(endVelocities, first);
-        }
-        for (int k = 0; k < number; k++) {
-            version[slots[k]]++;
-        }
-        return parts;
-    }
-
-    /** Whether nothing is gained any more by parts as short as this. */
-    private boolean isTooShort(double from, double to) {
-        return (to - from) * 2 * Block.MOST_SUB_STEPS < length;
-    }
-
-    /** Tells the velocities that bodies have in their present states, as {@link #restart} does. */
-    void velocitiesNow(int[] slots, int number, double[] to) {
-        // No force matters here, and so nobody they couple.
-        Worker worker = workers[0];
-        for (int first = 0; first < number; first += worker.traced) {
-            worker.traced = Math.min(Block.SIZE, number - first);
-            System.arraycopy(slots, first, some, 0, worker.traced);
-            equations.load(worker.block, some, worker.traced, time);
-            forces.push(worker.block);
-            tellVelocities(to, first);
-        }
+        return joint.restart(slots, number, offset, latest, endVelocities);
     }
 
     /**
-     * Loads as many of the bodies from {@code first} on, up to {@code end}, as fit into a block.
+     * Writes the velocities that bodies have in their present states, as {@link #restartTogether}.
      */
-    private void load(Worker worker, int[] slots, int first, int end, double offset) {
-        worker.traced = groups.fill(slots, first, end, worker.batch);
-        equations.load(worker.block, worker.batch.slots, worker.batch.count, time + offset);
-        forces.push(worker.block);
-    }
-
-    private void tellVelocities(double[] to, int first) {
-        Block block = workers[0].block;
-        equations.motions(block);
-        for (int i = 0; i < workers[0].traced; i++) {
-            int at = 6 * (first + i);
-            to[at] = block.vx[i];
-            to[at + 1] = block.vy[i];
-            to[at + 2] = block.vz[i];
-            to[at + 3] = block.wx[i];
-            to[at + 4] = block.wy[i];
-            to[at + 5] = block.wz[i];
-        }
+    void velocitiesNow(int[] slots, int number, double[] to) {
+        joint.velocitiesNow(slots, number, to);
     }
 
     /** Makes the ends of all segments the present state. */
@@ -383,17 +242,14 @@ final class Trajectories {
 
     /** Ends the frame early: makes the states at an offset the present one. */
     void commitAt(double offset) {
-        Block block = workers[0].block;
-        for (int first = 0; first < count; first += workers[0].traced) {
-            loadFrame(workers[0], first);
+        for (int b = 0; b < blocks.count(); b++) {
+            blocks.load(b, one);
             if (offset > 0) {
-                integrator.advance(equations, block, offset);
+                one.project(offset);
             }
-            for (int c = 0; c < BodyState.COLUMNS; c++) {
-                block.scatter(block.state[c], end[c]);
-            }
+            one.writeEnds();
         }
-        for (int slot = 0; slot < count; slot++) {
+        for (int slot = 0; slot < version.length; slot++) {
             if (version[slot] > 0 || paths.startOf(slot) > 0) {
                 moveTo(slot, offset);
                 for (int c = 0; c < BodyState.COLUMNS; c++) {
@@ -413,152 +269,35 @@ final class Trajectories {
         log.restore();
     }
 
-    /**
-     * Integrates the loaded bodies from one offset to another and traces their segments; a body
-     * whose forces are too stiff for that gets a shorter segment.
-     */
-    private void integrate(Worker worker, double from, double to) {
-        Block block = worker.block;
-        advance(worker, block, from, to);
-        if (!block.hasSubSteps() && !block.hasFixed) {
-            traceAll(worker, block, from, to);
-            return;
-        }
-        int traced = worker.traced;
-        for (int i = 0; i < traced; i++) {
-            if (parts(block, i) == 1) {
-                trace(worker, block, i, from, to);
-            }
-        }
-        int size;
-        for (int i = 0; i < traced; i += size) {
-            size = groups.size(block.slot(i));
-            if (parts(block, i) > 1) {
-                cut(worker, unit(block.slot(i), worker.one), parts(block, i), from, to);
-            }
-        }
-    }
-
-    /** Into how many parts the steps of a body, and all that it is coupled to, should be cut. */
-    private int parts(Block block, int i) {
-        int slot = block.slot(i);
-        if (!groups.isCoupled(slot)) {
-            return block.subSteps(i);
-        }
-        int most = 1;
-        for (int member : groups.members(slot)) {
-            most = Math.max(most, block.subSteps(block.indexOf(member)));
-        }
-        return most;
-    }
-
-    private void advance(Worker worker, Block block, double from, double to) {
-        measure(block, 0);
-        worker.trace.begin(block);
-        integrator.advance(equations, block, to - from);
-        for (int c = 0; c < BodyState.COLUMNS; c++) {
-            block.scatter(block.state[c], end[c]);
-        }
-        measure(block, 3);
-        worker.trace.end(block, to - from);
-    }
-
-    /** Traces segments that are as many times shorter than asked as makes them fine. */
-    private void cut(Worker worker, int[] unit, int atLeast, double from, double to) {
-        worker.hasCuts = true;
-        Block block = worker.single;
-        double last = to;
-        int parts = atLeast;
-        boolean isFine = false;
-        while (!isFine) {
-            last = from + (to - from) / parts;
-            if (isTooShort(from, last)) {
-                worker.tooStiff = unit[0];
-                return;
-            }
-            groups.fill(unit, 0, unit.length, worker.batch);
-            equations.load(block, worker.batch.slots, worker.batch.count, time + from);
-            forces.push(block);
-            advance(worker, block, from, last);
-            isFine = parts(block, 0) <= FINE;
-            parts *= 2;
-        }
-        for (int i = 0; i < unit.length; i++) {
-            trace(worker, block, i, from, last);
-        }
-    }
-
-    /** Fills the velocities of the block, and notes the angular ones at start (0) or end (3). */
-    private void measure(Block block, int at) {
-        if (traits.areAllSpheres) {
-            equations.velocities(block);
-            return;
-        }
-        equations.motions(block);
-        paths.noteSpin(block, at);
-    }
-
-    /** Writes curve and box of body {@code i} of the block. */
-    private void trace(Worker worker, Block block, int i, double from, double to) {
-        int slot = block.slot(i);
-        if (traits.isFixed[slot]) {
-            paths.standStill(slot, worker.pose, from, to);
-            return;
-        }
-        paths.trace(worker.trace, block, i, i + 1, from, to);
-        requireFinite(worker, block, i);
-    }
-
-    /** Writes curves and boxes of all that is traced of the block, nothing of which is fixed. */
-    private void traceAll(Worker worker, Block block, double from, double to) {
-        paths.trace(worker.trace, block, 0, worker.traced, from, to);
-        for (int i = 0; i < worker.traced; i++) {
-            requireFinite(worker, block, i);
-        }
-    }
-
-    /** Notes the first body that does not end with finite numbers. */
-    private static void requireFinite(Worker worker, Block block, int i) {
-        if (worker.notFinite < 0 && !worker.trace.isFinite(i)) {
-            worker.notFinite = block.slot(i);
-        }
-    }
-
-    /** Whether forces may be so stiff that a segment ends before its frame. */
-    boolean mayEndEarly() {
-        return equations.mayBeStiff();
-    }
-
     /** Whether a segment of the frame's beginning is shorter than the frame. */
     boolean hasCuts() {
         boolean any = false;
-        for (Worker worker : workers) {
-            any |= worker.hasCuts;
+        for (SegmentIntegrator integrator : integrators) {
+            any |= integrator.hasCuts;
         }
         return any;
     }
 
     /**
-     * The slot of a body whose forces are too stiff for the shortest segment; -1 if there is none.
+     * Requires that all segments traced so far can be followed.
+     *
+     * @param motion whose bodies they are of
+     * @throws StepException if the forces on a body are too stiff for the shortest segment, or its
+     *     motion is not finite
      */
-    int anyTooStiff() {
-        int first = -1;
-        for (Worker worker : workers) {
-            if (worker.tooStiff >= 0 && (first < 0 || worker.tooStiff < first)) {
-                first = worker.tooStiff;
-            }
+    void requireSound(Motion motion) {
+        int tooStiff = -1;
+        int notFinite = -1;
+        for (SegmentIntegrator integrator : integrators) {
+            tooStiff = firstOf(tooStiff, integrator.tooStiff);
+            notFinite = firstOf(notFinite, integrator.notFinite);
         }
-        return first;
+        motion.requireMild(tooStiff, length);
+        motion.requireFinite(notFinite, length);
     }
 
-    /** The slot of a body whose end is not a finite number, the first one; -1 if there is none. */
-    int anyNotFinite() {
-        int first = -1;
-        for (Worker worker : workers) {
-            if (worker.notFinite >= 0 && (first < 0 || worker.notFinite < first)) {
-                first = worker.notFinite;
-            }
-        }
-        return first;
+    /** The lower of two slots, each of which is -1 if there is none. */
+    private static int firstOf(int one, int another) {
+        return one < 0 || (another >= 0 && another < one) ? another : one;
     }
 }

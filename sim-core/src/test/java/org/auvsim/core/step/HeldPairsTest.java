@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.core.dynamics.EquationsOfMotion;
 import org.auvsim.core.dynamics.ImpulseResponse;
-import org.auvsim.core.entity.Bodies;
 import org.auvsim.core.entity.BlockEffect;
+import org.auvsim.core.entity.Bodies;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

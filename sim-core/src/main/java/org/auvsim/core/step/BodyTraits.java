@@ -76,6 +76,16 @@ final class BodyTraits {
         }
     }
 
+    /** Whether the engine answers all collisions itself. */
+    boolean allBounce() {
+        for (boolean bounce : bounces) {
+            if (!bounce) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** The gap (m) below which two bodies are near each other: twice what resting contacts keep. */
     double nearness(int a, int b) {
         return 2 * RestingContacts.MARGIN * Math.min(radius[a], radius[b]);

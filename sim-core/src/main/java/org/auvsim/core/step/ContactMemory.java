@@ -27,6 +27,13 @@ public final class ContactMemory {
     private double[] forces;
     private int[] table;
 
+    /** What hits have changed: whose they were, and what was remembered before. */
+    private int hits;
+
+    private long[] hitPair = new long[16];
+    private double[] hitBefore = new double[16];
+    private int[] repeatsBefore = new int[16];
+
     /** Remembers nothing. */
     public ContactMemory() {
         pair = new long[16];
@@ -132,7 +139,31 @@ public final class ContactMemory {
         return repeats[entry];
     }
 
+    /** From now on hits can be taken back. */
+    void mark() {
+        hits = 0;
+    }
+
+    /** Takes back the hits since {@link #mark}, the last one first. */
+    void rewind() {
+        while (hits > 0) {
+            int at = place(hitPair[--hits]);
+            if (table[at] >= 0) {
+                lastHit[table[at]] = hitBefore[hits];
+                repeats[table[at]] = repeatsBefore[hits];
+            }
+        }
+    }
+
     void hit(int entry, double time, int repeated) {
+        if (hits == hitPair.length) {
+            hitPair = Arrays.copyOf(hitPair, 2 * hits);
+            hitBefore = Arrays.copyOf(hitBefore, 2 * hits);
+            repeatsBefore = Arrays.copyOf(repeatsBefore, 2 * hits);
+        }
+        hitPair[hits] = pair[entry];
+        hitBefore[hits] = lastHit[entry];
+        repeatsBefore[hits++] = repeats[entry];
         lastHit[entry] = time;
         repeats[entry] = repeated;
     }

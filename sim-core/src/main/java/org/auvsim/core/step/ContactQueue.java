@@ -3,14 +3,16 @@ package org.auvsim.core.step;
 import java.util.Arrays;
 
 /**
- * Predicted events of a frame, the earliest first: a binary heap in plain arrays. Events of the
- * same instant come in order of the ranks of the two, which is the order of their ids.
+ * Predicted events of a frame, region by region the earliest first: a binary heap in plain arrays.
+ * Events of the same instant come in order of the ranks of the two, which is the order of their
+ * ids.
  */
 final class ContactQueue {
     /** In the place of the second body: the end of a body's segment, not a contact. */
     static final int NONE = -1;
 
     private int size;
+    private int[] region = new int[64];
     private double[] time = new double[64];
     private int[] first = new int[64];
     private int[] second = new int[64];
@@ -25,7 +27,7 @@ final class ContactQueue {
         return size == 0;
     }
 
-    /** Offset (s) of the earliest event. */
+    /** Offset (s) of the first event. */
     double time() {
         return time[0];
     }
@@ -47,24 +49,26 @@ final class ContactQueue {
         return secondVersion[0];
     }
 
-    void add(double t, int a, int b, int versionA, int versionB) {
+    /** Adds an event; those of smaller regions are taken first. */
+    void add(int in, double t, int a, int b, int versionA, int versionB) {
         if (size == time.length) {
             grow();
         }
         int at = size++;
         while (at > 0) {
             int parent = (at - 1) >>> 1;
-            if (!isBefore(t, a, b, parent)) {
+            if (!isBefore(in, t, a, b, parent)) {
                 break;
             }
             move(parent, at);
             at = parent;
         }
-        set(at, t, a, b, versionA, versionB);
+        set(at, in, t, a, b, versionA, versionB);
     }
 
     void removeFirst() {
         int last = --size;
+        int in = region[last];
         double t = time[last];
         int a = first[last];
         int b = second[last];
@@ -73,36 +77,38 @@ final class ContactQueue {
         int at = 0;
         while (2 * at + 1 < size) {
             int child = 2 * at + 1;
-            if (child + 1 < size
-                    && isBefore(time[child + 1], first[child + 1], second[child + 1], child)) {
+            if (child + 1 < size && isBefore(child + 1, child)) {
                 child++;
             }
-            if (!isBefore(time[child], first[child], second[child], t, a, b)) {
+            if (isBefore(in, t, a, b, child)) {
                 break;
             }
             move(child, at);
             at = child;
         }
-        set(at, t, a, b, versionA, versionB);
+        set(at, in, t, a, b, versionA, versionB);
     }
 
-    private boolean isBefore(double t, int a, int b, int other) {
-        return isBefore(t, a, b, time[other], first[other], second[other]);
+    private boolean isBefore(int one, int other) {
+        return isBefore(region[one], time[one], first[one], second[one], other);
     }
 
-    private static boolean isBefore(
-            double t, int a, int b, double otherTime, int otherFirst, int otherSecond) {
-        if (t != otherTime) {
-            return t < otherTime;
+    private boolean isBefore(int in, double t, int a, int b, int other) {
+        if (in != region[other]) {
+            return in < region[other];
         }
-        return a != otherFirst ? a < otherFirst : b < otherSecond;
+        if (t != time[other]) {
+            return t < time[other];
+        }
+        return a != first[other] ? a < first[other] : b < second[other];
     }
 
     private void move(int from, int to) {
-        set(to, time[from], first[from], second[from], firstVersion[from], secondVersion[from]);
+        set(to, region[from], time[from], first[from], second[from], firstVersion[from], secondVersion[from]);
     }
 
-    private void set(int at, double t, int a, int b, int versionA, int versionB) {
+    private void set(int at, int in, double t, int a, int b, int versionA, int versionB) {
+        region[at] = in;
         time[at] = t;
         first[at] = a;
         second[at] = b;
@@ -112,6 +118,7 @@ final class ContactQueue {
 
     private void grow() {
         int capacity = 2 * size;
+        region = Arrays.copyOf(region, capacity);
         time = Arrays.copyOf(time, capacity);
         first = Arrays.copyOf(first, capacity);
         second = Arrays.copyOf(second, capacity);

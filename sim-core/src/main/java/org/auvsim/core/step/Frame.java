@@ -3,6 +3,7 @@ package org.auvsim.core.step;
 import org.auvsim.core.entity.Contact;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
@@ -21,9 +22,16 @@ final class Frame {
     /** So often at most are islands settled anew at a frame's beginning, as they grow. */
     private static final int MOST_PASSES = 8;
 
+    /** As predictions are taken where regions are not told apart. */
+    private static final Comparator<Collision> IN_ORDER =
+            Comparator.<Collision>comparingDouble(c -> c.contact().time())
+                    .thenComparing(c -> c.contact().self().id())
+                    .thenComparing(c -> c.contact().other().id());
+
     private final Motion motion;
     private final BodyTraits traits;
     private final StepTally tally;
+    private final StepTally tallyBefore = new StepTally();
     private final int[] slotOfRank;
 
     private final Trajectories trajectories;
@@ -67,12 +75,29 @@ final class Frame {
         events = 0;
         collisions.clear();
         interruption.clear();
+        tallyBefore.set(tally);
+        motion.memory().mark();
         trajectories.begin(begin, length);
         trajectories.requireSound(motion);
         islands.begin(begin, length);
         predictions.begin(begin, length);
         settleAll();
         predictions.complete();
+        startOverIfRegionsMet();
+    }
+
+    /**
+     * Where regions that were told apart have met, the order of events may have been wrong: the
+     * frame is taken again, all events in the order of time.
+     */
+    private void startOverIfRegionsMet() {
+        if (predictions.haveRegionsMet()) {
+            undo();
+            motion.memory().rewind();
+            tally.set(tallyBefore);
+            predictions.tellNoRegionsApart();
+            begin(length);
+        }
     }
 
     /**
@@ -183,6 +208,7 @@ final class Frame {
             trajectories.requireSound(motion);
         }
         predictions.renew(movers);
+        startOverIfRegionsMet();
     }
 
     /** The end of the frame becomes the present. */
@@ -193,6 +219,9 @@ final class Frame {
         trajectories.commit();
         tally.heldPairs += islands.pairCount();
         motion.begin(motion.time() + length);
+        if (predictions.areByRegion()) {
+            collisions.sort(IN_ORDER);
+        }
         if (last.elapsed() != length || !last.collisions().isEmpty() || !collisions.isEmpty()) {
             last = StepResult.of(length, collisions);
         }

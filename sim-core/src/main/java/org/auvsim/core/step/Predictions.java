@@ -10,12 +10,17 @@ import java.util.stream.IntStream;
  * instants are offsets (s) from the frame's beginning.
  */
 final class Predictions {
+    /** After two regions have met, events come in the order of time for so many frames. */
+    private static final int FRAMES_IN_ORDER = 50;
+
     private final Motion motion;
     private final BodyTraits traits;
     private final Trajectories trajectories;
     private final int[] version;
     private final Islands islands;
     private final ColumnGrid grid;
+    private final Regions regions;
+    private final boolean mayHaveRegions;
     private final ContactQueue queue = new ContactQueue();
 
     private final Lanes lanes;
@@ -37,6 +42,11 @@ final class Predictions {
     private final int[] batch;
 
     private int batches;
+
+    /** For so many frames events come in the order of time alone. */
+    private int framesInOrder;
+
+    private boolean haveMet;
     private boolean isBeginning;
     private double begin;
     private double length;
@@ -67,6 +77,9 @@ final class Predictions {
         one = encounters[0];
         large = new Encounters(traits, trajectories, motion.queries());
         entities = IntStream.range(0, slotOfRank.length).filter(r -> slotOfRank[r] < 0).toArray();
+        regions = new Regions(trajectories.paths().boxes(), trajectories.count());
+        mayHaveRegions =
+                entities.length == 0 && trajectories.groups().isEmpty() && traits.allBounce();
         near = new Neighbours(grid);
         batch = new int[version.length];
     }
@@ -80,6 +93,7 @@ final class Predictions {
         this.length = length;
         isBeginning = true;
         queue.clear();
+        findRegions();
         grid.build();
         lanes.run(sweepLane);
         large.clear();
@@ -91,6 +105,36 @@ final class Predictions {
         for (int body = 0; trajectories.hasCuts() && body < version.length; body++) {
             addEnd(body);
         }
+    }
+
+    /**
+     * Regions are looked for unless some that were found have met of late, which costs a frame that
+     * is taken in vain, or something reaches across: what couples bodies, what is no body, or a
+     * response of a user's own, which wants the whole world at an instant.
+     */
+    private void findRegions() {
+        haveMet = false;
+        regions.clear();
+        if (framesInOrder > 0) {
+            framesInOrder--;
+        } else if (mayHaveRegions) {
+            regions.find();
+        }
+    }
+
+    /** Whether regions were told apart in this frame that have to do with each other after all. */
+    boolean haveRegionsMet() {
+        return haveMet;
+    }
+
+    /** From the next frame on events come in the order of time, for a while. */
+    void tellNoRegionsApart() {
+        framesInOrder = FRAMES_IN_ORDER;
+    }
+
+    /** Whether events come region by region, and so not in the order of time. */
+    boolean areByRegion() {
+        return regions.areUsed();
     }
 
     private void sweepLane(int lane) {
@@ -126,6 +170,7 @@ final class Predictions {
         int[] slots = movers.slots();
         for (int k = 0; k < movers.count(); k++) {
             grid.changed(slots[k]);
+            haveMet |= !regions.staysInside(slots[k]);
         }
         for (int k = 0; k < movers.count(); k++) {
             predictNeighbours(slots[k]);
@@ -162,7 +207,7 @@ final class Predictions {
             if (motion.mayCollide(rank, entity)) {
                 double t = one.first(body, motion.collidable(entity), begin);
                 if (t < length) {
-                    queue.add(t, rank, entity, version[body], 0);
+                    queue.add(regions.of(body), t, rank, entity, version[body], 0);
                 }
             }
         }
@@ -172,14 +217,21 @@ final class Predictions {
         boolean inOrder = traits.rank[a] < traits.rank[b];
         int first = inOrder ? a : b;
         int second = inOrder ? b : a;
-        queue.add(t, traits.rank[first], traits.rank[second], version[first], version[second]);
+        queue.add(
+                regions.of(traits.isFixed[first] ? second : first),
+                t,
+                traits.rank[first],
+                traits.rank[second],
+                version[first],
+                version[second]);
     }
 
     /** A segment that is shorter than the frame has to be followed by another. */
     private void addEnd(int body) {
         double t = trajectories.paths().endOf(body);
         if (t < length) {
-            queue.add(t, traits.rank[body], ContactQueue.NONE, version[body], 0);
+            queue.add(
+                    regions.of(body), t, traits.rank[body], ContactQueue.NONE, version[body], 0);
         }
     }
 

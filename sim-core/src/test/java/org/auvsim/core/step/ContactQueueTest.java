@@ -23,7 +23,7 @@ class ContactQueueTest {
     private record Event(double time, int first, int second, int versionA, int versionB) {}
 
     private void add(Event e) {
-        queue.add(e.time, e.first, e.second, e.versionA, e.versionB);
+        queue.add(0, e.time, e.first, e.second, e.versionA, e.versionB);
     }
 
     private Event first() {

@@ -60,8 +60,8 @@ class StepReportConversationTest {
             assertThat(client.next())
                     .isEqualTo(
                             "<auvsml><step-report-notification timestamp=\"0.05\" sub-steps=\"0\""
-                                + " held-pairs=\"1\" quick-hits=\"0\""
-                                + " crowded-hits=\"0\"/></auvsml>");
+                                    + " held-pairs=\"1\" quick-hits=\"0\""
+                                    + " crowded-hits=\"0\"/></auvsml>");
             assertThat(client.next()).isEqualTo(STEP_DONE);
         }
     }

@@ -104,7 +104,14 @@ final class ContactQueue {
     }
 
     private void move(int from, int to) {
-        set(to, region[from], time[from], first[from], second[from], firstVersion[from], secondVersion[from]);
+        set(
+                to,
+                region[from],
+                time[from],
+                first[from],
+                second[from],
+                firstVersion[from],
+                secondVersion[from]);
     }
 
     private void set(int at, int in, double t, int a, int b, int versionA, int versionB) {

@@ -230,8 +230,7 @@ final class Predictions {
     private void addEnd(int body) {
         double t = trajectories.paths().endOf(body);
         if (t < length) {
-            queue.add(
-                    regions.of(body), t, traits.rank[body], ContactQueue.NONE, version[body], 0);
+            queue.add(regions.of(body), t, traits.rank[body], ContactQueue.NONE, version[body], 0);
         }
     }
 

@@ -85,8 +85,7 @@ final class Regions {
         for (int i = 0; areUsed && i < bodies; i++) {
             areUsed = isSmall(i, slack);
             if (areUsed) {
-                cellOf[i] = cell(
-                                low(i, 0, slack), low(i, 1, slack), low(i, 2, slack), NONE);
+                cellOf[i] = cell(low(i, 0, slack), low(i, 1, slack), low(i, 2, slack), NONE);
                 join(i);
             }
         }

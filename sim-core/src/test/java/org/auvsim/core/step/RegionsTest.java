@@ -29,7 +29,8 @@ class RegionsTest {
 
     @Test
     void farClustersAreRegionsOfTheirOwn() {
-        double[] box = boxes(IntStream.range(0, ENOUGH).map(i -> i % 2 == 0 ? i % 40 : 900 + i % 40));
+        double[] box =
+                boxes(IntStream.range(0, ENOUGH).map(i -> i % 2 == 0 ? i % 40 : 900 + i % 40));
         Regions regions = new Regions(box, ENOUGH);
 
         regions.find();
@@ -41,7 +42,8 @@ class RegionsTest {
 
     @Test
     void aBodyInTwoClustersMakesThemOne() {
-        double[] box = boxes(IntStream.range(0, ENOUGH).map(i -> i % 2 == 0 ? i % 40 : 100 + i % 40));
+        double[] box =
+                boxes(IntStream.range(0, ENOUGH).map(i -> i % 2 == 0 ? i % 40 : 100 + i % 40));
         box[3] = 120;
         Regions regions = new Regions(box, ENOUGH);
 
@@ -52,7 +54,8 @@ class RegionsTest {
 
     @Test
     void whoComesIntoTheCellOfAnotherRegionIsNoticed() {
-        double[] box = boxes(IntStream.range(0, ENOUGH).map(i -> i % 2 == 0 ? i % 40 : 100 + i % 40));
+        double[] box =
+                boxes(IntStream.range(0, ENOUGH).map(i -> i % 2 == 0 ? i % 40 : 100 + i % 40));
         Regions regions = new Regions(box, ENOUGH);
         regions.find();
 
@@ -81,7 +84,8 @@ class RegionsTest {
         Draws draws = new Draws(name.hashCode());
         List<WorldObjectDefinition> balls = new ArrayList<>();
         for (int i = 0; i < count; i++) {
-            Vec3 cell = new Vec3(i % 13 - 6, Math.floorDiv(i, 13) % 13 - 6, Math.floorDiv(i, 169) - 6);
+            Vec3 cell =
+                    new Vec3(i % 13 - 6, Math.floorDiv(i, 13) % 13 - 6, Math.floorDiv(i, 169) - 6);
             Vec3 target = middle.plus(draws.direction().times(6));
             balls.add(
                     Scene.ball(name + i, 0.5)

@@ -25,8 +25,8 @@ final class Frame {
     /** As predictions are taken where regions are not told apart. */
     private static final Comparator<Collision> IN_ORDER =
             Comparator.<Collision>comparingDouble(c -> c.contact().time())
-                    .thenComparing(c -> c.contact().self().id())
-                    .thenComparing(c -> c.contact().other().id());
+                    .thenComparingLong(c -> c.contact().self().id())
+                    .thenComparingLong(c -> c.contact().other().id());
 
     private final Motion motion;
     private final BodyTraits traits;

@@ -143,22 +143,29 @@ public final class Contacts {
         return along(contact, a[contact], bodies) - along(contact, b[contact], bodies);
     }
 
-    /** Writes how a moves against b at a contact (m/s, world), in all directions. */
-    public void slipNow(int contact, ContactBodies bodies, double[] to, int at) {
-        velocity(contact, a[contact], bodies, 1, to, at);
-        velocity(contact, b[contact], bodies, -1, to, at);
-    }
-
-    private void velocity(int c, int body, ContactBodies bodies, double sign, double[] to, int at) {
-        double rx = px[c] - bodies.x[3 * body];
-        double ry = py[c] - bodies.x[3 * body + 1];
-        double rz = pz[c] - bodies.x[3 * body + 2];
+    /**
+     * Writes the velocity (m/s, world) of a's material against b's at a contact, in all directions.
+     */
+    public void relativeVelocity(int contact, ContactBodies bodies, double[] to, int at) {
         double[] v = bodies.v;
-        int p = SPEEDS * body;
-        double before = sign > 0 ? 0 : 1;
-        to[at] = before * to[at] + sign * (v[p] + v[p + 4] * rz - v[p + 5] * ry);
-        to[at + 1] = before * to[at + 1] + sign * (v[p + 1] + v[p + 5] * rx - v[p + 3] * rz);
-        to[at + 2] = before * to[at + 2] + sign * (v[p + 2] + v[p + 3] * ry - v[p + 4] * rx);
+        double[] x = bodies.x;
+        int one = a[contact];
+        int other = b[contact];
+        int p = SPEEDS * one;
+        int q = SPEEDS * other;
+        double ax = px[contact] - x[3 * one];
+        double ay = py[contact] - x[3 * one + 1];
+        double az = pz[contact] - x[3 * one + 2];
+        double bx = px[contact] - x[3 * other];
+        double by = py[contact] - x[3 * other + 1];
+        double bz = pz[contact] - x[3 * other + 2];
+        to[at] = (v[p] + v[p + 4] * az - v[p + 5] * ay) - (v[q] + v[q + 4] * bz - v[q + 5] * by);
+        to[at + 1] =
+                (v[p + 1] + v[p + 5] * ax - v[p + 3] * az)
+                        - (v[q + 1] + v[q + 5] * bx - v[q + 3] * bz);
+        to[at + 2] =
+                (v[p + 2] + v[p + 3] * ay - v[p + 4] * ax)
+                        - (v[q + 2] + v[q + 3] * by - v[q + 4] * bx);
     }
 
     /** Speed (m/s) along the normal of a body's material at the contact point. */

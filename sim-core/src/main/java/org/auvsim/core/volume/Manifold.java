@@ -113,6 +113,15 @@ public final class Manifold {
         return deepest;
     }
 
+    /** The least gap (m); infinite without points. */
+    public double leastGap() {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < count; i++) {
+            least = Math.min(least, gap[i]);
+        }
+        return least;
+    }
+
     /** Turns points in the coordinates of a pose into the world's. */
     void toWorld(Pose pose) {
         for (int i = 0; i < count; i++) {

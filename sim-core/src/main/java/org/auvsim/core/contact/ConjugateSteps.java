@@ -140,7 +140,7 @@ final class ConjugateSteps {
         for (int c = 0; c < rows.contacts; c++) {
             int r = rows.first[c];
             sum += rows.terms[TERMS * c + TARGET] * step[r];
-            if (rows.first[c + 1] > r + 1) {
+            if (rows.hasFriction(c)) {
                 sum += rows.terms[TERMS * c + SLIP] * step[r + 1];
                 sum += rows.terms[TERMS * c + SLIP + 1] * step[r + 2];
             }
@@ -164,7 +164,7 @@ final class ConjugateSteps {
             if (normal < 0) {
                 return false;
             }
-            if (rows.first[c + 1] > r + 1) {
+            if (rows.hasFriction(c)) {
                 double j1 = after(r + 1);
                 double j2 = after(r + 2);
                 double limit = rows.terms[TERMS * c + FRICTION] * normal;

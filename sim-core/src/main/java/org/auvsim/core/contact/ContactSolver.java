@@ -10,6 +10,10 @@ package org.auvsim.core.contact;
  * v' = v + K sum (j, r x j)    v_n' &gt;= target, j_n &gt;= 0, j_n (v_n' - target) = 0    |j_t| &lt;= mu j_n
  * </pre>
  *
+ * <p>Slip is what goes beyond {@link Contacts#slipX}. Where friction does not come to an end within
+ * the sweeps that are allowed, contacts that rest get the normal impulses that keep the bodies
+ * apart all the same; bodies may slip a little more then.
+ *
  * <p>Symmetric projected Gauss-Seidel with conjugate steps, in the order of the contacts: the same
  * input gives the same bits. A symmetric input gives a symmetric answer to within the accuracy
  * asked for, not to the bit. Where the impulses are not determined (four points under a rigid box)
@@ -32,7 +36,6 @@ public final class ContactSolver {
     private final double relative;
     private final int mostSweeps;
     private final boolean boundsEnergy;
-
     private final Relaxation spatial;
     private final Relaxation central;
     private final Solution solution = new Solution();
@@ -94,6 +97,11 @@ public final class ContactSolver {
         return solution;
     }
 
+    /** Sums the impulses that the contacts have as their guess, without solving anything. */
+    public void sum(ContactBodies bodies, Contacts contacts) {
+        relaxation(contacts).sum(bodies, contacts);
+    }
+
     /** Many contacts that rest get fewer sweeps each, so that no island stops the world. */
     private int sweeps(int contacts) {
         if (boundsEnergy || contacts == 0) {
@@ -101,11 +109,6 @@ public final class ContactSolver {
         }
         int affordable = MOST_VISITS / contacts;
         return Math.max(Math.min(FEW_SWEEPS, mostSweeps), Math.min(affordable, mostSweeps));
-    }
-
-    /** Sums the impulses that the contacts have as their guess, without solving anything. */
-    public void sum(ContactBodies bodies, Contacts contacts) {
-        relaxation(contacts).sum(bodies, contacts);
     }
 
     private Relaxation relaxation(Contacts contacts) {

@@ -6,10 +6,16 @@ final class Relaxation {
     private final Sweep sweep;
     private final ConjugateSteps steps;
     private final EnergyBound energyBound;
+    private final boolean keepsApart;
+
+    /** The bodies' speeds before and, as far as it has come, after the impulses. */
     private double[] start = new double[0];
+
     private double[] v = new double[0];
     private int speeds;
-    private final boolean keepsApart;
+
+    /** How often the contacts have been gone through since the impulses were last applied. */
+    private int sweeps;
 
     /**
      * @param keepsApart whether targets matter more than Coulomb's cone where both cannot be met
@@ -23,6 +29,7 @@ final class Relaxation {
         energyBound = new EnergyBound(rows);
     }
 
+    /** Takes the contacts and what is guessed of their impulses. */
     void begin(ContactBodies bodies, Contacts contacts) {
         speeds = rows.speedsABody * bodies.count;
         if (start.length < speeds) {
@@ -38,53 +45,49 @@ final class Relaxation {
         return rows.fastest(start);
     }
 
+    /** Makes the impulses better until a sweep corrects no more than the tolerance (m/s). */
     void iterate(double tolerance, int mostSweeps, Solution solution) {
-        rows.apply(rows.j, start, v, speeds);
-        // The normals alone first: a stack needs hardly more, and no contact slides for want of
-        // load.
-        sweep.setSmooth(mostSweeps >= 4 && rows.isCold());
-        steps.begin(speeds);
-        int done;
-        double error = sweepOnce();
-        for (done = 2; done + 2 <= mostSweeps; done += 2) {
-            if (sweep.isSmooth() && (error <= tolerance || done >= mostSweeps / 4)) {
-                sweep.setSmooth(false);
-                steps.begin(speeds);
-            } else if (error <= tolerance) {
-                break;
-            } else {
-                steps.extend(v, speeds, sweep.isSteady());
-            }
-            error = sweepOnce();
+        applyImpulses();
+        if (mostSweeps >= 4 && rows.isCold()) {
+            // The normals alone first: a stack needs hardly more, and no contact slides for want
+            // of load.
+            sweepUntil(/* smooth= */ true, tolerance, mostSweeps / 4 + 1);
         }
-        rows.keepInCone();
-        if (error > tolerance && keepsApart) {
-            keepApart(tolerance, mostSweeps);
-        }
-        // Summed once from the impulses, so that they and the speeds agree to rounding.
-        rows.apply(rows.j, start, v, speeds);
-        solution.sweeps += done;
+        double error = sweepUntil(/* smooth= */ false, tolerance, mostSweeps);
         solution.error = Math.max(solution.error, error);
         solution.converged &= error <= tolerance;
+        rows.keepInCone();
+        if (error > tolerance && keepsApart) {
+            // Where friction did not come to an end, it is left as it is, and the normals alone are
+            // put right, which is quick: bodies may slip a little more than they should, but must
+            // not meet.
+            applyImpulses();
+            sweepUntil(/* smooth= */ true, tolerance, mostSweeps);
+        }
+        // Summed once from the impulses, so that they and the speeds agree to rounding.
+        applyImpulses();
     }
 
-    /**
-     * Where friction did not come to an end, it is left as it is, and the normals alone are put
-     * right, which is quick: bodies may slip a little more than they should, but must not meet.
-     */
-    private void keepApart(double tolerance, int mostSweeps) {
+    private void applyImpulses() {
         rows.apply(rows.j, start, v, speeds);
-        sweep.setSmooth(true);
+        sweeps = 0;
+    }
+
+    /** Sweeps, there and back at least, with or without friction; the last error (m/s). */
+    private double sweepUntil(boolean smooth, double tolerance, int mostSweeps) {
+        sweep.setSmooth(smooth);
         steps.begin(speeds);
         double error = sweepOnce();
-        for (int done = 2; error > tolerance && done + 2 <= mostSweeps; done += 2) {
+        while (error > tolerance && sweeps + 2 <= mostSweeps) {
             steps.extend(v, speeds, sweep.isSteady());
             error = sweepOnce();
         }
+        return error;
     }
 
     /** There and back; gives the largest correction on the way back. */
     private double sweepOnce() {
+        sweeps += 2;
         steps.mark(v, speeds);
         sweep.forward(v);
         return sweep.backward(v);
@@ -105,11 +108,13 @@ final class Relaxation {
         solution.energyGain = energyBound.scale(start, v, speeds);
     }
 
+    /** Hands speeds and impulses over. */
     void end(ContactBodies bodies, Contacts contacts) {
         rows.store(v, bodies);
         rows.report(bodies, contacts);
     }
 
+    /** Hands over the impulses that the contacts have as their guess, and changes no speed. */
     void sum(ContactBodies bodies, Contacts contacts) {
         rows.prepare(bodies, contacts);
         rows.report(bodies, contacts);

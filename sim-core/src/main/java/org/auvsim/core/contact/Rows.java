@@ -116,6 +116,11 @@ abstract class Rows {
     /** A component of a row's direction. */
     abstract double direction(int r, int axis);
 
+    /** Whether a contact has rows across its normal. */
+    final boolean hasFriction(int contact) {
+        return first[contact + 1] > first[contact] + 1;
+    }
+
     /** Whether there is friction, but no guess of any impulse to start from. */
     final boolean isCold() {
         for (int r = 0; r < rows; r++) {
@@ -130,7 +135,7 @@ abstract class Rows {
     final void keepInCone() {
         for (int c = 0; c < contacts; c++) {
             int r = first[c];
-            if (first[c + 1] > r + 1) {
+            if (hasFriction(c)) {
                 double limit = terms[TERMS * c + FRICTION] * j[r];
                 double norm = Math.sqrt(j[r + 1] * j[r + 1] + j[r + 2] * j[r + 2]);
                 double share = norm > limit ? limit / norm : 1;
@@ -178,8 +183,11 @@ abstract class Rows {
     final void report(ContactBodies bodies, Contacts list) {
         for (int c = 0; c < contacts; c++) {
             int r = first[c];
-            boolean across = first[c + 1] > r + 1;
-            list.guess(c, j[r], across(r, 0, across), across(r, 1, across), across(r, 2, across));
+            if (hasFriction(c)) {
+                list.guess(c, j[r], across(r + 1, 0), across(r + 1, 1), across(r + 1, 2));
+            } else {
+                list.guess(c, j[r], 0, 0, 0);
+            }
         }
         Arrays.fill(bodies.impulse, 0, ContactBodies.SPEEDS * bodies.count, 0);
         int share = ContactBodies.SPEEDS / speedsABody;
@@ -199,10 +207,8 @@ abstract class Rows {
         }
     }
 
-    private double across(int normal, int axis, boolean present) {
-        return present
-                ? j[normal + 1] * direction(normal + 1, axis)
-                        + j[normal + 2] * direction(normal + 2, axis)
-                : 0;
+    /** A component of the impulses along a row and the next one. */
+    private double across(int r, int axis) {
+        return j[r] * direction(r, axis) + j[r + 1] * direction(r + 1, axis);
     }
 }

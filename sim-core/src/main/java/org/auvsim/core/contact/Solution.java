@@ -4,7 +4,6 @@ package org.auvsim.core.contact;
  * How well a {@link ContactSolver} did. It belongs to the solver and is overwritten by the next.
  */
 public final class Solution {
-    int sweeps;
     double error;
     boolean converged;
     double energyGain;
@@ -13,16 +12,10 @@ public final class Solution {
     Solution() {}
 
     void clear() {
-        sweeps = 0;
         error = 0;
         converged = true;
         energyGain = 0;
         bounceKept = 1;
-    }
-
-    /** How often all contacts were gone through. */
-    public int sweeps() {
-        return sweeps;
     }
 
     /** The largest correction (m/s) that the last sweep made at a contact. */

@@ -52,11 +52,8 @@ final class SpatialRows extends Rows {
         int at = rows * STRIDE;
         write(bodies, list, c, list.nx[c], list.ny[c], list.nz[c]);
         double unit = speedFrom(at, at);
-        boolean rigid =
-                unit
-                        <= RIGID
-                                * (most(bodies, list, c, list.a[c])
-                                        + most(bodies, list, c, list.b[c]));
+        double most = most(bodies, list, c, list.a[c]) + most(bodies, list, c, list.b[c]);
+        boolean rigid = unit <= RIGID * most;
         int term = TERMS * c;
         terms[term + YIELD] = unit;
         terms[term + INVERSE] = rigid ? 0 : 1 / unit;
@@ -100,14 +97,16 @@ final class SpatialRows extends Rows {
         write(bodies, list, c, ux, uy, uz);
         write(bodies, list, c, ny * uz - nz * uy, nz * ux - nx * uz, nx * uy - ny * ux);
         invertAcross(TERMS * c, (rows - 2) * STRIDE);
-        guessAcross(list, c);
-        terms[TERMS * c + SLIP] = slip(list, c, rows - 2);
-        terms[TERMS * c + SLIP + 1] = slip(list, c, rows - 1);
+        for (int i = 0; i < 2; i++) {
+            int r = rows - 2 + i;
+            j[r] = along(r, list.jx[c], list.jy[c], list.jz[c]);
+            terms[TERMS * c + SLIP + i] = along(r, list.slipX[c], list.slipY[c], list.slipZ[c]);
+        }
     }
 
-    private double slip(Contacts list, int c, int number) {
-        int at = number * STRIDE;
-        return list.slipX[c] * row[at] + list.slipY[c] * row[at + 1] + list.slipZ[c] * row[at + 2];
+    private double along(int r, double x, double y, double z) {
+        int at = r * STRIDE;
+        return x * row[at] + y * row[at + 1] + z * row[at + 2];
     }
 
     private void invertAcross(int term, int at) {
@@ -124,16 +123,6 @@ final class SpatialRows extends Rows {
         terms[term + ACROSS + 1] = singular ? 0 : -k12 / determinant;
         terms[term + ACROSS + 2] = singular ? step : k11 / determinant;
         terms[term + STEP] = step;
-    }
-
-    private void guessAcross(Contacts list, int c) {
-        j[rows - 2] = dot(list, c, rows - 2);
-        j[rows - 1] = dot(list, c, rows - 1);
-    }
-
-    private double dot(Contacts list, int c, int number) {
-        int at = number * STRIDE;
-        return list.jx[c] * row[at] + list.jy[c] * row[at + 1] + list.jz[c] * row[at + 2];
     }
 
     /** Writes the next row, of a direction (x, y, z). */

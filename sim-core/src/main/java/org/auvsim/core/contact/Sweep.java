@@ -31,10 +31,6 @@ final class Sweep {
         this.smooth = smooth;
     }
 
-    boolean isSmooth() {
-        return smooth;
-    }
-
     /** Whether in the last two sweeps each contact pressed and stuck, or not, as before. */
     boolean isSteady() {
         return steady;
@@ -47,7 +43,7 @@ final class Sweep {
         int count = rows.contacts;
         for (int c = 0; c < count; c++) {
             most = Math.max(most, normal(c, v));
-            if (!smooth && rows.first[c + 1] - rows.first[c] > 1) {
+            if (!smooth && rows.hasFriction(c)) {
                 most = Math.max(most, across(c, v));
             }
         }
@@ -58,7 +54,7 @@ final class Sweep {
     double backward(double[] v) {
         double most = 0;
         for (int c = rows.contacts - 1; c >= 0; c--) {
-            if (!smooth && rows.first[c + 1] - rows.first[c] > 1) {
+            if (!smooth && rows.hasFriction(c)) {
                 most = Math.max(most, across(c, v));
             }
             most = Math.max(most, normal(c, v));

@@ -78,9 +78,7 @@ final class ContactAims {
     private double mendingSpeed(int k, int c, double h) {
         double missing = contacts.margin(k) - gaps.atStart(c);
         double wanted =
-                missing < 0
-                        ? missing / h
-                        : Math.min(MENDING * missing / h, fastestMending(k));
+                missing < 0 ? missing / h : Math.min(MENDING * missing / h, fastestMending(k));
         double parting = gaps.speedAtStart(c);
         return parting > SLOW_PARTING ? Math.min(wanted, -parting) : wanted;
     }

@@ -63,16 +63,14 @@ final class Corners {
 
     /** Finds the points that touch together with the deepest one. */
     private void findNear(Manifold m) {
-        double least = Double.POSITIVE_INFINITY;
         double width = 0;
         for (int k = 0; k < m.count; k++) {
-            least = Math.min(least, m.gap[k]);
             double dx = m.x[k] - m.x[0];
             double dy = m.y[k] - m.y[0];
             double dz = m.z[k] - m.z[0];
             width = Math.max(width, dx * dx + dy * dy + dz * dz);
         }
-        double most = least + TOGETHER * Math.sqrt(width);
+        double most = m.leastGap() + TOGETHER * Math.sqrt(width);
         nearCount = 0;
         for (int k = 0; k < m.count; k++) {
             if (m.gap[k] <= most) {

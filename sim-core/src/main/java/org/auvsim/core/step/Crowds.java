@@ -5,7 +5,8 @@ import java.util.Arrays;
 /**
  * Tells where so many bodies in contact hit each other in one frame that all cannot be followed: an
  * island is settled anew at each of its collisions, and a body whose islands have had so many
- * members together is crowded. For the rest of the frame whatever it meets stays with it.
+ * members together is crowded. For the rest of the frame whatever it meets stays with it, and what
+ * is near to it is held before they meet.
  */
 final class Crowds {
     /** Ten collisions a frame in a heap of a hundred bodies. */

@@ -5,8 +5,9 @@ import org.auvsim.core.dynamics.BodyGroups;
 import java.util.Arrays;
 
 /**
- * The pairs that touch and stay together for the rest of a frame, and the islands that they and
- * coupled effects join bodies to. Fixed bodies join nothing.
+ * The pairs that stay together for the rest of a frame, and the islands that they and coupled
+ * effects join bodies to. Fixed bodies join nothing. A pair that turns out to bounce, or not to
+ * touch, is released: it joins nothing any more, unless it is held again, but keeps its number.
  */
 final class HeldPairs {
     private static final int NONE = -1;
@@ -54,6 +55,7 @@ final class HeldPairs {
         return count == 0;
     }
 
+    /** How many pairs have been held, released ones among them. */
     int count() {
         return count;
     }
@@ -143,6 +145,7 @@ final class HeldPairs {
         return isHeld[pair];
     }
 
+    /** Lets a pair of the island go; the island stays as it has been found. */
     void release(int pair) {
         isHeld[pair] = false;
     }

@@ -57,10 +57,7 @@ final class OverlapSearch implements ColumnGrid.Pairs {
             return;
         }
         touch.find(a, b, 0, manifold);
-        double depth = 0;
-        for (int k = 0; k < manifold.count; k++) {
-            depth = Math.max(depth, -manifold.gap[k]);
-        }
+        double depth = -manifold.leastGap();
         if (depth > TOLERANCE * Math.min(traits.radius[a], traits.radius[b])) {
             boolean inOrder = objects.get(a).id() < objects.get(b).id();
             found.add(

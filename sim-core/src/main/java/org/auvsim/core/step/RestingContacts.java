@@ -4,11 +4,10 @@ import org.auvsim.core.contact.RestitutionRule;
 import org.auvsim.core.volume.Manifold;
 
 /**
- * Bodies that stay in contact for the rest of a frame. Those that hang together are an island, and
- * an island is solved as a whole: its bodies are integrated as if nothing held them; the impulses
- * that bring the velocities at the frame's end to what the contacts allow are spread over the rest
- * of the frame as constant forces, and the bodies are integrated again with these. A body at rest
- * feels no net force and stays to the bit.
+ * Decides which pairs stay in contact for the rest of a frame: those that meet so slowly that they
+ * would part and meet again within the frame, and those that are too crowded to part at all. They
+ * are kept as {@link HeldPairs}; a {@link Settlement} gives the islands that they form the forces
+ * that keep them apart.
  */
 final class RestingContacts {
     /** The gap (m) that resting contacts keep open, as a share of the smaller bounding radius. */
@@ -56,12 +55,8 @@ final class RestingContacts {
         problem.clear();
         problem.add(a, b, manifold);
         double approach = problem.fastestApproach(0);
-        double gap = Double.POSITIVE_INFINITY;
-        double pressure = 0;
-        for (int k = 0; k < manifold.count; k++) {
-            gap = Math.min(gap, Math.max(manifold.gap[k], 0));
-            pressure = Math.max(pressure, pressure(a, b, 0, k));
-        }
+        double gap = Math.max(manifold.leastGap(), 0);
+        double pressure = pressureAtStart(a, b);
         double limit = limit(a, b, pressure, length);
         double impact = Math.sqrt(approach * approach + 2 * pressure * gap);
         if (restitution(a, b) * impact >= limit || approach < -limit) {
@@ -96,10 +91,17 @@ final class RestingContacts {
         return HOP * Math.min(traits.radius[a], traits.radius[b]);
     }
 
-    private double pressure(int a, int b, double offset, int k) {
-        return trajectories
-                .paths()
-                .pressure(a, b, offset, manifold.nx[k], manifold.ny[k], manifold.nz[k]);
+    /** How strongly two are pressed together (m/s^2) as the frame begins, where it is strongest. */
+    private double pressureAtStart(int a, int b) {
+        double most = 0;
+        for (int k = 0; k < manifold.count; k++) {
+            double pressure =
+                    trajectories
+                            .paths()
+                            .pressure(a, b, 0, manifold.nx[k], manifold.ny[k], manifold.nz[k]);
+            most = Math.max(most, pressure);
+        }
+        return most;
     }
 
     /**

@@ -1,15 +1,18 @@
 package org.auvsim.core.step;
 
 /**
- * The speeds that an island's contacts are to have at least where a segment ends, and which the
- * solver is given as targets:
+ * The speeds that an island's contacts are to have at least where a segment ends, given to the
+ * solver as targets:
  *
  * <ul>
- *   <li>A gap other than the margin is mended bit by bit, with a slow end speed.
- *   <li>What parts at first comes back as fast at most: so its force does no work.
- *   <li>No gap is to be closed at the end, as the {@link GapForecast} tells; as a target on the end
- *       gap is one on the end speed, the faster of the two counts.
+ *   <li>A gap that is not the margin is mended by a share a segment, with a slow end speed; what
+ *       parts as the segment starts comes back as fast at most, so that its force does no work.
+ *   <li>Half the margin is left at the end. As {@link GapForecast} tells, an end gap lacks nothing
+ *       if the end speed of the trial is changed by 2 / h times what it lacks. Shapes are pushed
+ *       apart no faster than they came, but for overlap.
  * </ul>
+ *
+ * <p>The faster of the two is the target.
  */
 final class ContactAims {
     /** The share of a wrong gap that is mended in one segment. */

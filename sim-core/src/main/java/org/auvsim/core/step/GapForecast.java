@@ -5,9 +5,9 @@ import org.auvsim.core.volume.Pose;
 
 /**
  * Gaps and speeds of an island's contacts where a segment starts and where a trial ends. The
- * contacts lie where the trial has the bodies halfway; the ways from there lead to both. Other
- * constant forces that make a contact part faster at the end by dv make its end gap wider by h / 2
- * dv.
+ * contacts lie where the trial has the bodies halfway; the bodies' ways from there lead to both
+ * ends. Other constant forces over the time h that make a contact part faster at the end by dv make
+ * its end gap wider by dv h / 2.
  */
 final class GapForecast {
     /** The share of the margin by which gaps may open without being noticed. */

@@ -48,7 +48,7 @@ public class Rk4Benchmark {
         NOTHING,
         /** A named force; the bodies turn. */
         ONE_FORCE,
-        /** A named force on bodies that do not turn, as those of {@link Workload}. */
+        /** A named force on bodies that do not turn, as those of the bench's workload. */
         ONE_FORCE_NO_TURN,
         /** Three named forces: in either frame, one of them off the centre. */
         THREE_FORCES,

@@ -5,10 +5,12 @@ package org.auvsim.core.contact;
  * and ever softer, infinitely often in a finite time; what really touches for a while is then no
  * event any more. Luding &amp; McNamara (How to handle the inelastic collapse of a dissipative
  * hard-sphere gas with the TC model, Granular Matter 1, 1998): a hit within the contact time of the
- * pair's last one takes no energy. Here at most a few in a row do so; then the pair rests.
+ * pair's last one takes no energy. Here only one ({@link #INELASTIC}) does so; at the next as soon
+ * the pair rests.
  *
  * <p>A pair of restitution 1 would bounce for ever, and is to: an elastic gas must not be braked.
- * Its limits are so small that they only end what no time step could follow.
+ * The event stepper asks {@link #ELASTIC} for its rest speed only, which is so small that it ends
+ * nothing but rounding; it does not count the repeats of such a pair.
  *
  * @param restSpeed a pair that would part slower than this (m/s) rests
  * @param contactTime hits of a pair nearer together than this (s) are one long touch
@@ -22,8 +24,9 @@ public record RestitutionRule(double restSpeed, double contactTime, int mostRepe
     public static final RestitutionRule INELASTIC = new RestitutionRule(5e-2, 1e-2, 1);
 
     /**
-     * For restitution 1. Parting at 1 micrometre a second is rounding rather than motion; a hundred
-     * hits in a row within 0.1 ms of each other carry at most 0.5 mm/s under gravity.
+     * For restitution 1. Parting at 1 micrometre a second is rounding rather than motion. Whoever
+     * counts repeats: a hundred hits in a row within 0.1 ms of each other carry at most 0.5 mm/s
+     * under gravity.
      */
     public static final RestitutionRule ELASTIC = new RestitutionRule(1e-6, 1e-4, 100);
 

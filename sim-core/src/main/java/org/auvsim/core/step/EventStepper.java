@@ -6,9 +6,9 @@ package org.auvsim.core.step;
  *
  * <p>All bodies are integrated over the frame; their swept boxes go through the broad phase, pairs
  * whose boxes overlap get the first instant at which they touch on their trajectories, and these
- * instants are taken in order. What collides begins a new segment and is predicted again; a
- * prediction whose bodies have changed since is void (Mirtich 1996; Bannerman, Sargant &amp; Lue
- * 2011 for the queue).
+ * instants are taken in order, in large worlds region by region and in order within each. What
+ * collides begins a new segment and is predicted again; a prediction whose bodies have changed
+ * since is void (Mirtich 1996; Bannerman, Sargant &amp; Lue 2011 for the queue).
  */
 public record EventStepper() implements Stepper {
     /** The usual one. */

@@ -21,7 +21,8 @@ import org.auvsim.core.contact.ContactSolver;
  * </ol>
  *
  * <p>Where the contacts still do more work than it takes to open gaps, or a body's forces turn out
- * to be stiff, the segment ends earlier. A body at rest feels no net force and stays to the bit.
+ * to be stiff, the segment ends earlier. What is at rest stays where it is to within micrometres
+ * (ten boxes on each other: 1e-6 m in 15 s).
  */
 final class Settlement {
     /** How well what approaches is stopped (m/s): the forces mend the rest. */

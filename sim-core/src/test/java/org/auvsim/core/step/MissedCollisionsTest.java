@@ -18,8 +18,9 @@ import java.util.stream.LongStream;
 import java.util.stream.Stream;
 
 /**
- * The event stepper misses no collision: 1,000 drawn worlds for each pair of volumes, each held
- * against a reference that shares nothing with the engine.
+ * The event stepper misses no first collision: 1,000 drawn worlds of two bodies for each pair of
+ * volumes, each held against a reference that shares nothing with the engine. What is judged is the
+ * instant of the first collision, and that the two do not overlap at the end of any step.
  *
  * <p>The reference tells from when on two bodies may touch, and when they surely do, if each of
  * their points is where it should be to within the error of the path. Grazes shallower than that

@@ -165,7 +165,7 @@ final class Frame {
         Impacts.Outcome outcome = impacts.meet(a, b, begin + t, limit, isHeard);
         if (outcome == Impacts.Outcome.BOUNCED || outcome == Impacts.Outcome.STAY) {
             tally.collisions++;
-            tally.crowdedHits += islands.areCrowded(a, b) ? 1 : 0;
+            tally.crowdedHits += limit == Double.POSITIVE_INFINITY ? 1 : 0;
             if (isHeard) {
                 collisions.add(new Collision(before.orElseThrow(), impacts.impulse()));
             }

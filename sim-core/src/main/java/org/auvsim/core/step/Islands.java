@@ -73,7 +73,9 @@ final class Islands {
 
     /** The speed (m/s) below which two that meet at {@code t} do not part again. */
     double limitAt(int a, int b, double t) {
-        return areCrowded(a, b) ? Double.POSITIVE_INFINITY : resting.limitAt(a, b, t, length);
+        return areCrowded(a, b) && resting.restitution(a, b) < 1
+                ? Double.POSITIVE_INFINITY
+                : resting.limitAt(a, b, t, length);
     }
 
     /** Whether one of two is where so much collides that all of it cannot be followed. */

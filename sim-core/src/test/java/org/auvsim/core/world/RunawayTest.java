@@ -7,6 +7,7 @@ import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.BodyEffect;
 import org.auvsim.core.entity.BodyState;
+import org.auvsim.core.entity.CoupledEffect;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -18,6 +19,10 @@ import org.auvsim.core.step.SnapshotStepper;
 import org.auvsim.core.step.StepException;
 import org.auvsim.core.volume.Sphere;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import java.util.List;
 
 class RunawayTest {
     @Test
@@ -85,5 +90,48 @@ class RunawayTest {
         long kept = world.stateHash();
         assertThatThrownBy(world::advanceTimestep).isInstanceOf(StepException.class);
         assertThat(world.stateHash()).isEqualTo(kept);
+    }
+
+    /** Pulls its body and one other apart with a force that has a pole where x is 1 m. */
+    private record PoleTie(List<Long> partners) implements CoupledEffect {
+        @Override
+        public void add(Block block, int i, int[] others) {
+            double x = block.state[BodyState.X][i];
+            double pull = x < 1 ? 1 / (1 - x) : Double.NaN;
+            block.addForce(i, new Vec3(pull, 0, 0));
+            block.addForce(others[0], new Vec3(-pull, 0, 0));
+        }
+    }
+
+    @ParameterizedTest(name = "owner is number {0}")
+    @CsvSource({"2, the effect 'pole-tie' of 'Owner'", "1, its effect 'pole-tie'"})
+    void aCoupledEffectThatDidItIsNamedWithItsOwner(int owner, String culprit) {
+        WorldObjectDefinition.Builder tied =
+                WorldObjectDefinition.named("Owner")
+                        .volume(new Sphere(0.1))
+                        .mass(1)
+                        .velocity(1, 0, 0)
+                        .effect(new PoleTie(List.of(3L - owner)));
+        WorldObjectDefinition other =
+                WorldObjectDefinition.named("Other")
+                        .volume(new Sphere(0.1))
+                        .mass(1)
+                        .position(0, 5, 0)
+                        .build();
+        WorldBuilder builder = World.builder();
+        World world =
+                owner == 1
+                        ? builder.add(tied.build()).add(other).build()
+                        : builder.add(other).add(tied.build()).build();
+
+        assertThatThrownBy(
+                        () -> {
+                            while (world.time() < 10) {
+                                world.advanceTimestep();
+                            }
+                        })
+                .isInstanceOf(StepException.class)
+                .hasMessageContaining("(id 1) gets out of all bounds between ")
+                .hasMessageContaining(" by " + culprit + "; ");
     }
 }

@@ -332,7 +332,9 @@ public final class Motion {
     void requireFinite(int slot, double offset) {
         if (slot >= 0) {
             RigidBody body = population.objects().get(slot);
-            String culprit = new Diagnosis(equations, bodies, population.objects(), body).culprit(time, offset);
+            String culprit =
+                    new Diagnosis(equations, bodies, population.objects(), body)
+                            .culprit(time, offset);
             throw StepException.runaway(body, time, offset, culprit);
         }
     }

@@ -1,12 +1,14 @@
 package org.auvsim.core.step;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.auvsim.core.effect.CentralForce;
 import org.auvsim.core.math.Draws;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldBuilder;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -63,5 +65,28 @@ class NeverStuckTest {
             }
         }
         return deepest;
+    }
+
+    @Test
+    void aBallThatBouncesWithoutEndInOneStepIsAnErrorAndNothingHasMoved() {
+        World world =
+                World.builder()
+                        .stepper(EventStepper.standard())
+                        .add(Ground.floor(0))
+                        .add(Ground.plane("Lid", new Vec3(0, 0, 0.201), new Vec3(1e-9, 0, -1), 0))
+                        .add(
+                                Scene.ball("Ball", 0.1)
+                                        .position(0, 0, 0.1005)
+                                        .velocity(0, 0, 1000)
+                                        .build())
+                        .build();
+        long before = world.stateHash();
+
+        assertThatThrownBy(world::advanceTimestep)
+                .isInstanceOf(StepException.class)
+                .hasMessageContaining("'Ball'")
+                .hasMessageContaining(" collide without end at ")
+                .hasMessageContaining(" events in one step; check their forces and restitution");
+        assertThat(world.stateHash()).isEqualTo(before);
     }
 }

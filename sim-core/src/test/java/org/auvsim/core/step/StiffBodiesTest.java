@@ -27,6 +27,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 
@@ -229,7 +230,7 @@ class StiffBodiesTest {
     /** Stiff and plain balls among each other, in more than one block. */
     private static World crowd(Lanes lanes) {
         SplittableRandom random = new SplittableRandom(5);
-        WorldObjectDefinition.Builder[] balls = new WorldObjectDefinition.Builder[300];
+        WorldObjectDefinition.Builder[] balls = new WorldObjectDefinition.Builder[600];
         for (int k = 0; k < balls.length; k++) {
             balls[k] =
                     ball("ball " + k)
@@ -248,27 +249,46 @@ class StiffBodiesTest {
     @Test
     void stiffBodiesMoveEquallyInOneLaneAndInMany() {
         World one = crowd(Lanes.ONE);
-        World four = crowd(FOUR);
+        AtomicInteger runs = new AtomicInteger();
+        World four = crowd(four(runs));
         for (int k = 0; k < 10; k++) {
             one.advanceTimestep();
             four.advanceTimestep();
             assertThat(four.stateHash()).isEqualTo(one.stateHash());
         }
+        assertThat(runs).as("how often lanes ran").hasPositiveValue();
         assertThat(one.statistics()).isEqualTo(four.statistics());
         assertThat(one.statistics().subSteps()).isGreaterThan(100);
         assertThat(one.statistics().collisions()).isGreaterThan(100);
     }
 
-    private static final Lanes FOUR =
-            new Lanes() {
-                @Override
-                public int count() {
-                    return 4;
-                }
+    @Test
+    void lanesDoNotRunForFewBodies() {
+        AtomicInteger runs = new AtomicInteger();
+        World few =
+                world(
+                        EventStepper.standard(),
+                        0.05,
+                        four(runs),
+                        ball("one"),
+                        ball("two").position(5, 0, 0));
+        few.advanceTimestep();
+        assertThat(runs).hasValue(0);
+    }
 
-                @Override
-                public void run(IntConsumer part) {
-                    IntStream.range(0, 4).parallel().forEach(part);
-                }
-            };
+    /** Four lanes that count how often they run. */
+    private static Lanes four(AtomicInteger runs) {
+        return new Lanes() {
+            @Override
+            public int count() {
+                return 4;
+            }
+
+            @Override
+            public void run(IntConsumer part) {
+                runs.incrementAndGet();
+                IntStream.range(0, 4).parallel().forEach(part);
+            }
+        };
+    }
 }

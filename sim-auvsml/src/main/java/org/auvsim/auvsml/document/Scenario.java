@@ -82,12 +82,15 @@ public record Scenario(
                 .toList();
     }
 
-    /** The same scenario with a world's present time and objects as its beginning. */
+    /**
+     * The same scenario with a world's present time and objects as its beginning. Overlaps that the
+     * world has come to, as it may in heaps, are let be.
+     */
     public Scenario resumedFrom(World world) {
         return new Scenario(
                 world.time(),
                 boundingSpheres,
-                allowOverlaps,
+                /* allowOverlaps= */ true,
                 timeStep,
                 stepper,
                 feedbackTimestepping,

@@ -102,7 +102,7 @@ public final class Diagnosis {
                 if (isWhole(effect) && !isFinite(effect, slot)) {
                     String name = "effect '" + kebab(effect.getClass().getSimpleName()) + "'";
                     return Optional.of(
-                            owner == body
+                            slot == body.slot()
                                     ? "its " + name
                                     : "the " + name + " of '" + owner.name() + "'");
                 }

@@ -27,6 +27,13 @@ final class Encounters implements ColumnGrid.Pairs {
     private final Separation gap = new Separation();
     private final BodyCurve curveA = new BodyCurve();
     private final BodyCurve curveB = new BodyCurve();
+
+    /**
+     * In place of a time: two shapes touch or nearly do. When they meet takes long to find out
+     * then, and of those that rest nobody asks.
+     */
+    static final double UNKNOWN = -1;
+
     private final SphereImpact spheres = new SphereImpact();
     private final double[] relative = new double[12];
     private final double[] cut = new double[12];
@@ -52,9 +59,18 @@ final class Encounters implements ColumnGrid.Pairs {
         if (!traits.mayCollide(a, b)) {
             return;
         }
-        double t = first(a, b);
-        if (t < Double.POSITIVE_INFINITY || areNear(a, b)) {
-            add(t, a, b);
+        if (traits.isSphere[a] && traits.isSphere[b]) {
+            double t = first(a, b);
+            if (t < Double.POSITIVE_INFINITY || areNear(a, b)) {
+                add(t, a, b);
+            }
+        } else if (areNear(a, b)) {
+            add(UNKNOWN, a, b);
+        } else {
+            double t = first(a, b);
+            if (t < Double.POSITIVE_INFINITY) {
+                add(t, a, b);
+            }
         }
     }
 

@@ -150,8 +150,12 @@ final class Predictions {
         for (int k = 0; k < found.count(); k++) {
             int a = found.firstOf(k);
             int b = found.secondOf(k);
-            if (!islands.holdIfResting(a, b) && found.time(k) < length) {
-                addContact(found.time(k), a, b);
+            if (!islands.holdIfResting(a, b)) {
+                double known = found.time(k);
+                double t = known == Encounters.UNKNOWN ? one.first(a, b) : known;
+                if (t < length) {
+                    addContact(t, a, b);
+                }
             }
         }
     }

@@ -10,8 +10,8 @@ import java.util.Arrays;
  * region, they do have to do with each other.
  */
 final class Regions {
-    /** Fewer bodies than these are in the cache anyway. */
-    private static final int LEAST_BODIES = 4_000;
+    /** With fewer bodies, more time is lost by looking for regions than the cache saves. */
+    private static final int LEAST_BODIES = 30_000;
 
     private static final double MEAN_BOXES_WIDE = 10;
 

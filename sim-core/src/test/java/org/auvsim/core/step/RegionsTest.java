@@ -18,7 +18,7 @@ import java.util.stream.IntStream;
 
 /** Where regions are told apart nothing may come out differently. */
 class RegionsTest {
-    private static final int ENOUGH = 5_000;
+    private static final int ENOUGH = 30_100;
 
     /** Boxes of 1 m with their lower corners along a line. */
     private static double[] boxes(IntStream places) {
@@ -104,8 +104,8 @@ class RegionsTest {
 
     @Test
     void twoClustersMoveAsEachDoesAlone() {
-        List<WorldObjectDefinition> one = cluster("One ", 2_100, Vec3.ZERO);
-        List<WorldObjectDefinition> two = cluster("Two ", 2_100, new Vec3(400, 30, -7));
+        List<WorldObjectDefinition> one = cluster("One ", 15_100, Vec3.ZERO);
+        List<WorldObjectDefinition> two = cluster("Two ", 15_100, new Vec3(400, 30, -7));
         List<WorldObjectDefinition> both = new ArrayList<>(one);
         both.addAll(two);
         World together = world(both);

@@ -53,13 +53,7 @@ final class ContactProblem {
     }
 
     private void add(int slot) {
-        pose.x = state.column(BodyState.X)[slot];
-        pose.y = state.column(BodyState.Y)[slot];
-        pose.z = state.column(BodyState.Z)[slot];
-        pose.qw = state.column(BodyState.QW)[slot];
-        pose.qx = state.column(BodyState.QX)[slot];
-        pose.qy = state.column(BodyState.QY)[slot];
-        pose.qz = state.column(BodyState.QZ)[slot];
+        state.pose(slot, pose);
         place(slot, pose);
         if (!traits.isFixed[slot]) {
             one[0] = slot;

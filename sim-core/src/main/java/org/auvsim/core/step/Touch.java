@@ -25,8 +25,8 @@ final class Touch {
             findSpheres(a, b, margin, to);
             return;
         }
-        pose(a, poseA);
-        pose(b, poseB);
+        bodies.pose(a, poseA);
+        bodies.pose(b, poseB);
         queries.manifold(traits.volume[a], poseA, traits.volume[b], poseB, margin, to);
     }
 
@@ -76,15 +76,5 @@ final class Touch {
         }
         double out = traits.radius[b] + gap / 2;
         to.add(bx + nx * out, by + ny * out, bz + nz * out, nx, ny, nz, gap);
-    }
-
-    private void pose(int body, Pose to) {
-        to.x = bodies.column(BodyState.X)[body];
-        to.y = bodies.column(BodyState.Y)[body];
-        to.z = bodies.column(BodyState.Z)[body];
-        to.qw = bodies.column(BodyState.QW)[body];
-        to.qx = bodies.column(BodyState.QX)[body];
-        to.qy = bodies.column(BodyState.QY)[body];
-        to.qz = bodies.column(BodyState.QZ)[body];
     }
 }

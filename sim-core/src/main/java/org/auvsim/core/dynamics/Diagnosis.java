@@ -6,15 +6,16 @@ import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.entity.CoupledEffect;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.RigidBody;
+import org.auvsim.core.entity.Surroundings;
 
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * Finds what a body's motion got out of all bounds by: at each stage of the Runge-Kutta method from
@@ -27,7 +28,8 @@ public final class Diagnosis {
     private final BodyState bodies;
     private final List<? extends RigidBody> bySlot;
     private final RigidBody body;
-    private final Map<Long, Integer> slots = new HashMap<>();
+    private final Surroundings around;
+    private final Set<Long> ids = new HashSet<>();
 
     /** The slots of the body and of all that it is coupled to, itself first. */
     private final int[] together;
@@ -38,17 +40,20 @@ public final class Diagnosis {
      * Of a body.
      *
      * @param bySlot all bodies, the one among them
+     * @param around what their effects were laid out with
      */
     public Diagnosis(
             EquationsOfMotion equations,
             BodyState bodies,
             List<? extends RigidBody> bySlot,
+            Surroundings around,
             RigidBody body) {
         this.equations = equations;
         this.bodies = bodies;
         this.bySlot = bySlot;
+        this.around = around;
         this.body = body;
-        bySlot.forEach(other -> slots.put(other.id(), other.slot()));
+        bySlot.forEach(other -> ids.add(other.id()));
         int[] companions = equations.groups().companions(body.slot());
         together = new int[companions.length];
         together[0] = body.slot();
@@ -114,17 +119,14 @@ public final class Diagnosis {
     /** A coupled effect ends when one of its partners leaves. */
     private boolean isWhole(Effect effect) {
         return !(effect instanceof CoupledEffect coupled)
-                || slots.keySet().containsAll(coupled.partners());
+                || ids.containsAll(coupled.partners());
     }
 
     private boolean isFinite(Effect effect, int owner) {
         List<List<Effect>> alone =
                 new ArrayList<>(Collections.nCopies(bodies.count(), List.<Effect>of()));
         alone.set(owner, List.of(effect));
-        BlockEffect laidOut =
-                effect instanceof CoupledEffect coupled
-                        ? coupled.layOut(alone, id -> slots.getOrDefault(id, owner))
-                        : effect.layOut(alone);
+        BlockEffect laidOut = effect.layOut(alone, around);
         for (int c = BodyState.PX; c <= BodyState.LZ; c++) {
             Arrays.fill(block.rate[c], 0, block.count, 0);
         }

@@ -33,25 +33,26 @@ public final class EquationsOfMotion {
     private final BodyState bodies;
     private final BlockEffect[] effects;
     private final Current[] currents;
+    private final boolean isUneven;
     private final boolean effectsTurn;
     private final boolean effectsReadOrientation;
     private final boolean mayBeStiff;
     private final BodyGroups groups;
 
     /**
-     * The equations for the bodies of a world.
+     * The equations for the bodies of a world, in the currents that there are now.
      *
      * @param effects what acts on them beside named forces and propulsors, in this order
-     * @param currents the water's velocity is their sum
      */
-    public EquationsOfMotion(BodyState bodies, List<BlockEffect> effects, List<Current> currents) {
+    public EquationsOfMotion(BodyState bodies, List<BlockEffect> effects) {
         this.bodies = bodies;
         this.effects = effects.toArray(BlockEffect[]::new);
         this.mayBeStiff = effects.stream().anyMatch(BlockEffect::mayBeStiff);
         this.effectsReadOrientation = effects.stream().anyMatch(BlockEffect::readsOrientation);
         this.effectsTurn = effects.stream().anyMatch(BlockEffect::mayTurn);
         this.groups = new BodyGroups(bodies, effects);
-        this.currents = currents.toArray(Current[]::new);
+        this.currents = bodies.currents().toArray(Current[]::new);
+        this.isUneven = bodies.currents().stream().anyMatch(Current::isUneven);
     }
 
     /** Which bodies have to be loaded into one block, as effects couple them. */
@@ -79,7 +80,11 @@ public final class EquationsOfMotion {
         bodies.loadMasses(block);
         bodies.applied().load(block);
         block.turning =
-                effectsTurn || block.hasSpatial || spins(block) || bodies.applied().turns(block);
+                effectsTurn
+                        || block.hasSpatial
+                        || spins(block)
+                        || bodies.applied().turns(block)
+                        || bodies.actuators().push(block);
         if (!block.turning) {
             keepOrientations(block);
         }
@@ -140,8 +145,21 @@ public final class EquationsOfMotion {
         for (BlockEffect effect : effects) {
             effect.add(b);
         }
+        bodies.actuators().add(b);
+        if (b.hasFlow && b.hasSpatial) {
+            meetFlow(b);
+        }
         if (b.hasContactForces) {
             b.addContactForces();
+        }
+    }
+
+    private static void meetFlow(Block b) {
+        for (int i = 0; i < b.count; i++) {
+            SpatialInertia spatial = b.inertia(i);
+            if (spatial != null) {
+                spatial.meetFlow(b, i);
+            }
         }
     }
 
@@ -152,7 +170,7 @@ public final class EquationsOfMotion {
         }
         Rotation.matrices(b);
         Rotation.bodyRates(b);
-        if (effects.length > 0) {
+        if (effects.length > 0 || !bodies.actuators().isEmpty()) {
             b.toWorld(b.wx, b.wy, b.wz, b.bodyWx, b.bodyWy, b.bodyWz);
         }
         if (b.hasSpatial) {
@@ -212,7 +230,7 @@ public final class EquationsOfMotion {
 
     /** Whether an effect may need shorter steps than those of the world. */
     public boolean mayBeStiff() {
-        return mayBeStiff;
+        return mayBeStiff || !bodies.actuators().isEmpty();
     }
 
     /** Scales the quaternions of the block back to length 1; a zero comes out without its sign. */
@@ -221,19 +239,21 @@ public final class EquationsOfMotion {
     }
 
     private void waterVelocities(Block b) {
+        b.hasFlow = isUneven;
         if (currents.length == 0) {
             return;
         }
         Arrays.fill(b.ux, 0, b.count, 0);
         Arrays.fill(b.uy, 0, b.count, 0);
         Arrays.fill(b.uz, 0, b.count, 0);
-        for (Current current : currents) {
-            for (int i = 0; i < b.count; i++) {
-                Vec3 u = current.valueAt(b.position(i), b.time);
-                b.ux[i] += u.x();
-                b.uy[i] += u.y();
-                b.uz[i] += u.z();
+        if (isUneven) {
+            Arrays.fill(b.elevation, 0, b.count, 0);
+            for (double[] derivative : b.flow) {
+                Arrays.fill(derivative, 0, b.count, 0);
             }
+        }
+        for (Current current : currents) {
+            current.addTo(b);
         }
     }
 

@@ -4,6 +4,7 @@ import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.BlockEffect;
 import org.auvsim.core.entity.Effect;
+import org.auvsim.core.entity.Surroundings;
 import org.auvsim.core.math.Vec3;
 
 import java.util.List;
@@ -46,7 +47,7 @@ public record CentralForce(
     }
 
     @Override
-    public BlockEffect layOut(List<List<Effect>> bySlot) {
+    public BlockEffect layOut(List<List<Effect>> bySlot, Surroundings around) {
         return CentralForceBlock.of(bySlot);
     }
 }

@@ -4,6 +4,7 @@ import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.BlockEffect;
 import org.auvsim.core.entity.Effect;
+import org.auvsim.core.entity.Surroundings;
 import org.auvsim.core.math.Vec3;
 
 import java.util.List;
@@ -45,7 +46,7 @@ public record Damping(
     }
 
     @Override
-    public BlockEffect layOut(List<List<Effect>> bySlot) {
+    public BlockEffect layOut(List<List<Effect>> bySlot, Surroundings around) {
         return new DampingBlock(bySlot);
     }
 }

@@ -4,6 +4,7 @@ import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.BlockEffect;
 import org.auvsim.core.entity.Effect;
+import org.auvsim.core.entity.Surroundings;
 
 import java.util.List;
 
@@ -14,7 +15,7 @@ import java.util.List;
  */
 public record Gravity(@Unit("m/s^2") @Default("9.80665") double acceleration) implements Effect {
     @Override
-    public BlockEffect layOut(List<List<Effect>> bySlot) {
+    public BlockEffect layOut(List<List<Effect>> bySlot, Surroundings around) {
         double[] downward = new double[bySlot.size()];
         for (int slot = 0; slot < downward.length; slot++) {
             for (Effect effect : bySlot.get(slot)) {

@@ -70,6 +70,19 @@ public final class Block {
     public final double[] uy;
     public final double[] uz;
 
+    /**
+     * Derivatives of the water's velocity at the origin, of meaning only if {@link #hasFlow}: by
+     * time (m/s^2) at 0 to 2, by place (1/s) at {@code 3 + 3 * row + column} for the change of
+     * component {@code row} along axis {@code column}.
+     */
+    public final double[][] flow;
+
+    /** Whether the water moves unevenly or in time. */
+    public boolean hasFlow;
+
+    /** By how much (m) waves raise the water's surface over the origin. */
+    public final double[] elevation;
+
     /** Mass (kg); 0 for a fixed body. */
     public final double[] mass;
 
@@ -184,6 +197,8 @@ public final class Block {
         ux = new double[capacity];
         uy = new double[capacity];
         uz = new double[capacity];
+        flow = new double[12][capacity];
+        elevation = new double[capacity];
         mass = new double[capacity];
         inverseMass = new double[capacity];
         inverseInertia = new double[BodyState.ELEMENTS][capacity];
@@ -356,6 +371,23 @@ public final class Block {
     /** Velocity (m/s, world) of the water at the origin of body {@code i}. */
     public Vec3 waterVelocity(int i) {
         return new Vec3(ux[i], uy[i], uz[i]);
+    }
+
+    /**
+     * The acceleration (m/s^2, world) of the water that passes the origin of body {@code i}: Du/Dt.
+     */
+    public Vec3 waterAcceleration(int i) {
+        return hasFlow
+                ? new Vec3(flow[0][i], flow[1][i], flow[2][i]).plus(along(i, waterVelocity(i)))
+                : Vec3.ZERO;
+    }
+
+    /** How the water's velocity at the origin of body {@code i} changes along a way (world). */
+    Vec3 along(int i, Vec3 way) {
+        return new Vec3(
+                flow[3][i] * way.x() + flow[4][i] * way.y() + flow[5][i] * way.z(),
+                flow[6][i] * way.x() + flow[7][i] * way.y() + flow[8][i] * way.z(),
+                flow[9][i] * way.x() + flow[10][i] * way.y() + flow[11][i] * way.z());
     }
 
     /** Turns a world vector into the axes of body {@code i}. */

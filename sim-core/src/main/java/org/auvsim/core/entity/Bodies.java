@@ -1,9 +1,13 @@
 package org.auvsim.core.entity;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** The world objects of a world and the arrays that hold their numbers; object i has slot i. */
@@ -42,6 +46,23 @@ public final class Bodies {
         return Collections.unmodifiableList(objects);
     }
 
+    /** What effects on them may know when they are laid out. */
+    public Surroundings surroundings() {
+        Map<Long, Integer> slots = new HashMap<>();
+        objects.forEach(object -> slots.put(object.id(), object.slot()));
+        return new Surroundings() {
+            @Override
+            public int slotOf(long bodyId) {
+                return requireNonNull(slots.get(bodyId));
+            }
+
+            @Override
+            public <F extends Field<?>> List<F> fields(Class<F> type) {
+                return state.fields(type);
+            }
+        };
+    }
+
     /** The objects that have behaviors, in order of id. */
     public List<WorldObject> active() {
         if (active.isEmpty() || activeAt != state.behaviorChanges()) {
@@ -77,6 +98,16 @@ public final class Bodies {
             state.remove(objects.size());
             throw e;
         }
+    }
+
+    /** Lets an effect act on an object; the effects are to be laid out again. */
+    public void addEffect(WorldObject object, Effect effect) {
+        object.addEffect(effect);
+    }
+
+    /** Ends an effect on an object, likewise; false if it has none that is equal. */
+    public boolean removeEffect(WorldObject object, Effect effect) {
+        return object.removeEffect(effect);
     }
 
     /** Removes an object; those behind it move down by one slot. */

@@ -14,7 +14,7 @@ public interface BodyEffect extends Effect {
     void add(Block block, int i);
 
     @Override
-    default BlockEffect layOut(List<List<Effect>> bySlot) {
+    default BlockEffect layOut(List<List<Effect>> bySlot, Surroundings around) {
         BodyEffect[][] effects = new BodyEffect[bySlot.size()][];
         for (int slot = 0; slot < effects.length; slot++) {
             effects[slot] = bySlot.get(slot).toArray(BodyEffect[]::new);

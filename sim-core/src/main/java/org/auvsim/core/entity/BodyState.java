@@ -55,6 +55,7 @@ public final class BodyState {
     private int fixed;
     private int withSpatial;
     private @Nullable SpatialInertia[] spatial = new @Nullable SpatialInertia[16];
+    private List<Field<?>> fields = List.of();
     private List<Current> currents = List.of();
     private double time;
     private final double[][] columns;
@@ -63,6 +64,7 @@ public final class BodyState {
     private double[] inverseMass;
     private double[] radius;
     private final AppliedForces applied;
+    private final Actuators actuators;
 
     /** A state without bodies. */
     public BodyState() {
@@ -72,6 +74,7 @@ public final class BodyState {
         inverseMass = new double[16];
         radius = new double[16];
         applied = new AppliedForces(16);
+        actuators = new Actuators(16);
     }
 
     private BodyState(BodyState original) {
@@ -80,6 +83,7 @@ public final class BodyState {
         fixed = original.fixed;
         withSpatial = original.withSpatial;
         spatial = original.spatial.clone();
+        fields = original.fields;
         currents = original.currents;
         time = original.time;
         columns = clones(original.columns);
@@ -88,6 +92,7 @@ public final class BodyState {
         inverseMass = original.inverseMass.clone();
         radius = original.radius.clone();
         applied = original.applied.copy();
+        actuators = original.actuators.copy();
     }
 
     /** An independent copy, equal bit for bit. */
@@ -195,14 +200,30 @@ public final class BodyState {
         return spatial[slot];
     }
 
-    /** States how the water moves, on which the velocity of a body with added mass depends. */
-    public void setCurrents(List<Current> all) {
-        currents = List.copyOf(all);
+    /** States the fields of the world, in order of id. */
+    public void setFields(List<Field<?>> all) {
+        fields = List.copyOf(all);
+        currents = fields(Current.class);
+    }
+
+    /** The fields of a type, in order of id. */
+    <F extends Field<?>> List<F> fields(Class<F> type) {
+        return fields.stream().filter(type::isInstance).map(type::cast).toList();
+    }
+
+    /** How the water moves, on which the velocity of a body with added mass depends. */
+    public List<Current> currents() {
+        return currents;
     }
 
     /** States the world's time (s) of the state. */
     public void setTime(double now) {
         time = now;
+    }
+
+    /** The world's time (s) of the state. */
+    double time() {
+        return time;
     }
 
     /** Velocity of the water (m/s, world) at a place (m, world), now. */
@@ -232,6 +253,11 @@ public final class BodyState {
     /** The resultants of named forces and propulsors. */
     public AppliedForces applied() {
         return applied;
+    }
+
+    /** The actuators whose push is not constant. */
+    public Actuators actuators() {
+        return actuators;
     }
 
     /**
@@ -327,6 +353,7 @@ public final class BodyState {
         withProducts += hasProducts(slot) ? 1 : 0;
         fixed += definition.fixed() ? 1 : 0;
         applied.clear(slot);
+        actuators.set(slot, List.of());
         return slot;
     }
 
@@ -367,6 +394,7 @@ public final class BodyState {
         closeGap(inverseMass, slot);
         closeGap(radius, slot);
         applied.remove(slot, count);
+        actuators.remove(slot, count);
         count--;
     }
 
@@ -382,6 +410,7 @@ public final class BodyState {
         inverseMass = Arrays.copyOf(inverseMass, capacity);
         radius = Arrays.copyOf(radius, capacity);
         applied.grow(capacity);
+        actuators.grow(capacity);
     }
 
     static void growAll(double[][] arrays, int capacity) {

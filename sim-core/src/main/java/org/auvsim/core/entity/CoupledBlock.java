@@ -2,7 +2,6 @@ package org.auvsim.core.entity;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.LongToIntFunction;
 
 /** Coupled effects of one class over all bodies; a block that lacks a partner is passed over. */
 final class CoupledBlock implements BlockEffect {
@@ -11,7 +10,7 @@ final class CoupledBlock implements BlockEffect {
     /** Slots of the partners of each body's effects. */
     private final int[][][] partners;
 
-    CoupledBlock(List<List<Effect>> bySlot, LongToIntFunction slotOf) {
+    CoupledBlock(List<List<Effect>> bySlot, Surroundings around) {
         effects = new CoupledEffect[bySlot.size()][];
         partners = new int[bySlot.size()][][];
         for (int slot = 0; slot < effects.length; slot++) {
@@ -20,7 +19,7 @@ final class CoupledBlock implements BlockEffect {
             for (int k = 0; k < effects[slot].length; k++) {
                 partners[slot][k] =
                         effects[slot][k].partners().stream()
-                                .mapToInt(id -> slotOf.applyAsInt(id))
+                                .mapToInt(around::slotOf)
                                 .toArray();
             }
         }

@@ -1,7 +1,6 @@
 package org.auvsim.core.entity;
 
 import java.util.List;
-import java.util.function.LongToIntFunction;
 
 /**
  * An effect that depends on more bodies than its own, or acts on them: a tether, a spring between
@@ -25,19 +24,8 @@ public interface CoupledEffect extends Effect {
      */
     void add(Block block, int i, int[] partners);
 
-    /**
-     * Arranges effects of this one's class for fast evaluation.
-     *
-     * @param slotOf tells the slot of the body with an id
-     */
-    default BlockEffect layOut(List<List<Effect>> bySlot, LongToIntFunction slotOf) {
-        return new CoupledBlock(bySlot, slotOf);
-    }
-
-    /** Not possible without the bodies' ids. */
     @Override
-    default BlockEffect layOut(List<List<Effect>> bySlot) {
-        throw new IllegalStateException(
-                "a coupled effect is laid out with the bodies' ids: call layOut(bySlot, slotOf)");
+    default BlockEffect layOut(List<List<Effect>> bySlot, Surroundings around) {
+        return new CoupledBlock(bySlot, around);
     }
 }

@@ -14,6 +14,7 @@ public interface Effect {
      * Arranges effects of this one's class for fast evaluation.
      *
      * @param bySlot the effects of this class of the body in each slot, most often none or one
+     * @param around the world's fields and who is where; a layout is made anew when they change
      */
-    BlockEffect layOut(List<List<Effect>> bySlot);
+    BlockEffect layOut(List<List<Effect>> bySlot, Surroundings around);
 }

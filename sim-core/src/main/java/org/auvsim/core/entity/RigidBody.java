@@ -336,9 +336,10 @@ public class RigidBody implements Collidable {
         resultantChanged();
     }
 
-    /** Sums up again what acts constantly, after a force or a propulsor has changed. */
+    /** Takes stock again of what pushes it, after a force or a propulsor has changed. */
     final void resultantChanged() {
         state.applied().set(slot, forces.values(), propulsors());
+        state.actuators().set(slot, actuators());
     }
 
     final void behaviorsChanged() {
@@ -348,6 +349,21 @@ public class RigidBody implements Collidable {
     /** The propulsors that push it. */
     public List<Propulsor> propulsors() {
         return List.of();
+    }
+
+    /** What pushes it in a way that is not constant. */
+    List<Actuator> actuators() {
+        return List.of();
+    }
+
+    /** Lets an effect act on it from now on. */
+    final void addEffect(Effect effect) {
+        effects.add(effect);
+    }
+
+    /** Ends an effect on it; the first of equal ones. False if there is none. */
+    final boolean removeEffect(Effect effect) {
+        return effects.remove(effect);
     }
 
     /** The effects on it. */

@@ -111,6 +111,38 @@ public final class SpatialInertia {
         }
     }
 
+    /**
+     * Adds what the carried water exerts on body {@code i} since the flow about it is uneven: MA
+     * ((u - v) . grad) u at the origin (Auton, Hunt &amp; Prud'homme 1988).
+     */
+    public void meetFlow(Block b, int i) {
+        if (!hasAdded) {
+            return;
+        }
+        double x = b.ux[i] - b.vx[i];
+        double y = b.uy[i] - b.vy[i];
+        double z = b.uz[i] - b.vz[i];
+        double[] s = b.spatial;
+        load(b, i, s);
+        for (int row = 0; row < 3; row++) {
+            int g = 3 + 3 * row;
+            s[WATER + row] = b.flow[g][i] * x + b.flow[g + 1][i] * y + b.flow[g + 2][i] * z;
+        }
+        toBody(s, WATER, RELATIVE);
+        for (int c = 3; c < 6; c++) {
+            s[RELATIVE + c] = 0;
+        }
+        multiply(added, s, RELATIVE, SPEEDS, 6);
+        toWorld(s, SPEEDS, VELOCITIES);
+        toWorld(s, SPEEDS + 3, VELOCITIES + 3);
+        b.fx[i] += s[VELOCITIES];
+        b.fy[i] += s[VELOCITIES + 1];
+        b.fz[i] += s[VELOCITIES + 2];
+        b.tx[i] += s[VELOCITIES + 3];
+        b.ty[i] += s[VELOCITIES + 4];
+        b.tz[i] += s[VELOCITIES + 5];
+    }
+
     private static double crossX(double[] s, int a, int b) {
         return s[a + 1] * s[b + 2] - s[a + 2] * s[b + 1];
     }

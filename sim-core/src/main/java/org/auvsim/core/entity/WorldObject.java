@@ -150,6 +150,11 @@ public final class WorldObject extends RigidBody {
         return propulsors;
     }
 
+    @Override
+    List<Actuator> actuators() {
+        return components(Actuator.class);
+    }
+
     /** The behaviors, in the order in which they act. */
     public List<Behavior> behaviors() {
         return behaviors;
@@ -160,7 +165,7 @@ public final class WorldObject extends RigidBody {
         if (component instanceof Behavior) {
             behaviorsChanged();
         }
-        if (component instanceof Propulsor) {
+        if (component instanceof Propulsor || component instanceof Actuator) {
             resultantChanged();
         }
     }

@@ -1,6 +1,7 @@
 package org.auvsim.core.field;
 
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.Current;
 import org.auvsim.core.math.Vec3;
 
@@ -15,6 +16,20 @@ public record UniformCurrent(long id, String name, @Unit("m/s") Vec3 velocity) i
         if (!velocity.isFinite()) {
             throw new IllegalArgumentException(
                     "the velocity of current '" + name + "' must be finite, but is " + velocity);
+        }
+    }
+
+    @Override
+    public boolean isUneven() {
+        return false;
+    }
+
+    @Override
+    public void addTo(Block block) {
+        for (int i = 0; i < block.count; i++) {
+            block.ux[i] += velocity.x();
+            block.uy[i] += velocity.y();
+            block.uz[i] += velocity.z();
         }
     }
 

@@ -333,7 +333,12 @@ public final class Motion {
         if (slot >= 0) {
             RigidBody body = population.objects().get(slot);
             String culprit =
-                    new Diagnosis(equations, bodies, population.objects(), body)
+                    new Diagnosis(
+                            equations,
+                            bodies,
+                            population.objects(),
+                            population.surroundings(),
+                            body)
                             .culprit(time, offset);
             throw StepException.runaway(body, time, offset, culprit);
         }

@@ -1,53 +1,47 @@
 package org.auvsim.core.world;
 
-import static java.util.Objects.requireNonNull;
-
 import org.auvsim.core.entity.BlockEffect;
+import org.auvsim.core.entity.Bodies;
 import org.auvsim.core.entity.CoupledEffect;
 import org.auvsim.core.entity.Effect;
+import org.auvsim.core.entity.Surroundings;
 import org.auvsim.core.entity.WorldObject;
 
 import java.util.ArrayList;
-import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /** Lays out the effects of all objects, class by class in the order in which they first appear. */
 final class EffectLayout {
     private EffectLayout() {}
 
-    static List<BlockEffect> of(List<WorldObject> bySlot) {
-        Map<Long, Integer> slots = new HashMap<>();
-        bySlot.forEach(object -> slots.put(object.id(), object.slot()));
+    static List<BlockEffect> of(Bodies bodies) {
+        List<WorldObject> bySlot = bodies.objects();
+        Set<Long> ids = new HashSet<>();
+        bySlot.forEach(object -> ids.add(object.id()));
         Map<Class<?>, List<List<Effect>>> byClass = new LinkedHashMap<>();
         for (WorldObject object : bySlot) {
             for (Effect effect : object.effects()) {
-                if (!isWhole(effect, slots)) {
+                if (!isWhole(effect, ids)) {
                     continue;
                 }
                 byClass.computeIfAbsent(effect.getClass(), c -> emptySlots(bySlot.size()))
-                        .set(object.slot(), ofClass(effect.getClass(), object, slots));
+                        .set(object.slot(), ofClass(effect.getClass(), object, ids));
             }
         }
-        List<BlockEffect> layout = new ArrayList<>();
-        for (List<List<Effect>> effects : byClass.values()) {
-            layout.add(layOut(firstOf(effects), effects, slots));
-        }
-        return List.copyOf(layout);
+        Surroundings around = bodies.surroundings();
+        return byClass.values().stream()
+                .map(effects -> firstOf(effects).layOut(effects, around))
+                .toList();
     }
 
     /** A coupled effect ends when one of its partners leaves. */
-    private static boolean isWhole(Effect effect, Map<Long, Integer> slots) {
+    private static boolean isWhole(Effect effect, Set<Long> ids) {
         return !(effect instanceof CoupledEffect coupled)
-                || slots.keySet().containsAll(coupled.partners());
-    }
-
-    private static BlockEffect layOut(
-            Effect first, List<List<Effect>> effects, Map<Long, Integer> slots) {
-        return first instanceof CoupledEffect coupled
-                ? coupled.layOut(effects, id -> requireNonNull(slots.get(id)))
-                : first.layOut(effects);
+                || ids.containsAll(coupled.partners());
     }
 
     private static List<List<Effect>> emptySlots(int count) {
@@ -59,9 +53,9 @@ final class EffectLayout {
     }
 
     private static List<Effect> ofClass(
-            Class<?> type, WorldObject object, Map<Long, Integer> slots) {
+            Class<?> type, WorldObject object, Set<Long> ids) {
         return object.effects().stream()
-                .filter(e -> e.getClass() == type && isWhole(e, slots))
+                .filter(e -> e.getClass() == type && isWhole(e, ids))
                 .toList();
     }
 

@@ -5,7 +5,6 @@ import org.auvsim.core.dynamics.Integrator;
 import org.auvsim.core.entity.BlockEffect;
 import org.auvsim.core.entity.Collidable;
 import org.auvsim.core.entity.CollisionResponse;
-import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.step.ContactMemory;
@@ -80,20 +79,16 @@ final class Mechanics {
 
     private Motion layOut(double time) {
         if (effects.isEmpty()) {
-            effects = Optional.of(EffectLayout.of(population.bodies().objects()));
+            effects = Optional.of(EffectLayout.of(population.bodies()));
         }
         List<Collidable> collidables = new ArrayList<>();
-        List<Current> currents = new ArrayList<>();
         for (Entity entity : population.entities()) {
             if (entity instanceof Collidable collidable) {
                 collidables.add(collidable);
             }
-            if (entity instanceof Current current) {
-                currents.add(current);
-            }
         }
         EquationsOfMotion equations =
-                new EquationsOfMotion(population.bodies().state(), effects.get(), currents);
+                new EquationsOfMotion(population.bodies().state(), effects.get());
         return new Motion(
                 population.bodies(),
                 collidables,
@@ -110,8 +105,7 @@ final class Mechanics {
 
     /** An entity has come. */
     void entered() {
-        effects = Optional.empty();
-        motion = Optional.empty();
+        changed();
     }
 
     /** An entity has gone; contacts of before are not to be taken for those of others. */
@@ -120,8 +114,9 @@ final class Mechanics {
         entered();
     }
 
-    /** An entity that is no body has changed. */
+    /** An entity that is no body, or what acts on one that is, has changed. */
     void changed() {
+        effects = Optional.empty();
         motion = Optional.empty();
     }
 

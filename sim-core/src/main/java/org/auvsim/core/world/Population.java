@@ -2,9 +2,9 @@ package org.auvsim.core.world;
 
 import org.auvsim.core.entity.Bodies;
 import org.auvsim.core.entity.CoupledEffect;
-import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.Entity;
+import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.RigidBody;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -123,7 +123,7 @@ final class Population {
 
     private void enter(Entity entity) {
         byId.put(entity.id(), entity);
-        waterChanged(entity);
+        fieldsChanged(entity);
         idsByName.put(entity.name(), entity.id());
         nextId = Math.max(nextId, entity.id() + 1);
         objects = Optional.empty();
@@ -198,18 +198,18 @@ final class Population {
         }
         objects = Optional.empty();
         others = Optional.empty();
-        waterChanged(entity);
+        fieldsChanged(entity);
     }
 
-    private void waterChanged(Entity entity) {
-        if (entity instanceof Current) {
-            List<Current> currents = new ArrayList<>();
+    private void fieldsChanged(Entity entity) {
+        if (entity instanceof Field) {
+            List<Field<?>> fields = new ArrayList<>();
             for (Entity other : byId.values()) {
-                if (other instanceof Current current) {
-                    currents.add(current);
+                if (other instanceof Field<?> field) {
+                    fields.add(field);
                 }
             }
-            bodies.state().setCurrents(currents);
+            bodies.state().setFields(fields);
         }
     }
 
@@ -227,7 +227,7 @@ final class Population {
         }
         byId.put(changed.id(), changed);
         others = Optional.empty();
-        waterChanged(changed);
+        fieldsChanged(changed);
     }
 
     private WorldException unknown(String what) {

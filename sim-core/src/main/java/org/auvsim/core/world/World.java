@@ -1,6 +1,7 @@
 package org.auvsim.core.world;
 
 import org.auvsim.core.entity.Behavior;
+import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -172,6 +173,31 @@ public final class World {
     }
 
     /**
+     * Lets an effect act on a world object from now on.
+     *
+     * @throws WorldException if there is no such object, or the effect couples it to a body that is
+     *     not in the world
+     */
+    public void addEffect(long objectId, Effect effect) {
+        WorldObject object = object(objectId);
+        population.requirePartners(object.name(), List.of(effect));
+        population.bodies().addEffect(object, effect);
+        mechanics.changed();
+    }
+
+    /**
+     * Ends an effect on a world object; the first of equal ones.
+     *
+     * @return false if it has no such effect
+     * @throws WorldException if there is no such object
+     */
+    public boolean removeEffect(long objectId, Effect effect) {
+        boolean removed = population.bodies().removeEffect(object(objectId), effect);
+        mechanics.changed();
+        return removed;
+    }
+
+    /**
      * Removes an entity; its id is not used again. Effects that couple others to it end.
      *
      * @throws WorldException if there is none with this id
@@ -257,6 +283,7 @@ public final class World {
         path.setHeard(!announcements.isUnheard());
         StepResult result = stepper.advance(path, wanted);
         clock.advance(result.elapsed());
+        population.bodies().state().setTime(time());
         guardAgainstStandstill(result);
         publishCollisions(result);
         // By index here and below: iterators would be garbage in each step.

@@ -21,8 +21,11 @@ class ContactForcesTest {
         bodies.add(1, WorldObjectDefinition.named("a").volume(new Sphere(1)).mass(2).build());
         return new EquationsOfMotion(
                 bodies.state(),
-                List.of(new Gravity(10).layOut(List.of(List.of(new Gravity(10))))),
-                List.of());
+                List.of(
+                        new Gravity(10)
+                                .layOut(
+                                        List.of(List.of(new Gravity(10))),
+                                        bodies.surroundings())));
     }
 
     @Test

@@ -27,7 +27,7 @@ final class Flight {
         for (WorldObjectDefinition definition : definitions) {
             bodies.add(bodies.count() + 1, definition);
         }
-        equations = new EquationsOfMotion(bodies.state(), effects, currents);
+        equations = new EquationsOfMotion(bodies.state(), effects);
     }
 
     static Flight of(WorldObjectDefinition.Builder body) {
@@ -41,16 +41,16 @@ final class Flight {
 
     /** Lets an effect act on all bodies. */
     Flight with(Effect effect) {
-        effects.add(effect.layOut(Collections.nCopies(bodies.count(), List.of(effect))));
-        equations = new EquationsOfMotion(bodies.state(), effects, currents);
+        effects.add(effect.layOut(Collections.nCopies(bodies.count(), List.of(effect)), bodies.surroundings()));
+        equations = new EquationsOfMotion(bodies.state(), effects);
         return this;
     }
 
     /** Adds a current. */
     Flight in(Current current) {
         currents.add(current);
-        bodies.state().setCurrents(currents);
-        equations = new EquationsOfMotion(bodies.state(), effects, currents);
+        bodies.state().setFields(List.copyOf(currents));
+        equations = new EquationsOfMotion(bodies.state(), effects);
         return this;
     }
 

@@ -33,9 +33,9 @@ class StiffnessTest {
         bodies.add(1, body.build());
         List<BlockEffect> laidOut = new ArrayList<>();
         for (Effect effect : effects) {
-            laidOut.add(effect.layOut(List.of(List.of(effect))));
+            laidOut.add(effect.layOut(List.of(List.of(effect)), bodies.surroundings()));
         }
-        EquationsOfMotion equations = new EquationsOfMotion(bodies.state(), laidOut, List.of());
+        EquationsOfMotion equations = new EquationsOfMotion(bodies.state(), laidOut);
         Block block = new Block();
         equations.load(block, 0, 1, 0);
         new Rk4().advance(equations, block, DT);

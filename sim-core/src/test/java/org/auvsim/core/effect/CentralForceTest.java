@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import static org.auvsim.core.math.Near.assertNear;
 
 import org.auvsim.core.entity.Block;
+import org.auvsim.core.entity.Bodies;
 import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.WorldObject;
@@ -45,7 +46,7 @@ class CentralForceTest {
             expected.add(sum(effects.get(i), place));
         }
 
-        FORCE.layOut(effects).add(block);
+        FORCE.layOut(effects, new Bodies().surroundings()).add(block);
 
         for (int i = 0; i < Block.SIZE; i++) {
             assertNear(new Vec3(block.fx[i], block.fy[i], block.fz[i]), expected.get(i), 1e-12);
@@ -86,7 +87,7 @@ class CentralForceTest {
         CentralForce atOrigin = new CentralForce(10, 0.1, Vec3.ZERO);
         put(block, 0, new Vec3(distance, 0, 0));
 
-        atOrigin.layOut(List.of(List.of(atOrigin))).add(block);
+        atOrigin.layOut(List.of(List.of(atOrigin)), new Bodies().surroundings()).add(block);
 
         assertThat(block.fx[0]).isCloseTo(force, within(1e-12));
     }
@@ -99,7 +100,7 @@ class CentralForceTest {
         CentralForce sharp = new CentralForce(10, 0, Vec3.ZERO);
         put(block, 0, new Vec3(0, distance, 0));
 
-        sharp.layOut(List.of(List.of(sharp))).add(block);
+        sharp.layOut(List.of(List.of(sharp)), new Bodies().surroundings()).add(block);
 
         assertThat(block.fy[0]).isBetween(-10.000001, 0.0);
     }

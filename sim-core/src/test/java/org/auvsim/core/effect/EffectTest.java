@@ -96,11 +96,10 @@ class EffectTest {
     }
 
     private static Block evaluated(Bodies bodies, Effect effect, List<List<Effect>> bySlot) {
+        bodies.state().setFields(List.of(new UniformCurrent(1, "stream", WATER)));
         EquationsOfMotion equations =
                 new EquationsOfMotion(
-                        bodies.state(),
-                        List.of(effect.layOut(bySlot)),
-                        List.of(new UniformCurrent(1, "stream", WATER)));
+                        bodies.state(), List.of(effect.layOut(bySlot, bodies.surroundings())));
         Block block = new Block();
         equations.load(block, 3, 60, 0);
         equations.evaluate(block);
@@ -117,10 +116,10 @@ class EffectTest {
         for (int slot = 0; slot < 11; slot++) {
             bySlot.add(slot == 10 ? List.of(DAMPING) : List.of());
         }
-        DAMPING.layOut(bySlot).add(none);
+        DAMPING.layOut(bySlot, new Bodies().surroundings()).add(none);
         assertThat(none.fx).containsOnly(0);
         none.take(1, 10);
-        DAMPING.layOut(bySlot).add(none);
+        DAMPING.layOut(bySlot, new Bodies().surroundings()).add(none);
         assertThat(none.fx[9]).isEqualTo(-5);
         assertThat(Arrays.copyOf(none.fx, 9)).containsOnly(0);
     }

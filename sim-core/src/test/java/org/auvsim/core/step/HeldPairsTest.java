@@ -37,7 +37,7 @@ class HeldPairsTest {
                 new BodyTraits(bodies.state(), bodies.objects(), new ImpulseResponse(), false);
         return new HeldPairs(
                 traits,
-                new EquationsOfMotion(bodies.state(), List.of(effects), List.of()).groups());
+                new EquationsOfMotion(bodies.state(), List.of(effects)).groups());
     }
 
     private void hold(int first, int second) {

@@ -31,7 +31,7 @@ final class Scene {
         return new Motion(
                 bodies,
                 collidables,
-                new EquationsOfMotion(bodies.state(), List.of(), List.of()),
+                new EquationsOfMotion(bodies.state(), List.of()),
                 new Rk4(),
                 queries,
                 new ImpulseResponse(),

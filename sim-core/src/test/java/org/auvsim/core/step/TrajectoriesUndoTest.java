@@ -66,12 +66,15 @@ class TrajectoriesUndoTest {
                 new Damping(all(setting.damping()), all(0.1), all(setting.damping()), all(0));
         List<BlockEffect> effects =
                 new ArrayList<>(
-                        List.of(damping.layOut(Collections.nCopies(COUNT, List.of(damping)))));
+                        List.of(
+                                damping.layOut(
+                                        Collections.nCopies(COUNT, List.of(damping)),
+                                        bodies.surroundings())));
         effects.addAll(setting.bonds());
         return new Trajectories(
                 bodies.state(),
                 new BodyTraits(bodies.state(), bodies.objects(), new ImpulseResponse(), false),
-                new EquationsOfMotion(bodies.state(), effects, List.of()),
+                new EquationsOfMotion(bodies.state(), effects),
                 new Rk4(),
                 Lanes.ONE);
     }

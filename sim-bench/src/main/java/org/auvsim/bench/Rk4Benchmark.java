@@ -113,7 +113,9 @@ public class Rk4Benchmark {
     }
 
     private BlockEffect onAll(Effect effect) {
-        return effect.layOut(new ArrayList<>(Collections.nCopies(bodies, List.of(effect))), new Bodies().surroundings());
+        return effect.layOut(
+                new ArrayList<>(Collections.nCopies(bodies, List.of(effect))),
+                new Bodies().surroundings());
     }
 
     /** Copies in, steps, copies out; goes on from where the last call stopped. */

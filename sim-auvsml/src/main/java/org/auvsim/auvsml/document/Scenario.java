@@ -2,7 +2,8 @@ package org.auvsim.auvsml.document;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
-import org.auvsim.core.entity.Current;
+import org.auvsim.core.entity.Entity;
+import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.step.Lanes;
@@ -10,6 +11,7 @@ import org.auvsim.core.step.Stepper;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldBuilder;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -23,7 +25,7 @@ import java.util.Optional;
  * @param stepper how a step is made
  * @param feedbackTimestepping when robots' feedback is taken
  * @param feedbackProcessor which processor uses it; empty: the one that each message names
- * @param current the water's motion
+ * @param field what fills the whole world: currents, magnetic fields, temperatures
  * @param worldObject what moves, or does not
  */
 public record Scenario(
@@ -34,11 +36,11 @@ public record Scenario(
         @Default("event-stepper") Stepper stepper,
         @Default("asynchronous-feedback-timestepper") FeedbackTimestepping feedbackTimestepping,
         Optional<FeedbackProcessorChoice> feedbackProcessor,
-        List<Current> current,
+        List<Field<?>> field,
         List<WorldObjectDefinition> worldObject) {
     /** Lists that cannot be changed. */
     public Scenario {
-        current = List.copyOf(current);
+        field = List.copyOf(field);
         worldObject = List.copyOf(worldObject);
     }
 
@@ -66,7 +68,7 @@ public record Scenario(
         if (allowOverlaps) {
             world.allowOverlaps();
         }
-        current.forEach(world::add);
+        field.forEach(world::add);
         worldObject.forEach(world::add);
         return world.build();
     }
@@ -95,7 +97,17 @@ public record Scenario(
                 stepper,
                 feedbackTimestepping,
                 feedbackProcessor,
-                current,
+                fieldsOf(world),
                 world.objects().stream().map(WorldObject::presentDefinition).toList());
+    }
+
+    private static List<Field<?>> fieldsOf(World world) {
+        List<Field<?>> fields = new ArrayList<>();
+        for (Entity entity : world.entities()) {
+            if (entity instanceof Field<?> field) {
+                fields.add(field);
+            }
+        }
+        return fields;
     }
 }

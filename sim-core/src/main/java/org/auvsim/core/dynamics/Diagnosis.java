@@ -118,8 +118,7 @@ public final class Diagnosis {
 
     /** A coupled effect ends when one of its partners leaves. */
     private boolean isWhole(Effect effect) {
-        return !(effect instanceof CoupledEffect coupled)
-                || ids.containsAll(coupled.partners());
+        return !(effect instanceof CoupledEffect coupled) || ids.containsAll(coupled.partners());
     }
 
     private boolean isFinite(Effect effect, int owner) {

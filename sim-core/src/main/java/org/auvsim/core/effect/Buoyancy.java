@@ -16,8 +16,8 @@ import java.util.OptionalDouble;
  * times Du/Dt (Auton, Hunt &amp; Prud'homme 1988; the Froude-Krylov force of waves).
  *
  * <p>Both fade out linearly as the body leaves the water: with the centre of buoyancy half a height
- * below the surface, waves included, it is wholly wet, half a height above it dry. That is exact for
- * an upright box.
+ * below the surface, waves included, it is wholly wet, half a height above it dry. That is exact
+ * for an upright box.
  *
  * @param volume of the water that the body displaces when it is under water (m^3), 0 or more
  * @param density of the water (kg/m^3), above 0

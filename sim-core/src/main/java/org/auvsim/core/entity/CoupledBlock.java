@@ -18,9 +18,7 @@ final class CoupledBlock implements BlockEffect {
             partners[slot] = new int[effects[slot].length][];
             for (int k = 0; k < effects[slot].length; k++) {
                 partners[slot][k] =
-                        effects[slot][k].partners().stream()
-                                .mapToInt(around::slotOf)
-                                .toArray();
+                        effects[slot][k].partners().stream().mapToInt(around::slotOf).toArray();
             }
         }
     }

@@ -334,11 +334,11 @@ public final class Motion {
             RigidBody body = population.objects().get(slot);
             String culprit =
                     new Diagnosis(
-                            equations,
-                            bodies,
-                            population.objects(),
-                            population.surroundings(),
-                            body)
+                                    equations,
+                                    bodies,
+                                    population.objects(),
+                                    population.surroundings(),
+                                    body)
                             .culprit(time, offset);
             throw StepException.runaway(body, time, offset, culprit);
         }

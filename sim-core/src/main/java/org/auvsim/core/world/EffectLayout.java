@@ -40,8 +40,7 @@ final class EffectLayout {
 
     /** A coupled effect ends when one of its partners leaves. */
     private static boolean isWhole(Effect effect, Set<Long> ids) {
-        return !(effect instanceof CoupledEffect coupled)
-                || ids.containsAll(coupled.partners());
+        return !(effect instanceof CoupledEffect coupled) || ids.containsAll(coupled.partners());
     }
 
     private static List<List<Effect>> emptySlots(int count) {
@@ -52,8 +51,7 @@ final class EffectLayout {
         return slots;
     }
 
-    private static List<Effect> ofClass(
-            Class<?> type, WorldObject object, Set<Long> ids) {
+    private static List<Effect> ofClass(Class<?> type, WorldObject object, Set<Long> ids) {
         return object.effects().stream()
                 .filter(e -> e.getClass() == type && isWhole(e, ids))
                 .toList();

@@ -23,9 +23,7 @@ class ContactForcesTest {
                 bodies.state(),
                 List.of(
                         new Gravity(10)
-                                .layOut(
-                                        List.of(List.of(new Gravity(10))),
-                                        bodies.surroundings())));
+                                .layOut(List.of(List.of(new Gravity(10))), bodies.surroundings())));
     }
 
     @Test

@@ -41,7 +41,10 @@ final class Flight {
 
     /** Lets an effect act on all bodies. */
     Flight with(Effect effect) {
-        effects.add(effect.layOut(Collections.nCopies(bodies.count(), List.of(effect)), bodies.surroundings()));
+        effects.add(
+                effect.layOut(
+                        Collections.nCopies(bodies.count(), List.of(effect)),
+                        bodies.surroundings()));
         equations = new EquationsOfMotion(bodies.state(), effects);
         return this;
     }

@@ -129,7 +129,9 @@ class BuoyancyTest {
         }
     }
 
-    /** In a steady strain u = s (x, -y, 0) Du/Dt is s^2 (x, y, 0), in shear it is not zero either. */
+    /**
+     * In a steady strain u = s (x, -y, 0) Du/Dt is s^2 (x, y, 0), in shear it is not zero either.
+     */
     @Test
     void unevenWaterAcceleratesAlongItsPaths() {
         record Strain(long id, String name) implements Current {

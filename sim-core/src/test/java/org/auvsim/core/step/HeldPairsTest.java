@@ -36,8 +36,7 @@ class HeldPairsTest {
         BodyTraits traits =
                 new BodyTraits(bodies.state(), bodies.objects(), new ImpulseResponse(), false);
         return new HeldPairs(
-                traits,
-                new EquationsOfMotion(bodies.state(), List.of(effects)).groups());
+                traits, new EquationsOfMotion(bodies.state(), List.of(effects)).groups());
     }
 
     private void hold(int first, int second) {

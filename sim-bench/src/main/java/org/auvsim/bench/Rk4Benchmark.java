@@ -64,7 +64,7 @@ public class Rk4Benchmark {
     private final Rk4 rk4 = new Rk4();
     private final Block block = new Block();
     private BodyState state = new BodyState();
-    private EquationsOfMotion equations = new EquationsOfMotion(state, List.of(), List.of());
+    private EquationsOfMotion equations = new EquationsOfMotion(state, List.of());
     private double[][] after = new double[0][];
     private int next;
 
@@ -77,7 +77,7 @@ public class Rk4Benchmark {
         }
         state = world.state();
         after = new double[BodyState.COLUMNS][bodies];
-        equations = new EquationsOfMotion(state, effects(), List.of());
+        equations = new EquationsOfMotion(state, effects());
     }
 
     private WorldObjectDefinition definition(int i) {

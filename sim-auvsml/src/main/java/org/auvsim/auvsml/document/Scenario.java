@@ -2,7 +2,6 @@ package org.auvsim.auvsml.document;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
-import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -11,7 +10,6 @@ import org.auvsim.core.step.Stepper;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldBuilder;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -97,17 +95,7 @@ public record Scenario(
                 stepper,
                 feedbackTimestepping,
                 feedbackProcessor,
-                fieldsOf(world),
+                world.fields(),
                 world.objects().stream().map(WorldObject::presentDefinition).toList());
-    }
-
-    private static List<Field<?>> fieldsOf(World world) {
-        List<Field<?>> fields = new ArrayList<>();
-        for (Entity entity : world.entities()) {
-            if (entity instanceof Field<?> field) {
-                fields.add(field);
-            }
-        }
-        return fields;
     }
 }

@@ -25,19 +25,28 @@ import org.auvsim.auvsml.message.control.ShutdownSimulatorCommand;
 import org.auvsim.auvsml.message.control.SimulatorStateResponse;
 import org.auvsim.auvsml.message.control.StepCommand;
 import org.auvsim.auvsml.message.control.TakeControlCommand;
+import org.auvsim.auvsml.message.entity.AddEffectCommand;
+import org.auvsim.auvsml.message.entity.AddFieldCommand;
 import org.auvsim.auvsml.message.entity.AddWorldObjectCommand;
 import org.auvsim.auvsml.message.entity.AddWorldObjectResponse;
+import org.auvsim.auvsml.message.entity.EffectListResponse;
+import org.auvsim.auvsml.message.entity.FieldListResponse;
+import org.auvsim.auvsml.message.entity.GetEffectListRequest;
+import org.auvsim.auvsml.message.entity.GetFieldListRequest;
 import org.auvsim.auvsml.message.entity.GetPropulsorListRequest;
 import org.auvsim.auvsml.message.entity.GetWorldObjectListCommand;
 import org.auvsim.auvsml.message.entity.ListedPropulsor;
 import org.auvsim.auvsml.message.entity.PropulsorListResponse;
+import org.auvsim.auvsml.message.entity.RemoveEffectCommand;
 import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
 import org.auvsim.auvsml.message.entity.WorldObjectListResponse;
 import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 import org.auvsim.auvsml.message.session.DisconnectCommand;
+import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.field.UniformCurrent;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Sphere;
 import org.junit.jupiter.api.Test;
@@ -51,6 +60,9 @@ import java.util.OptionalDouble;
 /** What each command asks of its port, and what it answers. */
 class CommandsTest {
     private static final Vec3 UP = new Vec3(0, 0, 1);
+
+    private static final Gravity WEIGHT = new Gravity(9.8);
+    private static final UniformCurrent TIDE = new UniformCurrent(5, "Tide", UP);
 
     private final List<String> calls = new ArrayList<>();
 
@@ -116,13 +128,21 @@ class CommandsTest {
         assertThat(new AddWorldObjectCommand(rock).execute(port(WorldControl.class, 48L)))
                 .contains(new AddWorldObjectResponse(48));
         silent(WorldControl.class, new RemoveEntityCommand(48));
+        assertThat(new GetEffectListRequest(47).execute(port(WorldControl.class, List.of(WEIGHT))))
+                .contains(new EffectListResponse(47, List.of(WEIGHT)));
+        assertThat(new GetFieldListRequest().execute(port(WorldControl.class, List.of(TIDE))))
+                .contains(new FieldListResponse(List.of(TIDE)));
+        silent(WorldControl.class, new AddFieldCommand(TIDE));
 
         assertThat(calls)
                 .containsExactly(
                         "worldObjects[]",
                         "propulsorNames[47]",
                         "add" + List.of(rock),
-                        "remove[48]");
+                        "remove[48]",
+                        "effects[47]",
+                        "fields[]",
+                        "add" + List.of(TIDE));
     }
 
     @Test
@@ -133,13 +153,17 @@ class CommandsTest {
                 new ApplyForceCommand(1, "b", Frame.WORLD, UP, new Vec3(1, 0, 0)));
         silent(WorldObjectControl.class, new RemoveForceCommand(1, "a"));
         silent(WorldObjectControl.class, new SetPropulsorCommand(1, "Rudder", -1));
+        silent(WorldObjectControl.class, new AddEffectCommand(1, WEIGHT));
+        silent(WorldObjectControl.class, new RemoveEffectCommand(1, WEIGHT));
 
         assertThat(calls)
                 .containsExactly(
                         "apply" + List.of(NamedForce.direct("a", Frame.BODY, UP)),
                         "apply" + List.of(new NamedForce("b", Frame.WORLD, UP, new Vec3(1, 0, 0))),
                         "removeForce[a]",
-                        "setPropulsorLevel[Rudder, -1.0]");
+                        "setPropulsorLevel[Rudder, -1.0]",
+                        "addEffect" + List.of(WEIGHT),
+                        "removeEffect" + List.of(WEIGHT));
     }
 
     @Test

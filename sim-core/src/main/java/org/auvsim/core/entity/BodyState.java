@@ -206,6 +206,11 @@ public final class BodyState {
         currents = fields(Current.class);
     }
 
+    /** The fields of the world, in order of id. */
+    public List<Field<?>> fields() {
+        return fields;
+    }
+
     /** The fields of a type, in order of id. */
     <F extends Field<?>> List<F> fields(Class<F> type) {
         return fields.stream().filter(type::isInstance).map(type::cast).toList();

@@ -3,6 +3,7 @@ package org.auvsim.core.world;
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.Entity;
+import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.entity.Wrench;
@@ -105,6 +106,11 @@ public final class World {
     /** All world objects, in order of id. */
     public List<WorldObject> objects() {
         return population.objects();
+    }
+
+    /** All fields, in order of id. */
+    public List<Field<?>> fields() {
+        return population.bodies().state().fields();
     }
 
     /** The entity with an id. */

@@ -170,7 +170,10 @@ final class Requests {
                             controlled,
                             session,
                             c.worldObjectId(),
-                            () -> c.execute(new WorldObjectPort(world.object(c.worldObjectId()))));
+                            () ->
+                                    c.execute(
+                                            new WorldObjectPort(
+                                                    world, world.object(c.worldObjectId()))));
         };
     }
 

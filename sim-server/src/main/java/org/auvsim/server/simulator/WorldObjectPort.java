@@ -3,11 +3,13 @@ package org.auvsim.server.simulator;
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.command.WorldObjectControl;
+import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObject;
+import org.auvsim.core.world.World;
 
 /** One world object as commands reach it. */
-record WorldObjectPort(WorldObject object) implements WorldObjectControl {
+record WorldObjectPort(World world, WorldObject object) implements WorldObjectControl {
     @Override
     public void apply(NamedForce force) {
         if (!object.volume().contains(force.point())) {
@@ -35,5 +37,20 @@ record WorldObjectPort(WorldObject object) implements WorldObjectControl {
     @Override
     public void setPropulsorLevel(String name, double level) {
         object.setPropulsorLevel(name, level);
+    }
+
+    @Override
+    public void addEffect(Effect effect) {
+        world.addEffect(object.id(), effect);
+    }
+
+    @Override
+    public void removeEffect(Effect effect) {
+        if (!world.removeEffect(object.id(), effect)) {
+            throw new RefusedException(
+                    ErrorCode.UNKNOWN_ENTITY,
+                    "'%s' has no such effect; get-effect-list-request tells which it has, to the number"
+                            .formatted(object.name()));
+        }
     }
 }

@@ -4,6 +4,8 @@ import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.message.command.ListedWorldObject;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.command.WorldControl;
+import org.auvsim.core.entity.Effect;
+import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -37,6 +39,21 @@ record WorldPort(World world) implements WorldControl {
     @Override
     public List<String> propulsorNames(long worldObjectId) {
         return object(world, worldObjectId).propulsors().stream().map(Propulsor::name).toList();
+    }
+
+    @Override
+    public List<Effect> effects(long worldObjectId) {
+        return object(world, worldObjectId).effects();
+    }
+
+    @Override
+    public List<Field<?>> fields() {
+        return world.fields();
+    }
+
+    @Override
+    public void add(Field<?> field) {
+        world.add(field);
     }
 
     @Override

@@ -1,5 +1,7 @@
 package org.auvsim.auvsml.message.command;
 
+import org.auvsim.core.entity.Effect;
+import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObjectDefinition;
 
 import java.util.List;
@@ -15,6 +17,23 @@ public interface WorldControl {
      * @throws RefusedException if there is no such world object
      */
     List<String> propulsorNames(long worldObjectId);
+
+    /**
+     * What acts on an object, in the order of its coming.
+     *
+     * @throws RefusedException if there is no such world object
+     */
+    List<Effect> effects(long worldObjectId);
+
+    /** All fields, in order of id. */
+    List<Field<?>> fields();
+
+    /**
+     * Adds a field, between two steps.
+     *
+     * @throws RefusedException if its id or name is taken
+     */
+    void add(Field<?> field);
 
     /**
      * Adds a world object, between two steps.

@@ -1,0 +1,21 @@
+package org.auvsim.auvsml.message.entity;
+
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.command.WorldObjectCommand;
+import org.auvsim.auvsml.message.command.WorldObjectControl;
+import org.auvsim.core.entity.Effect;
+
+import java.util.Optional;
+
+/**
+ * Ends an effect on a world object.
+ *
+ * @param effect as the {@link EffectListResponse} states it; of equal ones the first ends
+ */
+public record RemoveEffectCommand(long worldObjectId, Effect effect) implements WorldObjectCommand {
+    @Override
+    public Optional<Message> execute(WorldObjectControl object) {
+        object.removeEffect(effect);
+        return Optional.empty();
+    }
+}

@@ -36,6 +36,7 @@ final class Watch implements Callable<Integer> {
                     EventType.PROJECTED_MOVEMENT,
                     EventType.MOVEMENT_STATE_CHANGE,
                     EventType.COLLISION,
+                    EventType.SENSOR_READING,
                     EventType.ENTITY_ADDED,
                     EventType.ENTITY_REMOVED,
                     EventType.FEEDBACK_APPLIED);

@@ -67,7 +67,7 @@ final class MessageReference {
 
     private Set<String> packages() {
         Set<String> names = new LinkedHashSet<>();
-        List.of("listening", "movement", "feedback", "control", "entity", "session")
+        List.of("listening", "movement", "sensing", "feedback", "control", "entity", "session")
                 .forEach(name -> names.add(Message.class.getPackageName() + "." + name));
         catalogue.types().forEach(type -> names.add(type.getPackageName()));
         return names;

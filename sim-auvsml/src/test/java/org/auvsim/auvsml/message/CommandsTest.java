@@ -41,6 +41,9 @@ import org.auvsim.auvsml.message.entity.RemoveEffectCommand;
 import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
 import org.auvsim.auvsml.message.entity.WorldObjectListResponse;
 import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
+import org.auvsim.auvsml.message.sensing.GetSensorListRequest;
+import org.auvsim.auvsml.message.sensing.ListedSensor;
+import org.auvsim.auvsml.message.sensing.SensorListResponse;
 import org.auvsim.auvsml.message.session.DisconnectCommand;
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Frame;
@@ -48,6 +51,10 @@ import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.field.UniformCurrent;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.core.sensor.DepthSensor;
+import org.auvsim.core.sensor.Sampling;
+import org.auvsim.core.sensor.ScalarErrors;
+import org.auvsim.core.sensor.Sensor;
 import org.auvsim.core.volume.Sphere;
 import org.junit.jupiter.api.Test;
 
@@ -133,6 +140,12 @@ class CommandsTest {
         assertThat(new GetFieldListRequest().execute(port(WorldControl.class, List.of(TIDE))))
                 .contains(new FieldListResponse(List.of(TIDE)));
         silent(WorldControl.class, new AddFieldCommand(TIDE));
+        Sensor sensor =
+                new DepthSensor("Keller", UP, 0, 1025, 1025, ScalarErrors.NONE, Sampling.at(10));
+        assertThat(new GetSensorListRequest(47).execute(port(WorldControl.class, List.of(sensor))))
+                .contains(
+                        new SensorListResponse(
+                                47, List.of(new ListedSensor("Keller", "DepthSensor", 10))));
 
         assertThat(calls)
                 .containsExactly(
@@ -142,7 +155,8 @@ class CommandsTest {
                         "remove[48]",
                         "effects[47]",
                         "fields[]",
-                        "add" + List.of(TIDE));
+                        "add" + List.of(TIDE),
+                        "sensors[47]");
     }
 
     @Test

@@ -46,7 +46,7 @@ final class Rules {
                                 Set.of("math"),
                                 Set.of("contact", "volume"),
                                 Set.of("entity"),
-                                Set.of("field", "effect", "behavior", "dynamics"),
+                                Set.of("field", "effect", "behavior", "dynamics", "sensor"),
                                 Set.of("step"),
                                 Set.of("world")))
                 .rule();

@@ -77,6 +77,14 @@ public final class Bodies {
         return active.get();
     }
 
+    /**
+     * A number that is another one whenever a component that is no propulsor has come, changed or
+     * gone, with its object or alone.
+     */
+    public int equipmentChanges() {
+        return state.equipmentChanges();
+    }
+
     /** Number of objects. */
     public int count() {
         return objects.size();
@@ -93,6 +101,7 @@ public final class Bodies {
             WorldObject object = new WorldObject(id, definition, state);
             objects.add(object);
             active = Optional.empty();
+            state.equipmentChanged();
             return object;
         } catch (IllegalArgumentException e) {
             state.remove(objects.size());
@@ -115,6 +124,7 @@ public final class Bodies {
         int slot = object.slot();
         objects.remove(slot);
         active = Optional.empty();
+        state.equipmentChanged();
         state.remove(slot);
         for (int i = slot; i < objects.size(); i++) {
             objects.get(i).moveToSlot(i);

@@ -48,6 +48,7 @@ public final class BodyState {
 
     private int count;
     private int behaviorChanges;
+    private int equipmentChanges;
 
     /** How many bodies have products of inertia, and how many are fixed. */
     private int withProducts;
@@ -115,6 +116,14 @@ public final class BodyState {
 
     void behaviorsChanged() {
         behaviorChanges++;
+    }
+
+    int equipmentChanges() {
+        return equipmentChanges;
+    }
+
+    void equipmentChanged() {
+        equipmentChanges++;
     }
 
     /** Number of bodies; slots 0 to {@code count() - 1} are in use. */

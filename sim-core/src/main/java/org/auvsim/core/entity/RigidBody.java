@@ -346,6 +346,10 @@ public class RigidBody implements Collidable {
         state.behaviorsChanged();
     }
 
+    final void equipmentChanged() {
+        state.equipmentChanged();
+    }
+
     /** The propulsors that push it. */
     public List<Propulsor> propulsors() {
         return List.of();

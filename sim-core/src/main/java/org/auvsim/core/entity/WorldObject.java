@@ -167,6 +167,8 @@ public final class WorldObject extends RigidBody {
         }
         if (component instanceof Propulsor || component instanceof Actuator) {
             resultantChanged();
+        } else {
+            equipmentChanged();
         }
     }
 

@@ -51,4 +51,28 @@ public record Box(@Unit("m") Vec3 size) implements Volume {
                 && Math.abs(point.y()) <= size.y() / 2
                 && Math.abs(point.z()) <= size.z() / 2;
     }
+
+    @Override
+    public double distance(Ray ray) {
+        double enter = 0;
+        double leave = ray.range();
+        for (int axis = 0; axis < 3; axis++) {
+            double half = component(size, axis) / 2;
+            double p = component(ray.from(), axis);
+            double d = component(ray.direction(), axis);
+            if (d == 0) {
+                if (Math.abs(p) > half) {
+                    return Ray.MISS;
+                }
+            } else {
+                enter = Math.max(enter, (Math.copySign(half, -d) - p) / d);
+                leave = Math.min(leave, (Math.copySign(half, d) - p) / d);
+            }
+        }
+        return enter <= leave ? enter : Ray.MISS;
+    }
+
+    private static double component(Vec3 v, int axis) {
+        return axis == 0 ? v.x() : axis == 1 ? v.y() : v.z();
+    }
 }

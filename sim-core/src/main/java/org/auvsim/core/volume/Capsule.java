@@ -57,4 +57,28 @@ public record Capsule(@Unit("m") double radius, @Unit("m") double length) implem
         double beyond = Math.max(0, Math.abs(point.x()) - length / 2);
         return beyond * beyond + point.y() * point.y() + point.z() * point.z() <= radius * radius;
     }
+
+    @Override
+    public double distance(Ray ray) {
+        double ends = Math.min(ray.ball(-length / 2, radius), ray.ball(length / 2, radius));
+        return Math.min(ends, cylinder(ray));
+    }
+
+    /** Where a ray goes through the side of the cylinder, or 0 from inside of it. */
+    private double cylinder(Ray ray) {
+        Vec3 p = ray.from();
+        Vec3 d = ray.direction();
+        double outside = p.y() * p.y() + p.z() * p.z() - radius * radius;
+        if (outside <= 0) {
+            return Math.abs(p.x()) <= length / 2 ? 0 : Ray.MISS;
+        }
+        double a = d.y() * d.y() + d.z() * d.z();
+        double b = p.y() * d.y() + p.z() * d.z();
+        double square = b * b - a * outside;
+        if (!(b < 0) || square < 0) {
+            return Ray.MISS;
+        }
+        double t = outside / (Math.sqrt(square) - b);
+        return Math.abs(p.x() + t * d.x()) <= length / 2 ? ray.within(t) : Ray.MISS;
+    }
 }

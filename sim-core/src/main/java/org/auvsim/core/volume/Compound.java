@@ -81,4 +81,14 @@ public record Compound(List<Part> part) implements Volume {
         }
         return farthest;
     }
+
+    @Override
+    public double distance(Ray ray) {
+        double nearest = Ray.MISS;
+        for (Part each : part) {
+            Ray seen = ray.seenFrom(each.position(), each.orientation());
+            nearest = Math.min(nearest, each.volume().distance(seen));
+        }
+        return nearest;
+    }
 }

@@ -37,4 +37,13 @@ public record HalfSpace() implements Volume {
     public boolean contains(Vec3 point) {
         return point.z() <= 0;
     }
+
+    @Override
+    public double distance(Ray ray) {
+        double above = ray.from().z();
+        if (above <= 0) {
+            return 0;
+        }
+        return ray.direction().z() < 0 ? ray.within(above / -ray.direction().z()) : Ray.MISS;
+    }
 }

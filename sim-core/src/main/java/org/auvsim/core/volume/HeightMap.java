@@ -86,6 +86,15 @@ public record HeightMap(@Unit("m") double spacing, List<Row> row) implements Vol
                 : near + b * (beside - near) + a * (far - beside);
     }
 
+    /** The greatest height (m). */
+    double top() {
+        double top = Double.NEGATIVE_INFINITY;
+        for (int j = 0; j < row.size(); j++) {
+            top = Math.max(top, row.get(j).heights().greatest());
+        }
+        return top;
+    }
+
     @Override
     public double boundingRadius() {
         return Double.POSITIVE_INFINITY;
@@ -104,10 +113,11 @@ public record HeightMap(@Unit("m") double spacing, List<Row> row) implements Vol
 
     @Override
     public double reach(Pose pose, double nx, double ny, double nz) {
-        double top = Double.NEGATIVE_INFINITY;
-        for (int j = 0; j < row.size(); j++) {
-            top = Math.max(top, row.get(j).heights().greatest());
-        }
-        return HalfSpace.reachBelow(top, pose, nx, ny, nz);
+        return HalfSpace.reachBelow(top(), pose, nx, ny, nz);
+    }
+
+    @Override
+    public double distance(Ray ray) {
+        return new SurfaceRay(ray, this).distance();
     }
 }

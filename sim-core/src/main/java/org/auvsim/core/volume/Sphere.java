@@ -33,4 +33,9 @@ public record Sphere(@Unit("m") double radius) implements Volume {
     public boolean contains(Vec3 point) {
         return point.dot(point) <= radius * radius;
     }
+
+    @Override
+    public double distance(Ray ray) {
+        return ray.ball(0, radius);
+    }
 }

@@ -10,6 +10,9 @@ import org.auvsim.core.math.Vec3;
  * volume that it is to meet.
  */
 public interface Volume {
+    /** In so many parts a ray's way is looked at, of a volume that has no better answer. */
+    int PLACES = 1000;
+
     /**
      * Radius (m) of the smallest sphere about the origin that holds the volume; infinite if it goes
      * on for ever.
@@ -56,5 +59,42 @@ public interface Volume {
      */
     default double reach(Pose pose, double nx, double ny, double nz) {
         return boundingRadius();
+    }
+
+    /**
+     * How far along a ray (body coordinates) the volume begins (m): 0 from inside, {@link Ray#MISS}
+     * if not within the ray's range.
+     *
+     * <p>Without an answer of its own, a volume is looked for in {@value #PLACES} places on the
+     * ray's way through its bounding sphere, and what is thinner than the way from one to the next
+     * can be missed.
+     */
+    default double distance(Ray ray) {
+        double nearest = Math.max(0, -ray.from().dot(ray.direction()) - boundingRadius());
+        double farthest = Math.min(ray.range(), boundingRadius() - ray.from().dot(ray.direction()));
+        double before = nearest;
+        for (int i = 0; i <= PLACES && nearest <= farthest; i++) {
+            double at = nearest + (farthest - nearest) * i / PLACES;
+            if (contains(ray.at(at))) {
+                return entry(ray, before, at);
+            }
+            before = at;
+        }
+        return Ray.MISS;
+    }
+
+    private double entry(Ray ray, double outside, double inside) {
+        double low = outside;
+        double high = inside;
+        for (double middle = (low + high) / 2;
+                middle > low && middle < high;
+                middle = (low + high) / 2) {
+            if (contains(ray.at(middle))) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        return high;
     }
 }

@@ -7,6 +7,7 @@ import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.entity.Wrench;
+import org.auvsim.core.sensor.Datum;
 import org.auvsim.core.step.Collision;
 import org.auvsim.core.step.Motion;
 import org.auvsim.core.step.StepException;
@@ -37,6 +38,8 @@ public final class World {
     private final Mechanics mechanics;
     private final Consequences consequences;
     private final Announcements announcements = new Announcements();
+    private final Sensing sensing;
+    private final Optional<Datum> datum;
     private final StepTally atStart = new StepTally();
     private int stepsAtOneInstant;
 
@@ -47,6 +50,8 @@ public final class World {
         population = new Population();
         mechanics = new Mechanics(builder, population);
         consequences = new Consequences(this, population, mechanics);
+        datum = builder.datum;
+        sensing = new Sensing(population, datum, announcements);
     }
 
     private World(World original) {
@@ -56,6 +61,8 @@ public final class World {
         population = new Population(original.population);
         mechanics = new Mechanics(original.mechanics, population);
         consequences = new Consequences(this, population, mechanics);
+        datum = original.datum;
+        sensing = new Sensing(original.sensing, population, announcements);
         stepsAtOneInstant = original.stepsAtOneInstant;
     }
 
@@ -157,6 +164,7 @@ public final class World {
     /** As {@link #add(WorldObjectDefinition)}, but its partners may follow. */
     WorldObject enter(WorldObjectDefinition definition) {
         mechanics.requireBounds(definition);
+        sensing.requireFit(definition);
         WorldObject object = population.add(definition);
         entered(object.id());
         announcements.announce(new WorldEvent.ObjectAdded(time(), object.id(), object.position()));
@@ -223,6 +231,11 @@ public final class World {
         mechanics.requireApart(time());
     }
 
+    /** Where the world is on Earth. */
+    public Optional<Datum> datum() {
+        return datum;
+    }
+
     /** Adds a listener, which hears of everything from now on. */
     public void addListener(WorldListener listener) {
         announcements.add(listener);
@@ -287,11 +300,13 @@ public final class World {
     private StepResult part(double wanted) {
         Motion path = mechanics.motion(time());
         path.setHeard(!announcements.isUnheard());
+        sensing.begin(time(), wanted);
         StepResult result = stepper.advance(path, wanted);
         clock.advance(result.elapsed());
         population.bodies().state().setTime(time());
         guardAgainstStandstill(result);
         publishCollisions(result);
+        sensing.measureUntil(time());
         // By index here and below: iterators would be garbage in each step.
         for (int k = 0; k < result.changes().size(); k++) {
             consequences.apply(result.changes().get(k));

@@ -6,6 +6,7 @@ import org.auvsim.core.dynamics.Rk4;
 import org.auvsim.core.entity.CollisionResponse;
 import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.sensor.Datum;
 import org.auvsim.core.step.EventStepper;
 import org.auvsim.core.step.Lanes;
 import org.auvsim.core.step.Stepper;
@@ -13,11 +14,13 @@ import org.auvsim.core.volume.PairQueries;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalLong;
 
 /** Collects what a world is made of; everything has a default. */
 public final class WorldBuilder {
     double startTime;
+    Optional<Datum> datum = Optional.empty();
     double timeStep = 0.05;
     Stepper stepper = EventStepper.standard();
     Integrator integrator = new Rk4();
@@ -48,6 +51,12 @@ public final class WorldBuilder {
     public WorldBuilder timeStep(double timeStep) {
         World.requireTimeStep(timeStep);
         this.timeStep = timeStep;
+        return this;
+    }
+
+    /** Where the world is on Earth; nowhere by default. */
+    public WorldBuilder datum(Datum datum) {
+        this.datum = Optional.of(datum);
         return this;
     }
 

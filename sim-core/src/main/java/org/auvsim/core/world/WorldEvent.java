@@ -2,6 +2,7 @@ package org.auvsim.core.world;
 
 import org.auvsim.core.entity.MovementState;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.core.sensor.SensorReading;
 import org.auvsim.core.step.Collision;
 import org.auvsim.core.step.StepStatistics;
 
@@ -24,6 +25,15 @@ public sealed interface WorldEvent {
 
     /** A world object has moved, or its momenta have changed. */
     record Moved(double time, long objectId, MovementState state) implements WorldEvent {}
+
+    /**
+     * A reading has arrived from a sensor.
+     *
+     * @param time at which it arrived, the sensor's delay after {@code measuredAt}
+     */
+    record SensorRead(
+            double time, long objectId, String sensor, double measuredAt, SensorReading reading)
+            implements WorldEvent {}
 
     /**
      * How a step was kept from getting stuck or diverging, counted as in {@link StepStatistics}; a

@@ -12,6 +12,7 @@ import org.auvsim.auvsml.message.movement.MovementStateChangeMessage;
 import org.auvsim.auvsml.message.movement.StateType;
 import org.auvsim.auvsml.message.movement.StepReportNotification;
 import org.auvsim.auvsml.message.movement.TimestepAdvancedNotification;
+import org.auvsim.auvsml.message.sensing.SensorReadingMessage;
 import org.auvsim.core.entity.Contact;
 import org.auvsim.core.entity.MovementState;
 import org.auvsim.core.entity.WorldObject;
@@ -49,6 +50,7 @@ final class WorldNews implements WorldListener {
             case WorldEvent.EntityRemoved removed -> tell(removed);
             case WorldEvent.Collided collided -> tell(collided);
             case WorldEvent.Moved movement -> moved.put(movement.objectId(), movement);
+            case WorldEvent.SensorRead read -> tell(read);
             case WorldEvent.StepReport report -> tell(report);
             case WorldEvent.StepAdvanced _ -> {
                 // told when the whole step is over, see finished()
@@ -98,6 +100,20 @@ final class WorldNews implements WorldListener {
                                 contact.point(),
                                 contact.normal(),
                                 collision.impulse()));
+    }
+
+    private void tell(WorldEvent.SensorRead read) {
+        notifications.event(
+                EventType.SENSOR_READING,
+                List.of(read.objectId()),
+                read.time(),
+                () ->
+                        new SensorReadingMessage(
+                                read.time(),
+                                read.objectId(),
+                                read.sensor(),
+                                read.measuredAt(),
+                                read.reading()));
     }
 
     private void tell(WorldEvent.StepReport report) {

@@ -9,6 +9,7 @@ import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.sensor.Sensor;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldException;
 
@@ -54,6 +55,11 @@ record WorldPort(World world) implements WorldControl {
     @Override
     public void add(Field<?> field) {
         world.add(field);
+    }
+
+    @Override
+    public List<Sensor> sensors(long worldObjectId) {
+        return object(world, worldObjectId).components(Sensor.class);
     }
 
     @Override

@@ -19,6 +19,8 @@ public enum EventType {
     STEP_REPORT("StepReport"),
     /** Two entities met. */
     COLLISION("Collision"),
+    /** A reading arrived from a sensor of an object. */
+    SENSOR_READING("SensorReading"),
     /** An entity came into the world. */
     ENTITY_ADDED("EntityAdded"),
     /** An entity left the world. */

@@ -3,6 +3,7 @@ package org.auvsim.auvsml.message.command;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.sensor.Sensor;
 
 import java.util.List;
 
@@ -34,6 +35,13 @@ public interface WorldControl {
      * @throws RefusedException if its id or name is taken
      */
     void add(Field<?> field);
+
+    /**
+     * An object's sensors, in the order in which they were added.
+     *
+     * @throws RefusedException if there is no such world object
+     */
+    List<Sensor> sensors(long worldObjectId);
 
     /**
      * Adds a world object, between two steps.

@@ -1,0 +1,26 @@
+package org.auvsim.auvsml.message.sensing;
+
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.command.WorldCommand;
+import org.auvsim.auvsml.message.command.WorldControl;
+import org.auvsim.core.sensor.Sensor;
+
+import java.util.Optional;
+
+/** Asks for the sensors of a world object. */
+public record GetSensorListRequest(long worldObjectId) implements WorldCommand {
+    @Override
+    public Optional<Message> execute(WorldControl world) {
+        return Optional.of(
+                new SensorListResponse(
+                        worldObjectId,
+                        world.sensors(worldObjectId).stream()
+                                .map(GetSensorListRequest::listed)
+                                .toList()));
+    }
+
+    private static ListedSensor listed(Sensor sensor) {
+        return new ListedSensor(
+                sensor.name(), sensor.getClass().getSimpleName(), sensor.sampling().rate());
+    }
+}

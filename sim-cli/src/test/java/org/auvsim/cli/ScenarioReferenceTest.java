@@ -154,9 +154,9 @@ class ScenarioReferenceTest {
 
     /** What a list or an optional holds; else the type itself. */
     private static Class<?> inner(Type type) {
-        return type instanceof ParameterizedType parameterized
-                ? (Class<?>) parameterized.getActualTypeArguments()[0]
-                : (Class<?>) type;
+        Type held =
+                type instanceof ParameterizedType outer ? outer.getActualTypeArguments()[0] : type;
+        return (Class<?>) (held instanceof ParameterizedType generic ? generic.getRawType() : held);
     }
 
     private static List<Class<?>> implementations(Class<?> type) throws Exception {

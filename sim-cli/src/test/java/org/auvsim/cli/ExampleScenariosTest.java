@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.world.World;
@@ -56,19 +57,19 @@ class ExampleScenariosTest {
     @Test
     void thrustersThatDifferTurnTheAuvAndEqualOnesDoNot() throws DocumentException {
         World straight = world("tank.xml");
-        straight.object("AUV-1701").setPropulsorLevel("Port Thruster", 0.5);
-        straight.object("AUV-1701").setPropulsorLevel("Starboard Thruster", 0.5);
+        straight.object("AUV-1701").command(Propulsor.class, "Port Thruster", 0.5);
+        straight.object("AUV-1701").command(Propulsor.class, "Starboard Thruster", 0.5);
         run(straight, 2);
         assertThat(straight.object("AUV-1701").position().x()).isGreaterThan(-5.5);
         assertThat(straight.object("AUV-1701").angularVelocity().norm()).isZero();
 
         World turning = world("tank.xml");
-        turning.object("AUV-1701").setPropulsorLevel("Starboard Thruster", 0.5);
+        turning.object("AUV-1701").command(Propulsor.class, "Starboard Thruster", 0.5);
         run(turning, 2);
         assertThat(turning.object("AUV-1701").angularVelocity().z()).isGreaterThan(0.1);
 
         World rising = world("tank.xml");
-        rising.object("AUV-1701").setPropulsorLevel("Ventral Thruster", 0.5);
+        rising.object("AUV-1701").command(Propulsor.class, "Ventral Thruster", 0.5);
         run(rising, 2);
         assertThat(rising.object("AUV-1701").position().z()).isGreaterThan(-1.9);
     }

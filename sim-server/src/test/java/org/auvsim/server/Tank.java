@@ -1,6 +1,6 @@
 package org.auvsim.server;
 
-import org.auvsim.core.entity.Propulsor;
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Sphere;

@@ -10,8 +10,9 @@ import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.command.WorldObjectControl;
 import org.auvsim.auvsml.message.entity.ListedPropulsor;
 import org.auvsim.auvsml.xml.Limits;
+import org.auvsim.core.actuator.Fin;
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.NamedForce;
-import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
@@ -83,7 +84,12 @@ class ShutDownPropulsorsTest {
 
         @Override
         public void setPropulsorLevel(String name, double level) {
-            object.setPropulsorLevel(name, level);
+            object.command(Propulsor.class, name, level);
+        }
+
+        @Override
+        public void setControlSurface(String name, double angle) {
+            object.command(Fin.class, name, angle);
         }
     }
 
@@ -105,7 +111,7 @@ class ShutDownPropulsorsTest {
         Optional<?> response = LISTING.execute(new Port(world.object(LISTING.worldObjectId())));
 
         assertThat(response).isEmpty();
-        assertThat(world.object(4).propulsors())
+        assertThat(world.object(4).components(Propulsor.class))
                 .extracting(Propulsor::level)
                 .containsExactly(0.0, 0.0, 0.8);
     }

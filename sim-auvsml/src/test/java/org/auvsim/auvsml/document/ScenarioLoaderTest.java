@@ -10,11 +10,11 @@ import org.auvsim.auvsml.document.FeedbackTimestepping.AsynchronousFeedbackTimes
 import org.auvsim.auvsml.document.FeedbackTimestepping.AwaitedClient;
 import org.auvsim.auvsml.document.FeedbackTimestepping.SimpleFixedTimeFeedbackTimestepper;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.effect.Damping;
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
-import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.field.UniformCurrent;
 import org.auvsim.core.math.Vec3;

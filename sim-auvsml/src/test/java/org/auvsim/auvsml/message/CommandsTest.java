@@ -19,6 +19,7 @@ import org.auvsim.auvsml.message.control.PauseSimulatorCommand;
 import org.auvsim.auvsml.message.control.ReleaseControlCommand;
 import org.auvsim.auvsml.message.control.RemoveForceCommand;
 import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
+import org.auvsim.auvsml.message.control.SetControlSurfaceCommand;
 import org.auvsim.auvsml.message.control.SetPropulsorCommand;
 import org.auvsim.auvsml.message.control.SetRateCommand;
 import org.auvsim.auvsml.message.control.ShutdownSimulatorCommand;
@@ -29,12 +30,15 @@ import org.auvsim.auvsml.message.entity.AddEffectCommand;
 import org.auvsim.auvsml.message.entity.AddFieldCommand;
 import org.auvsim.auvsml.message.entity.AddWorldObjectCommand;
 import org.auvsim.auvsml.message.entity.AddWorldObjectResponse;
+import org.auvsim.auvsml.message.entity.ControlSurfaceListResponse;
 import org.auvsim.auvsml.message.entity.EffectListResponse;
 import org.auvsim.auvsml.message.entity.FieldListResponse;
+import org.auvsim.auvsml.message.entity.GetControlSurfaceListRequest;
 import org.auvsim.auvsml.message.entity.GetEffectListRequest;
 import org.auvsim.auvsml.message.entity.GetFieldListRequest;
 import org.auvsim.auvsml.message.entity.GetPropulsorListRequest;
 import org.auvsim.auvsml.message.entity.GetWorldObjectListCommand;
+import org.auvsim.auvsml.message.entity.ListedControlSurface;
 import org.auvsim.auvsml.message.entity.ListedPropulsor;
 import org.auvsim.auvsml.message.entity.PropulsorListResponse;
 import org.auvsim.auvsml.message.entity.RemoveEffectCommand;
@@ -132,6 +136,12 @@ class CommandsTest {
                         new GetPropulsorListRequest(47)
                                 .execute(port(WorldControl.class, List.of("Rudder"))))
                 .contains(new PropulsorListResponse(47, List.of(new ListedPropulsor("Rudder"))));
+        assertThat(
+                        new GetControlSurfaceListRequest(47)
+                                .execute(port(WorldControl.class, List.of("Top Fin"))))
+                .contains(
+                        new ControlSurfaceListResponse(
+                                47, List.of(new ListedControlSurface("Top Fin"))));
         assertThat(new AddWorldObjectCommand(rock).execute(port(WorldControl.class, 48L)))
                 .contains(new AddWorldObjectResponse(48));
         silent(WorldControl.class, new RemoveEntityCommand(48));
@@ -151,6 +161,7 @@ class CommandsTest {
                 .containsExactly(
                         "worldObjects[]",
                         "propulsorNames[47]",
+                        "controlSurfaceNames[47]",
                         "add" + List.of(rock),
                         "remove[48]",
                         "effects[47]",
@@ -169,6 +180,7 @@ class CommandsTest {
         silent(WorldObjectControl.class, new SetPropulsorCommand(1, "Rudder", -1));
         silent(WorldObjectControl.class, new AddEffectCommand(1, WEIGHT));
         silent(WorldObjectControl.class, new RemoveEffectCommand(1, WEIGHT));
+        silent(WorldObjectControl.class, new SetControlSurfaceCommand(1, "Top Fin", 0.1));
 
         assertThat(calls)
                 .containsExactly(
@@ -177,7 +189,8 @@ class CommandsTest {
                         "removeForce[a]",
                         "setPropulsorLevel[Rudder, -1.0]",
                         "addEffect" + List.of(WEIGHT),
-                        "removeEffect" + List.of(WEIGHT));
+                        "removeEffect" + List.of(WEIGHT),
+                        "setControlSurface[Top Fin, 0.1]");
     }
 
     @Test

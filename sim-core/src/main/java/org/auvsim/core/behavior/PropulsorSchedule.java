@@ -1,9 +1,9 @@
 package org.auvsim.core.behavior;
 
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Need;
-import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.WorldObject;
 
 import java.util.List;
@@ -50,6 +50,6 @@ public record PropulsorSchedule(String name, String propulsor, List<TimedLevel> 
     @Override
     public void act(double time, WorldObject self) {
         Timetable.at(time, timedLevel, TimedLevel::at)
-                .ifPresent(row -> self.setPropulsorLevel(propulsor, row.level()));
+                .ifPresent(row -> self.command(Propulsor.class, propulsor, row.level()));
     }
 }

@@ -3,7 +3,7 @@ package org.auvsim.core.entity;
 import java.util.Arrays;
 import java.util.List;
 
-/** The actuators of all bodies, by slot. */
+/** The actuators of all bodies whose push is not constant, by slot. */
 public final class Actuators {
     private static final Actuator[] NONE = {};
 
@@ -34,8 +34,12 @@ public final class Actuators {
     }
 
     void set(int slot, List<Actuator> actuators) {
-        users += (actuators.isEmpty() ? 0 : 1) - (bySlot[slot].length == 0 ? 0 : 1);
-        bySlot[slot] = actuators.isEmpty() ? NONE : actuators.toArray(Actuator[]::new);
+        Actuator[] varying =
+                actuators.stream()
+                        .filter(actuator -> actuator.constantPush().isEmpty())
+                        .toArray(Actuator[]::new);
+        users += (varying.length == 0 ? 0 : 1) - (bySlot[slot].length == 0 ? 0 : 1);
+        bySlot[slot] = varying.length == 0 ? NONE : varying;
     }
 
     void remove(int slot, int count) {

@@ -57,8 +57,8 @@ public final class AppliedForces {
         }
     }
 
-    /** Replaces the resultants of a body by those of these forces and propulsors, in this order. */
-    void set(int slot, Iterable<NamedForce> forces, List<Propulsor> propulsors) {
+    /** Replaces the resultants of a body by those of these forces and actuators, in this order. */
+    void set(int slot, Iterable<NamedForce> forces, List<Actuator> actuators) {
         Arrays.fill(sum, 0);
         for (NamedForce force : forces) {
             if (force.frame() == Frame.BODY) {
@@ -68,8 +68,8 @@ public final class AppliedForces {
                 addMoment(force.point(), force.vector());
             }
         }
-        for (Propulsor propulsor : propulsors) {
-            addBodyForce(propulsor.thrust(), propulsor.position());
+        for (Actuator actuator : actuators) {
+            actuator.constantPush().ifPresent(this::addBodyPush);
         }
         store(slot);
     }
@@ -83,8 +83,12 @@ public final class AppliedForces {
     }
 
     private void addBodyForce(Vec3 force, Vec3 point) {
-        add(BODY_FORCE, 1, force);
-        add(BODY_TORQUE, 1, point.cross(force));
+        addBodyPush(new Wrench(force, point.cross(force)));
+    }
+
+    private void addBodyPush(Wrench push) {
+        add(BODY_FORCE, 1, push.force());
+        add(BODY_TORQUE, 1, push.torque());
     }
 
     private void add(int column, double factor, Vec3 v) {

@@ -420,6 +420,17 @@ public final class Block {
         tz[i] += torque.z();
     }
 
+    /** Adds a force (N) and a torque about the origin (N m), in the axes of body {@code i}. */
+    public void addFromBody(
+            int i, double bx, double by, double bz, double mx, double my, double mz) {
+        fx[i] += rxx[i] * bx + rxy[i] * by + rxz[i] * bz;
+        fy[i] += ryx[i] * bx + ryy[i] * by + ryz[i] * bz;
+        fz[i] += rzx[i] * bx + rzy[i] * by + rzz[i] * bz;
+        tx[i] += rxx[i] * mx + rxy[i] * my + rxz[i] * mz;
+        ty[i] += ryx[i] * mx + ryy[i] * my + ryz[i] * mz;
+        tz[i] += rzx[i] * mx + rzy[i] * my + rzz[i] * mz;
+    }
+
     /** Adds the forces and torques of contacts to the others. */
     public void addContactForces() {
         add(fx, contactFx);

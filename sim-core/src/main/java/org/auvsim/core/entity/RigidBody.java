@@ -336,9 +336,9 @@ public class RigidBody implements Collidable {
         resultantChanged();
     }
 
-    /** Takes stock again of what pushes it, after a force or a propulsor has changed. */
+    /** Takes stock again of what pushes it, after a force or an actuator has changed. */
     final void resultantChanged() {
-        state.applied().set(slot, forces.values(), propulsors());
+        state.applied().set(slot, forces.values(), actuators());
         state.actuators().set(slot, actuators());
     }
 
@@ -350,13 +350,13 @@ public class RigidBody implements Collidable {
         state.equipmentChanged();
     }
 
-    /** The propulsors that push it. */
-    public List<Propulsor> propulsors() {
-        return List.of();
+    /** World time (s) of its state. */
+    final double time() {
+        return state.time();
     }
 
-    /** What pushes it in a way that is not constant. */
-    List<Actuator> actuators() {
+    /** What pushes it as it is told to. */
+    public List<Actuator> actuators() {
         return List.of();
     }
 

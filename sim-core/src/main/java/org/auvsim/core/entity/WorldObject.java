@@ -2,6 +2,7 @@ package org.auvsim.core.entity;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -10,7 +11,7 @@ import java.util.Optional;
  */
 public final class WorldObject extends RigidBody {
     private final List<Component> components;
-    private List<Propulsor> propulsors = List.of();
+    private List<Actuator> actuators = List.of();
     private List<Behavior> behaviors = List.of();
 
     WorldObject(long id, WorldObjectDefinition definition, BodyState state) {
@@ -27,7 +28,7 @@ public final class WorldObject extends RigidBody {
     }
 
     private void sort() {
-        propulsors = List.copyOf(components(Propulsor.class));
+        actuators = List.copyOf(components(Actuator.class));
         behaviors = List.copyOf(components(Behavior.class));
     }
 
@@ -123,36 +124,34 @@ public final class WorldObject extends RigidBody {
     }
 
     /**
-     * Sets the level of a propulsor, -1 to 1.
+     * Tells an actuator what to do from now on.
      *
-     * @throws IllegalArgumentException if the object has no such propulsor, or the level is outside
+     * @param command in the actuator's own unit: a level, an angle (rad)
+     * @throws IllegalArgumentException if the object has no actuator of this type and name, or the
+     *     command is outside what it can do
      */
-    public void setPropulsorLevel(String propulsorName, double level) {
-        Propulsor propulsor =
-                component(Propulsor.class, propulsorName)
-                        .orElseThrow(() -> noPropulsor(propulsorName));
-        if (propulsor.level() != level) {
-            replace(propulsor.withLevel(level));
+    public void command(Class<? extends Actuator> type, String actuatorName, double command) {
+        Actuator actuator =
+                component(type, actuatorName).orElseThrow(() -> noActuator(type, actuatorName));
+        if (actuator.command() != command) {
+            replace(actuator.commanded(command, time()));
         }
     }
 
-    private IllegalArgumentException noPropulsor(String propulsorName) {
+    private IllegalArgumentException noActuator(
+            Class<? extends Actuator> type, String actuatorName) {
         return new IllegalArgumentException(
-                "'%s' has no propulsor '%s'; it has %s"
+                "'%s' has no %s '%s'; it has %s"
                         .formatted(
                                 name(),
-                                propulsorName,
-                                propulsors().stream().map(Propulsor::name).toList()));
+                                type.getSimpleName().toLowerCase(Locale.ROOT),
+                                actuatorName,
+                                components(type).stream().map(Component::name).toList()));
     }
 
     @Override
-    public List<Propulsor> propulsors() {
-        return propulsors;
-    }
-
-    @Override
-    List<Actuator> actuators() {
-        return components(Actuator.class);
+    public List<Actuator> actuators() {
+        return actuators;
     }
 
     /** The behaviors, in the order in which they act. */
@@ -165,7 +164,7 @@ public final class WorldObject extends RigidBody {
         if (component instanceof Behavior) {
             behaviorsChanged();
         }
-        if (component instanceof Propulsor || component instanceof Actuator) {
+        if (component instanceof Actuator) {
             resultantChanged();
         } else {
             equipmentChanged();

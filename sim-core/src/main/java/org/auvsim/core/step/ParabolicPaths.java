@@ -1,11 +1,14 @@
 package org.auvsim.core.step;
 
+import org.auvsim.core.entity.Actuator;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
-import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.RigidBody;
+import org.auvsim.core.entity.Wrench;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Sphere;
+
+import java.util.Locale;
 
 /** The paths of spheres under constant forces; refuses by name what moves otherwise. */
 final class ParabolicPaths {
@@ -49,12 +52,19 @@ final class ParabolicPaths {
                 throw refused(motion, i, "its force '" + force.name() + "' makes it turn");
             }
         }
-        for (Propulsor propulsor : body.propulsors()) {
-            if (propulsor.thrust().norm() > 0) {
+        for (Actuator actuator : body.actuators()) {
+            if (actuator.constantPush().filter(ParabolicPaths::isNothing).isEmpty()) {
+                String kind = actuator.getClass().getSimpleName().toLowerCase(Locale.ROOT);
                 throw refused(
-                        motion, i, "its propulsor '" + propulsor.name() + "' pushes in body axes");
+                        motion,
+                        i,
+                        "its %s '%s' pushes in body axes".formatted(kind, actuator.name()));
             }
         }
+    }
+
+    private static boolean isNothing(Wrench push) {
+        return push.force().norm() == 0 && push.torque().norm() == 0;
     }
 
     /**

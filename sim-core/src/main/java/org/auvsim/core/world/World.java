@@ -48,6 +48,7 @@ public final class World {
         timeStep = builder.timeStep;
         clock = new Clock(builder.startTime);
         population = new Population();
+        population.bodies().state().setTime(time());
         mechanics = new Mechanics(builder, population);
         consequences = new Consequences(this, population, mechanics);
         datum = builder.datum;
@@ -302,7 +303,7 @@ public final class World {
         path.setHeard(!announcements.isUnheard());
         sensing.begin(time(), wanted);
         StepResult result = stepper.advance(path, wanted);
-        clock.advance(result.elapsed());
+        moveTime(result.elapsed());
         population.bodies().state().setTime(time());
         guardAgainstStandstill(result);
         publishCollisions(result);
@@ -313,6 +314,11 @@ public final class World {
         }
         removeWhatIsOver();
         return result;
+    }
+
+    private void moveTime(double elapsed) {
+        clock.advance(elapsed);
+        population.bodies().state().setTime(time());
     }
 
     private void letBehaviorsAct() {

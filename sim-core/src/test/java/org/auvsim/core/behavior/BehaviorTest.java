@@ -4,12 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.auvsim.core.math.Near.assertNear;
 
+import org.auvsim.core.actuator.Fin;
+import org.auvsim.core.actuator.Propulsor;
+import org.auvsim.core.behavior.ControlSurfaceSchedule.TimedAngle;
 import org.auvsim.core.behavior.ForceSchedule.TimedForce;
 import org.auvsim.core.behavior.PropulsorSchedule.TimedLevel;
 import org.auvsim.core.entity.Bodies;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
-import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
@@ -17,6 +19,8 @@ import org.auvsim.core.volume.Sphere;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 
 class BehaviorTest {
     private static final Vec3 X = new Vec3(1, 0, 0);
@@ -105,9 +109,39 @@ class BehaviorTest {
                 new PropulsorSchedule(
                         "plan", "screw", List.of(new TimedLevel(0, 0.25), new TimedLevel(3, -1)));
         schedule.act(1, self);
-        assertThat(self.propulsors().getFirst().level()).isEqualTo(0.25);
+        assertThat(self.components(Propulsor.class).getFirst().level()).isEqualTo(0.25);
         schedule.act(3, self);
-        assertThat(self.propulsors().getFirst().level()).isEqualTo(-1);
+        assertThat(self.components(Propulsor.class).getFirst().level()).isEqualTo(-1);
+    }
+
+    @Test
+    void aControlSurfaceScheduleTurnsTheFin() {
+        self.add(
+                new Fin(
+                        "rudder",
+                        0.01,
+                        3,
+                        Vec3.ZERO,
+                        X,
+                        new Vec3(0, 0, 1),
+                        0,
+                        0,
+                        0.3,
+                        1000,
+                        0,
+                        0.2,
+                        OptionalDouble.empty(),
+                        Optional.empty()));
+        ControlSurfaceSchedule schedule =
+                new ControlSurfaceSchedule(
+                        "turn", "rudder", List.of(new TimedAngle(0, 0.1), new TimedAngle(3, -0.2)));
+        schedule.act(1, self);
+        assertThat(self.components(Fin.class).getFirst().angle()).isEqualTo(0.1);
+        schedule.act(3, self);
+        assertThat(self.components(Fin.class).getFirst().angle()).isEqualTo(-0.2);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new TimedAngle(2, Double.NaN))
+                .withMessage("the angle at 2.0 s must be finite, but is NaN rad");
     }
 
     @Test

@@ -1,9 +1,9 @@
 package org.auvsim.core.dynamics;
 
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.Inertia;
 import org.auvsim.core.entity.NamedForce;
-import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Draws;
 import org.auvsim.core.math.Vec3;

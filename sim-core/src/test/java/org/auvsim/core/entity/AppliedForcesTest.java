@@ -2,6 +2,7 @@ package org.auvsim.core.entity;
 
 import static org.auvsim.core.math.Near.assertNear;
 
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.math.Draws;
 import org.auvsim.core.math.Mat3;
 import org.auvsim.core.math.Vec3;
@@ -62,7 +63,8 @@ class AppliedForcesTest {
             WorldObject body = bodies.objects().get(i);
             body.applyForce(drawnForce(draws, "force 0"));
             body.removeForce("force 1");
-            body.propulsors().forEach(p -> body.setPropulsorLevel(p.name(), p.level() / 2));
+            body.components(Propulsor.class)
+                    .forEach(p -> body.command(Propulsor.class, p.name(), p.level() / 2));
         }
         bodies.remove(bodies.objects().get(7));
         bodies.remove(bodies.objects().getLast());
@@ -75,7 +77,7 @@ class AppliedForcesTest {
     }
 
     private static void removePropulsors(WorldObject body) {
-        body.propulsors().forEach(propulsor -> body.remove(propulsor.name()));
+        body.components(Propulsor.class).forEach(propulsor -> body.remove(propulsor.name()));
     }
 
     private static void assertResultants(Bodies bodies) {
@@ -104,7 +106,7 @@ class AppliedForcesTest {
 
     private static List<NamedForce> all(WorldObject body) {
         List<NamedForce> all = new ArrayList<>(body.forces());
-        for (Propulsor p : body.propulsors()) {
+        for (Propulsor p : body.components(Propulsor.class)) {
             Vec3 push = p.direction().times(p.maximumThrust() * p.level());
             all.add(new NamedForce(p.name(), Frame.BODY, push, p.position()));
         }

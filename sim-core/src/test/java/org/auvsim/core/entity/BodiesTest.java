@@ -3,6 +3,7 @@ package org.auvsim.core.entity;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Sphere;
 import org.junit.jupiter.api.Test;

@@ -3,6 +3,7 @@ package org.auvsim.core.entity;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.behavior.BackAndForth;
 import org.auvsim.core.behavior.PropulsorSchedule;
 import org.auvsim.core.math.Vec3;
@@ -43,7 +44,7 @@ class WorldObjectTest {
         assertThat(object.component(Driver.class)).contains((Driver) DRIVER);
         assertThat(object.component(Propulsor.class, "screw")).contains(SCREW);
         assertThat(object.component(Propulsor.class, "driver")).isEmpty();
-        assertThat(object.propulsors()).containsExactly(SCREW);
+        assertThat(object.components(Propulsor.class)).containsExactly(SCREW);
         assertThat(object.behaviors()).containsExactly(patrol);
     }
 
@@ -108,9 +109,9 @@ class WorldObjectTest {
     void aReplacedComponentKeepsItsPlace() {
         object.add(SCREW);
         object.add(DRIVER);
-        object.setPropulsorLevel("screw", -1);
-        assertThat(object.components()).containsExactly(SCREW.withLevel(-1), DRIVER);
-        assertThat(object.propulsors()).containsExactly(SCREW.withLevel(-1));
+        object.command(Propulsor.class, "screw", -1);
+        assertThat(object.components()).containsExactly(SCREW.commanded(-1, 0), DRIVER);
+        assertThat(object.components(Propulsor.class)).containsExactly(SCREW.commanded(-1, 0));
     }
 
     @Test
@@ -131,10 +132,10 @@ class WorldObjectTest {
                 .isThrownBy(() -> object.remove("rudder"))
                 .withMessage("'auv' has no component 'rudder'; it has [screw]");
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> object.setPropulsorLevel("rudder", 1))
+                .isThrownBy(() -> object.command(Propulsor.class, "rudder", 1))
                 .withMessage("'auv' has no propulsor 'rudder'; it has [screw]");
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> object.setPropulsorLevel("screw", 1.5))
+                .isThrownBy(() -> object.command(Propulsor.class, "screw", 1.5))
                 .withMessage("the level of propulsor 'screw' must be -1 to 1, but is 1.5");
         assertThat(object.components()).containsExactly(SCREW);
     }

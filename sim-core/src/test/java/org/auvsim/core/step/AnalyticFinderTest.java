@@ -4,11 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.effect.Damping;
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
-import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Draws;
 import org.auvsim.core.math.Vec3;

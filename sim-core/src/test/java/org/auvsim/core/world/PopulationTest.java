@@ -3,9 +3,9 @@ package org.auvsim.core.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Need;
-import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.field.UniformCurrent;

@@ -2,13 +2,13 @@ package org.auvsim.core.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.behavior.BackAndForth;
 import org.auvsim.core.behavior.GoToPoint;
 import org.auvsim.core.behavior.PropulsorSchedule;
 import org.auvsim.core.behavior.PropulsorSchedule.TimedLevel;
 import org.auvsim.core.effect.Damping;
 import org.auvsim.core.effect.Gravity;
-import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.field.UniformCurrent;
 import org.auvsim.core.math.Vec3;
@@ -84,7 +84,7 @@ class WorldCopyTest {
         original.addListener(heard::add);
 
         World copy = original.copy();
-        copy.object("Ball 3").setPropulsorLevel("screw", 0.5);
+        copy.object("Ball 3").command(Propulsor.class, "screw", 0.5);
         copy.object("Ball 0").setPosition(new Vec3(40, 0, 0));
         copy.remove(91);
         copy.add(Balls.at("Newcomer", 80));
@@ -95,7 +95,8 @@ class WorldCopyTest {
         assertThat(heard).isEmpty();
         assertThat(original.stateHash()).isEqualTo(before);
         assertThat(original.find(91)).isPresent();
-        assertThat(original.object("Ball 3").propulsors().getFirst().level()).isZero();
+        assertThat(original.object("Ball 3").components(Propulsor.class).getFirst().level())
+                .isZero();
     }
 
     @Test

@@ -3,6 +3,8 @@ package org.auvsim.server.simulator;
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.command.WorldObjectControl;
+import org.auvsim.core.actuator.Fin;
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObject;
@@ -36,7 +38,12 @@ record WorldObjectPort(World world, WorldObject object) implements WorldObjectCo
 
     @Override
     public void setPropulsorLevel(String name, double level) {
-        object.setPropulsorLevel(name, level);
+        object.command(Propulsor.class, name, level);
+    }
+
+    @Override
+    public void setControlSurface(String name, double angle) {
+        object.command(Fin.class, name, angle);
     }
 
     @Override

@@ -4,9 +4,10 @@ import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.message.command.ListedWorldObject;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.command.WorldControl;
+import org.auvsim.core.actuator.Fin;
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.Field;
-import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.sensor.Sensor;
@@ -39,7 +40,17 @@ record WorldPort(World world) implements WorldControl {
 
     @Override
     public List<String> propulsorNames(long worldObjectId) {
-        return object(world, worldObjectId).propulsors().stream().map(Propulsor::name).toList();
+        return object(world, worldObjectId).components(Propulsor.class).stream()
+                .map(Propulsor::name)
+                .toList();
+    }
+
+    @Override
+    public List<String> controlSurfaceNames(long worldObjectId) {
+        return object(world, worldObjectId).components(Fin.class).stream()
+                .filter(fin -> fin.maximumAngle() > 0)
+                .map(Fin::name)
+                .toList();
     }
 
     @Override

@@ -44,6 +44,13 @@ public interface WorldControl {
     List<Sensor> sensors(long worldObjectId);
 
     /**
+     * The names of the fins of a world object that can be turned.
+     *
+     * @throws RefusedException if there is no such object
+     */
+    List<String> controlSurfaceNames(long worldObjectId);
+
+    /**
      * Adds a world object, between two steps.
      *
      * @return its id

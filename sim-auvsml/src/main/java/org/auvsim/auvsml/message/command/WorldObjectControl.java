@@ -40,4 +40,12 @@ public interface WorldObjectControl {
      * @throws RefusedException if it has no effect that is equal
      */
     void removeEffect(Effect effect);
+
+    /**
+     * Turns a fin.
+     *
+     * @param angle (rad)
+     * @throws RefusedException if the object has no fin of this name, or it cannot turn so far
+     */
+    void setControlSurface(String name, double angle);
 }

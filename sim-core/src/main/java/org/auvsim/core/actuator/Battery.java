@@ -1,0 +1,64 @@
+package org.auvsim.core.actuator;
+
+import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Behavior;
+import org.auvsim.core.entity.WorldObject;
+
+import java.util.List;
+
+/**
+ * What propulsors of an object draw their power from. Before each step it counts what they have
+ * drawn, in closed form; once nothing is left, at the first step that begins then, their levels go
+ * to 0, whatever is commanded. Its capacity is what a full one holds.
+ *
+ * @param charge what is left in it (J)
+ */
+public record Battery(String name, @Unit("J") double capacity, @Unit("J") double charge)
+        implements Behavior {
+    /**
+     * A checked battery.
+     *
+     * @throws IllegalArgumentException if the capacity is not positive and finite, or the charge
+     *     outside 0 to the capacity
+     */
+    public Battery {
+        if (!(capacity > 0) || Double.isInfinite(capacity)) {
+            throw new IllegalArgumentException(
+                    "the capacity of battery '%s' must be above 0 J and finite, but is %s J"
+                            .formatted(name, capacity));
+        }
+        if (!(charge >= 0 && charge <= capacity)) {
+            throw new IllegalArgumentException(
+                    "the charge of battery '%s' must be 0 to its capacity of %s J, but is %s J"
+                            .formatted(name, capacity, charge));
+        }
+    }
+
+    /** Whether nothing is left in it. */
+    public boolean isEmpty() {
+        return charge == 0;
+    }
+
+    @Override
+    public void act(double time, WorldObject self) {
+        List<Propulsor> drawing =
+                self.components(Propulsor.class).stream()
+                        .filter(
+                                p ->
+                                        p.powerDraw()
+                                                .filter(d -> d.battery().equals(name))
+                                                .isPresent())
+                        .toList();
+        double drawn = 0;
+        for (Propulsor propulsor : drawing) {
+            drawn += propulsor.uncounted(time);
+        }
+        Battery left = new Battery(name, capacity, Math.max(charge - drawn, 0));
+        for (Propulsor propulsor : drawing) {
+            self.replace(propulsor.counted(time, !left.isEmpty()));
+        }
+        if (left.charge != charge) {
+            self.replace(left);
+        }
+    }
+}

@@ -1,0 +1,52 @@
+package org.auvsim.core.actuator;
+
+/**
+ * A level that follows its target with a first-order lag: x(s) = target + (from - target)
+ * exp(-s/lag) after s seconds; at once without a lag.
+ */
+record Lag(double from, double target, double lag) {
+    private static final double SETTLED = 40;
+
+    /** The level after so many seconds. */
+    double level(double after) {
+        return target + (from - target) * left(after);
+    }
+
+    /** By how much the level rises (1/s) after so many seconds. */
+    double slope(double after) {
+        return lag == 0 ? 0 : (target - from) / lag * left(after);
+    }
+
+    /** What is left of the way to the target; nothing once it is less than rounding. */
+    private double left(double after) {
+        return lag == 0 || after >= SETTLED * lag ? 0 : StrictMath.exp(-Math.max(after, 0) / lag);
+    }
+
+    /** The integral of |level|^3 over so many seconds (s), in closed form. */
+    double cubeIntegral(double seconds) {
+        if (lag == 0 || from == target) {
+            return Math.abs(target * target * target) * seconds;
+        }
+        if (from * target >= 0) {
+            return Math.abs(signedCubeIntegral(seconds));
+        }
+        double zero = lag * StrictMath.log((from - target) / -target);
+        if (zero >= seconds) {
+            return Math.abs(signedCubeIntegral(seconds));
+        }
+        double first = signedCubeIntegral(zero);
+        return Math.abs(first) + Math.abs(signedCubeIntegral(seconds) - first);
+    }
+
+    /** Of (target + d e^(-s/lag))^3, term by term of the binomial. */
+    private double signedCubeIntegral(double seconds) {
+        double d = from - target;
+        double gone1 = -StrictMath.expm1(-seconds / lag);
+        double gone2 = -StrictMath.expm1(-2 * seconds / lag);
+        double gone3 = -StrictMath.expm1(-3 * seconds / lag);
+        return target * target * target * seconds
+                + 3 * target * target * d * lag * gone1
+                + 3 * target * d * d * lag / 2 * gone2
+                + d * d * d * lag / 3 * gone3;
+    }
+}

@@ -1,0 +1,236 @@
+package org.auvsim.core.actuator;
+
+import org.auvsim.core.description.Default;
+import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Actuator;
+import org.auvsim.core.entity.Block;
+import org.auvsim.core.entity.Need;
+import org.auvsim.core.entity.Wrench;
+import org.auvsim.core.math.Vec3;
+
+import java.util.Optional;
+
+/**
+ * A propulsion device: pushes its object at a place and in a direction that are fixed to the body.
+ *
+ * <p>A commanded level passes the dead zone, then the lag; the level reached decides thrust, speed
+ * of the rotor and power. Without lag, rotor and curve it pushes with {@code level * maximumThrust}
+ * at once.
+ *
+ * @param maximumThrust thrust (N) at level 1; with a thrust curve the limit (N) at which thrust
+ *     saturates, ahead and astern
+ * @param level as commanded, from -1 (full astern) to 1 (full ahead)
+ * @param position where it pushes (m, body coordinates)
+ * @param direction where it pushes to at a positive level (body axes; any length above 0)
+ * @param thrustCurve thrust by level; empty: in proportion
+ * @param lag time constant (s) with which the level follows a command; 0: at once
+ * @param deadZone commanded levels up to this do nothing; from there on they grow evenly to 1
+ * @param reactionTorque on the body about the direction, for each newton of thrust (N m/N); that of
+ *     a propeller that is right-handed about its direction is negative
+ * @param rotor what spins in it; needs a lag
+ * @param powerDraw what it draws from a battery
+ * @param reached the level it had reached at the last command; empty: it has settled
+ */
+public record Propulsor(
+        String name,
+        @Unit("N") double maximumThrust,
+        @Default("0.0") double level,
+        @Unit("m") @Default("0 0 0") Vec3 position,
+        @Default("1 0 0") Vec3 direction,
+        Optional<ThrustCurve> thrustCurve,
+        @Unit("s") @Default("0.0") double lag,
+        @Default("0.0") double deadZone,
+        @Unit("m") @Default("0.0") double reactionTorque,
+        Optional<Rotor> rotor,
+        Optional<PowerDraw> powerDraw,
+        Optional<Reached> reached)
+        implements Actuator {
+    /**
+     * A checked propulsor, its direction normalised.
+     *
+     * @throws IllegalArgumentException naming the propulsor and what is outside its range
+     */
+    public Propulsor {
+        Domain domain = new Domain("propulsor", name);
+        domain.require(maximumThrust >= 0, "maximum thrust", maximumThrust, "0 N or more", "N");
+        domain.require(-1 <= level && level <= 1, "the level", level, "-1 to 1", "");
+        domain.require(lag >= 0, "the lag", lag, "0 s or more", "s");
+        domain.require(
+                0 <= deadZone && deadZone < 1, "the dead zone", deadZone, "0 to below 1", "");
+        domain.require(true, "the reaction torque", reactionTorque, "finite", "N m/N");
+        if (rotor.isPresent() && lag == 0) {
+            throw new IllegalArgumentException(
+                    "propulsor '%s' has a rotor and so needs a lag above 0 s: to spin up at once would"
+                                    .formatted(name)
+                            + " take a torque without end");
+        }
+        if (Math.abs(direction.dot(direction) - 1) > 1e-15) {
+            direction = direction.normalized();
+        }
+    }
+
+    /** One that pushes in proportion to its level, at once. */
+    public Propulsor(
+            String name, double maximumThrust, double level, Vec3 position, Vec3 direction) {
+        this(
+                name,
+                maximumThrust,
+                level,
+                position,
+                direction,
+                Optional.empty(),
+                0,
+                0,
+                0,
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty());
+    }
+
+    @Override
+    public Optional<Need> needs() {
+        return powerDraw.map(draw -> Need.named(Battery.class, draw.battery()));
+    }
+
+    @Override
+    public double command() {
+        return level;
+    }
+
+    /** The same propulsor at another level from a time (s) on, with what it has reached by then. */
+    @Override
+    public Propulsor commanded(double level, double time) {
+        return with(level, settled(time), powerDraw.map(draw -> draw.plus(energy(time))));
+    }
+
+    private Optional<Reached> settled(double time) {
+        return lag == 0 && powerDraw.isEmpty()
+                ? Optional.empty()
+                : Optional.of(new Reached(levelAt(time), time));
+    }
+
+    private Propulsor with(double level, Optional<Reached> reached, Optional<PowerDraw> draw) {
+        return new Propulsor(
+                name,
+                maximumThrust,
+                level,
+                position,
+                direction,
+                thrustCurve,
+                lag,
+                deadZone,
+                reactionTorque,
+                rotor,
+                draw,
+                reached);
+    }
+
+    /**
+     * The same, with what it has drawn until a time (s) counted, and power or none from then on.
+     */
+    Propulsor counted(double time, boolean powered) {
+        return with(level, settled(time), powerDraw.map(draw -> draw.counted(powered)));
+    }
+
+    /** What it has drawn until a time (s) and no battery has counted (J). */
+    double uncounted(double time) {
+        return powerDraw.map(draw -> draw.used() + energy(time)).orElse(0.0);
+    }
+
+    /** What it has drawn since the last command (J). */
+    private double energy(double time) {
+        if (powerDraw.isEmpty() || reached.isEmpty()) {
+            return 0;
+        }
+        double seconds = Math.max(time - reached.get().at(), 0);
+        return powerDraw.get().maximumPower() * course().cubeIntegral(seconds);
+    }
+
+    /** The level that it works at, at a time (s): the commanded one after dead zone and lag. */
+    public double levelAt(double time) {
+        return course().level(sinceCommand(time));
+    }
+
+    private double sinceCommand(double time) {
+        return reached.isEmpty() ? 0 : time - reached.get().at();
+    }
+
+    private Lag course() {
+        double target = target();
+        return new Lag(reached.isEmpty() ? target : reached.get().value(), target, lag);
+    }
+
+    private double target() {
+        double beyond = Math.abs(level) - deadZone;
+        if (beyond <= 0 || !(powerDraw.isEmpty() || powerDraw.get().powered())) {
+            return 0;
+        }
+        return Math.copySign(beyond / (1 - deadZone), level);
+    }
+
+    /** Thrust (N) at a time (s), along the direction. */
+    public double thrustAt(double time) {
+        return thrust(levelAt(time));
+    }
+
+    private double thrust(double level) {
+        if (thrustCurve.isEmpty()) {
+            return level * maximumThrust;
+        }
+        double free = thrustCurve.get().thrust(level);
+        return Math.max(-maximumThrust, Math.min(maximumThrust, free));
+    }
+
+    @Override
+    public Optional<Wrench> constantPush() {
+        if (rotor.isPresent() || (lag > 0 && reached.isPresent())) {
+            return Optional.empty();
+        }
+        double thrust = thrust(target());
+        Vec3 force = direction.times(thrust);
+        Vec3 torque = position.cross(force);
+        return Optional.of(
+                new Wrench(
+                        force,
+                        reactionTorque == 0
+                                ? torque
+                                : torque.plus(direction.times(reactionTorque * thrust))));
+    }
+
+    @Override
+    public void add(Block b, int i) {
+        Lag course = course();
+        double after = sinceCommand(b.time);
+        double thrust = thrust(course.level(after));
+        double fx = direction.x() * thrust;
+        double fy = direction.y() * thrust;
+        double fz = direction.z() * thrust;
+        double along = reactionTorque * thrust;
+        double spin = 0;
+        if (rotor.isPresent()) {
+            along -= rotor.get().spin(course.slope(after));
+            spin = rotor.get().spin(course.level(after));
+        }
+        // The rotor's angular momentum h turns with the body: the torque on the body is -w x h.
+        double hx = spin * direction.x();
+        double hy = spin * direction.y();
+        double hz = spin * direction.z();
+        b.addFromBody(
+                i,
+                fx,
+                fy,
+                fz,
+                position.y() * fz
+                        - position.z() * fy
+                        + along * direction.x()
+                        - (b.bodyWy[i] * hz - b.bodyWz[i] * hy),
+                position.z() * fx
+                        - position.x() * fz
+                        + along * direction.y()
+                        - (b.bodyWz[i] * hx - b.bodyWx[i] * hz),
+                position.x() * fy
+                        - position.y() * fx
+                        + along * direction.z()
+                        - (b.bodyWx[i] * hy - b.bodyWy[i] * hx));
+    }
+}

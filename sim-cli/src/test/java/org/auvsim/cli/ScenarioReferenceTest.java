@@ -19,6 +19,7 @@ import java.lang.reflect.Type;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -42,6 +43,8 @@ class ScenarioReferenceTest {
 
     /** Table rows without their meanings, by element. */
     private final Map<String, List<String>> expected = new LinkedHashMap<>();
+
+    private final Map<String, Class<?>> types = new HashMap<>();
 
     @Test
     void hasARowForEachComponentOfEachRecord() throws Exception {
@@ -97,20 +100,24 @@ class ScenarioReferenceTest {
         if (components.length == 0 || expected.containsKey(element)) {
             return;
         }
+        types.put(element, type);
         List<String> rows = new ArrayList<>();
         expected.put(element, rows);
         for (RecordComponent component : components) {
             rows.add(row(component));
         }
         for (RecordComponent component : components) {
-            describeInner(component);
+            describeInner(element, component);
         }
     }
 
-    private void describeInner(RecordComponent component) throws Exception {
+    /** An element that two parents mean differently is headed "`name` of `parent`" in the second. */
+    private void describeInner(String parent, RecordComponent component) throws Exception {
         Class<?> type = inner(component.getGenericType());
         if (type.isRecord() && !type.getPackageName().equals(MATHEMATICS)) {
-            describe(name(component), type);
+            String name = name(component);
+            boolean isTaken = !types.getOrDefault(name, type).equals(type);
+            describe(isTaken ? name + "` of `" + parent : name, type);
         } else if (type.isInterface()) {
             for (Class<?> implementation : implementations(type)) {
                 describe(kebab(implementation.getSimpleName()), implementation);

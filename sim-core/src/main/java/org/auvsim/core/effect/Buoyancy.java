@@ -3,6 +3,7 @@ package org.auvsim.core.effect;
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.BlockEffect;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.Surroundings;
 import org.auvsim.core.math.Vec3;

@@ -48,6 +48,6 @@ public record CentralForce(
 
     @Override
     public BlockEffect layOut(List<List<Effect>> bySlot, Surroundings around) {
-        return CentralForceBlock.of(bySlot);
+        return Layers.of(bySlot, CentralForceBlock::new);
     }
 }

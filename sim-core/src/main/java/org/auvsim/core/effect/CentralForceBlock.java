@@ -1,11 +1,9 @@
 package org.auvsim.core.effect;
 
 import org.auvsim.core.entity.Block;
-import org.auvsim.core.entity.BlockEffect;
 import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.entity.Effect;
 
-import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -21,40 +19,18 @@ final class CentralForceBlock implements PlainForce {
     private final double[] y;
     private final double[] z;
 
-    private CentralForceBlock(int slots) {
+    CentralForceBlock(List<List<Effect>> bySlot) {
+        int slots = bySlot.size();
         force = new double[slots];
         restSquared = new double[slots];
         x = new double[slots];
         y = new double[slots];
         z = new double[slots];
-    }
-
-    /** Lays out all forces: the first of each body, then the second of those that have two, ... */
-    static BlockEffect of(List<List<Effect>> bySlot) {
-        List<BlockEffect> layers = new ArrayList<>();
-        int most = bySlot.stream().mapToInt(List::size).max().orElse(0);
-        for (int k = 0; k < most; k++) {
-            layers.add(layer(bySlot, k));
-        }
-        return layers.size() == 1 ? layers.getFirst() : inTurn(layers.toArray(new BlockEffect[0]));
-    }
-
-    private static PlainForce inTurn(BlockEffect[] layers) {
-        return block -> {
-            for (BlockEffect layer : layers) {
-                layer.add(block);
-            }
-        };
-    }
-
-    private static BlockEffect layer(List<List<Effect>> bySlot, int k) {
-        CentralForceBlock layer = new CentralForceBlock(bySlot.size());
-        for (int slot = 0; slot < bySlot.size(); slot++) {
-            if (k < bySlot.get(slot).size()) {
-                layer.set(slot, (CentralForce) bySlot.get(slot).get(k));
+        for (int slot = 0; slot < slots; slot++) {
+            for (Effect effect : bySlot.get(slot)) {
+                set(slot, (CentralForce) effect);
             }
         }
-        return layer;
     }
 
     private void set(int slot, CentralForce effect) {

@@ -10,32 +10,48 @@ import org.auvsim.core.math.Vec3;
 import java.util.List;
 
 /**
- * Linear and quadratic damping by the water, each body axis for itself (Fossen 2021, section 6.4):
- * F_i = -(a_i + b_i |v_i|) v_i with v the velocity relative to the water in body axes, and T_i in
- * the same way from the angular velocity.
+ * Linear and quadratic damping by the water (Fossen 2021, section 6.4), of the velocity nu relative
+ * to the water in body axes: tau_i = -sum over j of (a_ij + b_ij |nu_j|) nu_j. The diagonals of a
+ * and b stand in the vectors, each body axis for itself; elements beside them in terms.
  *
  * @param linear a of surge, sway and heave (N s/m), none below 0
  * @param quadratic b of surge, sway and heave (N s^2/m^2), none below 0
  * @param angularLinear of roll, pitch and yaw (N m s/rad), none below 0
  * @param angularQuadratic of roll, pitch and yaw (N m s^2/rad^2), none below 0
+ * @param term elements beside the diagonals; unlike those of added mass they have no mirror images
  */
 public record Damping(
         @Unit("N s/m") @Default("0 0 0") Vec3 linear,
         @Unit("N s^2/m^2") @Default("0 0 0") Vec3 quadratic,
         @Unit("N m s/rad") @Default("0 0 0") Vec3 angularLinear,
-        @Unit("N m s^2/rad^2") @Default("0 0 0") Vec3 angularQuadratic)
+        @Unit("N m s^2/rad^2") @Default("0 0 0") Vec3 angularQuadratic,
+        List<DampingTerm> term)
         implements Effect {
     /**
      * Checked damping.
      *
-     * @throws IllegalArgumentException if a coefficient is negative, which would feed energy in, or
-     *     not finite
+     * @throws IllegalArgumentException if a coefficient is not finite, a term is stated twice, or
+     *     some motion would be fed energy
      */
     public Damping {
+        term = List.copyOf(term);
         requireDissipative("linear", linear);
         requireDissipative("quadratic", quadratic);
         requireDissipative("angular linear", angularLinear);
         requireDissipative("angular quadratic", angularQuadratic);
+        DampingMatrix a = new DampingMatrix("linear", linear, angularLinear);
+        DampingMatrix b = new DampingMatrix("quadratic", quadratic, angularQuadratic);
+        for (DampingTerm t : term) {
+            a.put(t.row(), t.column(), t.linear());
+            b.put(t.row(), t.column(), t.quadratic());
+        }
+        a.requireDissipativeLinear();
+        b.requireDissipativeQuadratic();
+    }
+
+    /** Damping of each axis for itself. */
+    public Damping(Vec3 linear, Vec3 quadratic, Vec3 angularLinear, Vec3 angularQuadratic) {
+        this(linear, quadratic, angularLinear, angularQuadratic, List.of());
     }
 
     private static void requireDissipative(String which, Vec3 k) {

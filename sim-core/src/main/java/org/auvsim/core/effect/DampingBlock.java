@@ -3,39 +3,71 @@ package org.auvsim.core.effect;
 import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.BlockEffect;
 import org.auvsim.core.entity.Effect;
+import org.auvsim.core.entity.MotionAxis;
 import org.auvsim.core.math.Vec3;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /**
  * The damping of all bodies of a world; a body without has zeros, a block without is passed over.
  */
 final class DampingBlock implements BlockEffect {
-    private final double[][] linear;
-    private final double[][] quadratic;
+    private static final int AXES = 6;
+
+    /** One element of both matrices, by slot. */
+    private record Element(int row, int column, double[] linear, double[] quadratic) {
+        Element(int row, int column, int slots) {
+            this(row, column, new double[slots], new double[slots]);
+        }
+
+        void add(int slot, double a, double b) {
+            linear[slot] += a;
+            quadratic[slot] += b;
+        }
+    }
+
+    /** The six of the diagonal in order, then those beside it that some body has. */
+    private final List<Element> elements = new ArrayList<>();
+
     private final boolean[] damped;
 
     DampingBlock(List<List<Effect>> bySlot) {
         int slots = bySlot.size();
-        linear = new double[6][slots];
-        quadratic = new double[6][slots];
+        for (int axis = 0; axis < AXES; axis++) {
+            elements.add(new Element(axis, axis, slots));
+        }
         damped = new boolean[slots];
         for (int slot = 0; slot < slots; slot++) {
             for (Effect effect : bySlot.get(slot)) {
-                Damping damping = (Damping) effect;
-                add(linear, 0, slot, damping.linear());
-                add(linear, 3, slot, damping.angularLinear());
-                add(quadratic, 0, slot, damping.quadratic());
-                add(quadratic, 3, slot, damping.angularQuadratic());
+                add(slot, (Damping) effect);
                 damped[slot] = true;
             }
         }
     }
 
-    private static void add(double[][] columns, int column, int slot, Vec3 k) {
-        columns[column][slot] += k.x();
-        columns[column + 1][slot] += k.y();
-        columns[column + 2][slot] += k.z();
+    private void add(int slot, Damping damping) {
+        addDiagonal(0, slot, damping.linear(), damping.quadratic());
+        addDiagonal(3, slot, damping.angularLinear(), damping.angularQuadratic());
+        for (DampingTerm term : damping.term()) {
+            element(term.row(), term.column()).add(slot, term.linear(), term.quadratic());
+        }
+    }
+
+    private void addDiagonal(int axis, int slot, Vec3 linear, Vec3 quadratic) {
+        elements.get(axis).add(slot, linear.x(), quadratic.x());
+        elements.get(axis + 1).add(slot, linear.y(), quadratic.y());
+        elements.get(axis + 2).add(slot, linear.z(), quadratic.z());
+    }
+
+    private Element element(MotionAxis row, MotionAxis column) {
+        for (Element element : elements) {
+            if (element.row == row.index() && element.column == column.index()) {
+                return element;
+            }
+        }
+        elements.add(new Element(row.index(), column.index(), damped.length));
+        return elements.getLast();
     }
 
     @Override
@@ -43,16 +75,11 @@ final class DampingBlock implements BlockEffect {
         if (!touches(b)) {
             return;
         }
-        double[][] v = b.scratch;
-        subtract(b, v[3], b.vx, b.ux);
-        subtract(b, v[4], b.vy, b.uy);
-        subtract(b, v[5], b.vz, b.uz);
-        b.toBody(v[0], v[1], v[2], v[3], v[4], v[5]);
-        damp(b, 0);
-        b.addToWorld(b.fx, b.fy, b.fz, v[0], v[1], v[2]);
-        b.toBody(v[0], v[1], v[2], b.wx, b.wy, b.wz);
-        damp(b, 3);
-        b.addToWorld(b.tx, b.ty, b.tz, v[0], v[1], v[2]);
+        ThroughWater.measure(b);
+        for (int e = 0; e < elements.size(); e++) {
+            damp(b, elements.get(e), e < AXES);
+        }
+        ThroughWater.push(b);
     }
 
     private boolean touches(Block b) {
@@ -64,26 +91,29 @@ final class DampingBlock implements BlockEffect {
         return false;
     }
 
-    private static void subtract(Block b, double[] to, double[] from, double[] what) {
-        for (int i = 0; i < b.count; i++) {
-            to[i] = from[i] - what[i];
+    private static void damp(Block b, Element element, boolean first) {
+        double[] a = b.scratch[ThroughWater.FREE];
+        double[] k = b.scratch[ThroughWater.FREE + 1];
+        b.gather(element.linear, a);
+        b.gather(element.quadratic, k);
+        double[] v = b.scratch[element.column];
+        double[] force = b.scratch[ThroughWater.FORCE + element.row];
+        if (first) {
+            set(b.count, force, v, a, k);
+        } else {
+            subtract(b.count, force, v, a, k);
         }
     }
 
-    /** Turns the three velocity components in scratch into the damping forces along them. */
-    private void damp(Block b, int column) {
-        double[] a = b.scratch[6];
-        double[] k = b.scratch[7];
-        for (int axis = 0; axis < 3; axis++) {
-            b.gather(linear[column + axis], a);
-            b.gather(quadratic[column + axis], k);
-            damp(b, b.scratch[axis], a, k);
+    private static void set(int count, double[] force, double[] v, double[] a, double[] k) {
+        for (int i = 0; i < count; i++) {
+            force[i] = -(a[i] + k[i] * Math.abs(v[i])) * v[i];
         }
     }
 
-    private static void damp(Block b, double[] v, double[] a, double[] k) {
-        for (int i = 0; i < b.count; i++) {
-            v[i] = -(a[i] + k[i] * Math.abs(v[i])) * v[i];
+    private static void subtract(int count, double[] force, double[] v, double[] a, double[] k) {
+        for (int i = 0; i < count; i++) {
+            force[i] -= (a[i] + k[i] * Math.abs(v[i])) * v[i];
         }
     }
 }

@@ -2,6 +2,7 @@ package org.auvsim.core.entity;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.math.QuadraticForm;
 import org.auvsim.core.math.Vec3;
 
 import java.util.ArrayList;
@@ -34,7 +35,7 @@ public record AddedMass(
             throw new IllegalArgumentException(
                     "added mass must be finite, but is " + linear + " and " + angular);
         }
-        if (!SpatialMatrix.isSemiDefinite(matrix(linear, angular, term))) {
+        if (!QuadraticForm.isSemiDefinite(matrix(linear, angular, term), 6)) {
             throw new IllegalArgumentException(
                     "an added mass matrix must be positive semi-definite, as water that is moved"
                             + " never gives energy; check its signs and the elements beside the"

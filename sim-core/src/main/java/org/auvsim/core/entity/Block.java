@@ -214,7 +214,7 @@ public final class Block {
         contactTx = new double[capacity];
         contactTy = new double[capacity];
         contactTz = new double[capacity];
-        scratch = new double[8][capacity];
+        scratch = new double[16][capacity];
         carriedTx = new double[capacity];
         carriedTy = new double[capacity];
         carriedTz = new double[capacity];

@@ -7,9 +7,6 @@ import java.util.Arrays;
 
 /** Symmetric 6x6 matrices as arrays of 36 numbers, row by row; translations before rotations. */
 final class SpatialMatrix {
-    /** What an element on the diagonal may be below zero by rounding, relative to the largest. */
-    private static final double ROUNDING = 1e-12;
-
     private SpatialMatrix() {}
 
     static void setDiagonal(double[] m, Vec3 linear, Vec3 angular) {
@@ -113,56 +110,5 @@ final class SpatialMatrix {
             }
             x[from + i] /= factor[at + 6 * i + i];
         }
-    }
-
-    /** Whether no direction has a negative form: Gauss's elimination, largest pivot first. */
-    static boolean isSemiDefinite(double[] symmetric) {
-        double[] m = symmetric.clone();
-        double largest = 0;
-        for (int i = 0; i < 6; i++) {
-            largest = Math.max(largest, Math.abs(m[7 * i]));
-        }
-        double least = ROUNDING * largest;
-        boolean[] done = new boolean[6];
-        for (int step = 0; step < 6; step++) {
-            int pivot = pivot(m, done);
-            if (m[7 * pivot] <= least) {
-                return restIsZero(m, done, least);
-            }
-            done[pivot] = true;
-            eliminate(m, done, pivot);
-        }
-        return true;
-    }
-
-    private static int pivot(double[] m, boolean[] done) {
-        int pivot = -1;
-        for (int i = 0; i < 6; i++) {
-            if (!done[i] && (pivot < 0 || m[7 * i] > m[7 * pivot])) {
-                pivot = i;
-            }
-        }
-        return pivot;
-    }
-
-    private static void eliminate(double[] m, boolean[] done, int pivot) {
-        for (int i = 0; i < 6; i++) {
-            for (int j = 0; j < 6; j++) {
-                if (!done[i] && !done[j]) {
-                    m[6 * i + j] -= m[6 * i + pivot] * m[6 * pivot + j] / m[7 * pivot];
-                }
-            }
-        }
-    }
-
-    private static boolean restIsZero(double[] m, boolean[] done, double least) {
-        for (int i = 0; i < 6; i++) {
-            for (int j = 0; j < 6; j++) {
-                if (!done[i] && !done[j] && !(Math.abs(m[6 * i + j]) <= least)) {
-                    return false;
-                }
-            }
-        }
-        return true;
     }
 }

@@ -1,4 +1,4 @@
-package org.auvsim.core.effect;
+package org.auvsim.core.entity;
 
 import org.auvsim.core.math.Vec3;
 

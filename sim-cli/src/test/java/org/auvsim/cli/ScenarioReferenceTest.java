@@ -111,7 +111,9 @@ class ScenarioReferenceTest {
         }
     }
 
-    /** An element that two parents mean differently is headed "`name` of `parent`" in the second. */
+    /**
+     * An element that two parents mean differently is headed "`name` of `parent`" in the second.
+     */
     private void describeInner(String parent, RecordComponent component) throws Exception {
         Class<?> type = inner(component.getGenericType());
         if (type.isRecord() && !type.getPackageName().equals(MATHEMATICS)) {

@@ -29,6 +29,8 @@ final class RandomRecords {
     private static final String[] TEXTS = {
         "Gravity",
         "Aft Thruster",
+        "Yv|v|",
+        "Nuv",
         "*",
         "*ALL*",
         "47",

@@ -94,8 +94,11 @@ final class DampingMatrix {
 
     private IllegalArgumentException refused(int i, int j, double own, double other) {
         return new IllegalArgumentException(
-                "the %s damping must take energy from every motion, but %s by %s is %s and %s by %s is %s: too much for the %s and %s on the diagonal that they have to themselves"
+                ("the %s damping must take energy from every motion, but %s by %s is %s and %s by"
+                     + " %s is %s: too much for the %s and %s on the diagonal that they have to"
+                     + " themselves")
                         .formatted(
-                                kind, AXES[i], AXES[j], at(i, j), AXES[j], AXES[i], at(j, i), own, other));
+                                kind, AXES[i], AXES[j], at(i, j), AXES[j], AXES[i], at(j, i), own,
+                                other));
     }
 }

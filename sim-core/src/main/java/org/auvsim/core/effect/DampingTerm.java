@@ -23,7 +23,8 @@ public record DampingTerm(
     public DampingTerm {
         if (row == column) {
             throw new IllegalArgumentException(
-                    "the damping of %s by itself belongs to linear, quadratic or their angular forms, not to a term"
+                    ("the damping of %s by itself belongs to linear, quadratic or their angular"
+                                    + " forms, not to a term")
                             .formatted(row));
         }
         if (!Double.isFinite(linear) || !Double.isFinite(quadratic)) {

@@ -1,6 +1,5 @@
 package org.auvsim.core.effect;
 
-
 import org.auvsim.core.entity.Domain;
 
 import java.util.regex.Matcher;
@@ -51,7 +50,10 @@ public record Derivative(String name, double value) {
         Matcher match = NAME.matcher(name);
         if (!match.matches()) {
             throw new IllegalArgumentException(
-                    "a hydrodynamic derivative is named by its force or torque (X Y Z K M N) and one or two velocities (u v w p q r), the second one between bars where its size counts, as Yv|v|, Nuv or Zq; '%s' is not; added mass (Yvdot) and fins (Yuudr) have elements of their own"
+                    ("a hydrodynamic derivative is named by its force or torque (X Y Z K M N) and"
+                         + " one or two velocities (u v w p q r), the second one between bars where"
+                         + " its size counts, as Yv|v|, Nuv or Zq; '%s' is not; added mass (Yvdot)"
+                         + " and fins (Yuudr) have elements of their own")
                             .formatted(name));
         }
         Domain.finite("a hydrodynamic derivative", name, value, "");
@@ -60,7 +62,7 @@ public record Derivative(String name, double value) {
     Form form() {
         Matcher match = NAME.matcher(name);
         if (!match.matches()) {
-            throw new IllegalStateException(name);
+            throw new IllegalStateException("unchecked derivative " + name);
         }
         int force = FORCES.indexOf(match.group(1));
         int first = VELOCITIES.indexOf(match.group(2));

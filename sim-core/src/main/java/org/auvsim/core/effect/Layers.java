@@ -33,7 +33,11 @@ final class Layers implements BlockEffect {
             layers.add(
                     layer.apply(
                             bySlot.stream()
-                                    .map(e -> e.subList(Math.min(from, e.size()), Math.min(from + 1, e.size())))
+                                    .map(
+                                            e ->
+                                                    e.subList(
+                                                            Math.min(from, e.size()),
+                                                            Math.min(from + 1, e.size())))
                                     .toList()));
         }
         return layers.size() == 1 ? layers.getFirst() : new Layers(layers);

@@ -50,10 +50,8 @@ public record Tether(
         int other = partners[0];
         Vec3 arm = block.toWorld(i, point);
         Vec3 otherArm = block.toWorld(other, toPoint);
-        Vec3 way =
-                block.position(other).plus(otherArm).minus(block.position(i).plus(arm));
-        Vec3 velocity =
-                velocityAt(block, other, otherArm).minus(velocityAt(block, i, arm));
+        Vec3 way = block.position(other).plus(otherArm).minus(block.position(i).plus(arm));
+        Vec3 velocity = velocityAt(block, other, otherArm).minus(velocityAt(block, i, arm));
         Vec3 pull = Line.pull(way, velocity, length, stiffness, damping);
         block.addForce(i, pull);
         block.addTorque(i, arm.cross(pull));

@@ -45,7 +45,8 @@ public final class QuadraticForm {
     private static int pivot(double[] m, boolean[] done) {
         int pivot = -1;
         for (int i = 0; i < done.length; i++) {
-            if (!done[i] && (pivot < 0 || m[(done.length + 1) * i] > m[(done.length + 1) * pivot])) {
+            if (!done[i]
+                    && (pivot < 0 || m[(done.length + 1) * i] > m[(done.length + 1) * pivot])) {
                 pivot = i;
             }
         }

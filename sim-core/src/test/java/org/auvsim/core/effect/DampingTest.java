@@ -106,8 +106,7 @@ class DampingTest {
             MotionAxis row = axes[(int) draws.number(0, 6)];
             MotionAxis column = axes[(int) draws.number(0, 6)];
             if (row != column) {
-                terms.add(
-                        new DampingTerm(row, column, draws.number(-3, 3), draws.number(-3, 3)));
+                terms.add(new DampingTerm(row, column, draws.number(-3, 3), draws.number(-3, 3)));
             }
         }
         return new Damping(
@@ -154,8 +153,7 @@ class DampingTest {
     @Test
     void linearTermsThatExceedTheDiagonalAreRefused() {
         assertThatIllegalArgumentException()
-                .isThrownBy(
-                        () -> damping(new DampingTerm(MotionAxis.SWAY, MotionAxis.YAW, 2.1, 0)))
+                .isThrownBy(() -> damping(new DampingTerm(MotionAxis.SWAY, MotionAxis.YAW, 2.1, 0)))
                 .withMessageContaining("linear damping")
                 .withMessageContaining("SWAY by YAW is 2.1 and YAW by SWAY is 0.0");
         assertThat(damping(new DampingTerm(MotionAxis.SWAY, MotionAxis.YAW, 1.9, 0)).term())

@@ -70,8 +70,7 @@ class LinesTest {
                 .isCloseTo(2 + 0.5 * StrictMath.cos(2 * world.time()), within(1e-8));
         run(world, 1.5);
         double slackSince = Math.PI / 4;
-        assertThat(buoy.position().x())
-                .isCloseTo(2 - (world.time() - slackSince), within(2e-5));
+        assertThat(buoy.position().x()).isCloseTo(2 - (world.time() - slackSince), within(2e-5));
         assertThat(buoy.velocity().x()).isCloseTo(-1, within(2e-5));
     }
 
@@ -157,9 +156,7 @@ class LinesTest {
 
     private static double energy(WorldObject a, WorldObject b, Tether tether) {
         double distance = end(a, tether.point()).distance(end(b, tether.toPoint()));
-        return kinetic(a)
-                + kinetic(b)
-                + stretched(distance, tether.length(), tether.stiffness());
+        return kinetic(a) + kinetic(b) + stretched(distance, tether.length(), tether.stiffness());
     }
 
     @Test

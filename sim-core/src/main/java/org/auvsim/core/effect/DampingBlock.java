@@ -16,9 +16,17 @@ final class DampingBlock implements BlockEffect {
     private static final int AXES = 6;
 
     /** One element of both matrices, by slot. */
-    private record Element(int row, int column, double[] linear, double[] quadratic) {
+    private static final class Element {
+        final int row;
+        final int column;
+        final double[] linear;
+        final double[] quadratic;
+
         Element(int row, int column, int slots) {
-            this(row, column, new double[slots], new double[slots]);
+            this.row = row;
+            this.column = column;
+            linear = new double[slots];
+            quadratic = new double[slots];
         }
 
         void add(int slot, double a, double b) {

@@ -14,7 +14,15 @@ import java.util.List;
  */
 final class DerivativesBlock implements BlockEffect {
     /** A form of term and its coefficients by slot; 0 where a body has none. */
-    private record Term(Derivative.Form form, double[] coefficients) {}
+    private static final class Term {
+        final Derivative.Form form;
+        final double[] coefficients;
+
+        Term(Derivative.Form form, int slots) {
+            this.form = form;
+            coefficients = new double[slots];
+        }
+    }
 
     private final List<Term> terms = new ArrayList<>();
     private final boolean[] has;
@@ -39,7 +47,7 @@ final class DerivativesBlock implements BlockEffect {
                 return term.coefficients;
             }
         }
-        terms.add(new Term(form, new double[has.length]));
+        terms.add(new Term(form, has.length));
         return terms.getLast().coefficients;
     }
 

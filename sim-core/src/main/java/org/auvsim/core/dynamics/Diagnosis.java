@@ -1,25 +1,23 @@
 package org.auvsim.core.dynamics;
 
 import org.auvsim.core.entity.Block;
-import org.auvsim.core.entity.BlockEffect;
 import org.auvsim.core.entity.BodyState;
-import org.auvsim.core.entity.CoupledEffect;
 import org.auvsim.core.entity.Effect;
+import org.auvsim.core.entity.NamedForce;
+import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.RigidBody;
 import org.auvsim.core.entity.Surroundings;
+import org.auvsim.core.math.Vec3;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 
 /**
  * Finds what a body's motion got out of all bounds by: at each stage of the Runge-Kutta method from
  * its present state on, what acts on it and on all that it is coupled to is evaluated one by one.
+ * What has no bounds itself is named; where all that acts has, the largest of it.
  */
 public final class Diagnosis {
     private static final double[] NODE = {0, 0.5, 0.5, 1};
@@ -28,13 +26,13 @@ public final class Diagnosis {
     private final BodyState bodies;
     private final List<? extends RigidBody> bySlot;
     private final RigidBody body;
-    private final Surroundings around;
-    private final Set<Long> ids = new HashSet<>();
 
     /** The slots of the body and of all that it is coupled to, itself first. */
     private final int[] together;
 
     private final Block block;
+    private final EffectAlone alone;
+    private final Largest largest = new Largest();
 
     /**
      * Of a body.
@@ -51,9 +49,7 @@ public final class Diagnosis {
         this.equations = equations;
         this.bodies = bodies;
         this.bySlot = bySlot;
-        this.around = around;
         this.body = body;
-        bySlot.forEach(other -> ids.add(other.id()));
         int[] companions = equations.groups().companions(body.slot());
         together = new int[companions.length];
         together[0] = body.slot();
@@ -64,6 +60,7 @@ public final class Diagnosis {
             }
         }
         block = new Block(Math.max(Block.SIZE, together.length));
+        alone = new EffectAlone(bySlot, around, block);
     }
 
     /**
@@ -71,18 +68,17 @@ public final class Diagnosis {
      */
     public String culprit(double time, double dt) {
         equations.load(block, together, together.length, time);
+        noteConstantForces(body);
         double[][] start = copy(block.state);
         for (int stage = 0; stage < NODE.length; stage++) {
             block.time = time + NODE[stage] * dt;
             equations.evaluate(block);
             double[][] rates = copy(block.rate);
             bodies.applied().write(block);
-            if (!areForcesFinite()) {
-                return "its named forces and propulsors";
-            }
-            Optional<String> effect = effect();
-            if (effect.isPresent()) {
-                return effect.get();
+            Optional<String> boundless =
+                    alone.areForcesFinite() ? effect() : Optional.of(constantForce());
+            if (boundless.isPresent()) {
+                return boundless.get();
             }
             for (int c = 0; stage + 1 < NODE.length && c < BodyState.COLUMNS; c++) {
                 for (int i = 0; i < block.count; i++) {
@@ -90,7 +86,7 @@ public final class Diagnosis {
                 }
             }
         }
-        return "the sum of its forces";
+        return largest.words();
     }
 
     private double[][] copy(double[][] columns) {
@@ -99,51 +95,76 @@ public final class Diagnosis {
                 .toArray(double[][]::new);
     }
 
-    /** The effect that has no bounds in the block's present state. */
+    /** The effect that has no bounds in the block's present state; notes the others. */
     private Optional<String> effect() {
         for (int slot : together) {
             RigidBody owner = bySlot.get(slot);
             for (Effect effect : owner.effects()) {
-                if (isWhole(effect) && !isFinite(effect, slot)) {
-                    String name = "effect '" + kebab(effect.getClass().getSimpleName()) + "'";
-                    return Optional.of(
-                            slot == body.slot()
-                                    ? "its " + name
-                                    : "the " + name + " of '" + owner.name() + "'");
+                if (!alone.evaluate(effect, slot)) {
+                    continue;
                 }
+                String name = of(owner, "effect", kebab(effect.getClass().getSimpleName()));
+                if (!alone.areForcesFinite()) {
+                    return Optional.of(name);
+                }
+                largest.note(alone.sizeOnFirst(), name);
             }
         }
         return Optional.empty();
     }
 
-    /** A coupled effect ends when one of its partners leaves. */
-    private boolean isWhole(Effect effect) {
-        return !(effect instanceof CoupledEffect coupled) || ids.containsAll(coupled.partners());
+    /** The largest of the named forces and propulsors: each is finite, but not their sum. */
+    private String constantForce() {
+        for (int slot : together) {
+            noteConstantForces(bySlot.get(slot));
+        }
+        return largest.words();
     }
 
-    private boolean isFinite(Effect effect, int owner) {
-        List<List<Effect>> alone =
-                new ArrayList<>(Collections.nCopies(bodies.count(), List.<Effect>of()));
-        alone.set(owner, List.of(effect));
-        BlockEffect laidOut = effect.layOut(alone, around);
-        for (int c = BodyState.PX; c <= BodyState.LZ; c++) {
-            Arrays.fill(block.rate[c], 0, block.count, 0);
+    private void noteConstantForces(RigidBody owner) {
+        for (NamedForce force : owner.forces()) {
+            largest.note(
+                    force.vector(), force.point(), of(owner, "named force", force.name()));
         }
-        laidOut.add(block);
-        return areForcesFinite();
+        for (Propulsor propulsor : owner.propulsors()) {
+            largest.note(
+                    propulsor.thrust(),
+                    propulsor.position(),
+                    of(owner, "propulsor", propulsor.name()));
+        }
     }
 
-    private boolean areForcesFinite() {
-        boolean finite = true;
-        for (int c = BodyState.PX; c <= BodyState.LZ; c++) {
-            for (int i = 0; i < block.count; i++) {
-                finite &= Double.isFinite(block.rate[c][i]);
-            }
-        }
-        return finite;
+    private String of(RigidBody owner, String kind, String name) {
+        String quoted = kind + " '" + name + "'";
+        return owner == body ? "its " + quoted : "the " + quoted + " of '" + owner.name() + "'";
     }
 
     private static String kebab(String camel) {
         return camel.replaceAll("(?<=[a-z0-9])(?=[A-Z])", "-").toLowerCase(Locale.ROOT);
+    }
+
+    /** The largest of what has been noted: by its largest component in N or N m. */
+    private static final class Largest {
+        private double size;
+        private Optional<String> name = Optional.empty();
+
+        void note(Vec3 force, Vec3 point, String whose) {
+            note(Math.max(size(force), size(point.cross(force))), whose);
+        }
+
+        void note(double newSize, String whose) {
+            if (newSize > size) {
+                size = newSize;
+                name = Optional.of(whose);
+            }
+        }
+
+        private static double size(Vec3 v) {
+            return Math.max(Math.abs(v.x()), Math.max(Math.abs(v.y()), Math.abs(v.z())));
+        }
+
+        String words() {
+            return name.map(it -> it + ", the largest of its forces").orElse("its own speed");
+        }
     }
 }

@@ -2,6 +2,7 @@ package org.auvsim.core.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Block;
@@ -10,6 +11,7 @@ import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.entity.CoupledEffect;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
+import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.step.AllPairsPartitioner;
@@ -20,9 +22,12 @@ import org.auvsim.core.step.StepException;
 import org.auvsim.core.volume.Sphere;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 import java.util.List;
+import java.util.stream.Stream;
 
 class RunawayTest {
     @Test
@@ -48,9 +53,67 @@ class RunawayTest {
                 .isInstanceOf(StepException.class)
                 .hasMessage(
                         "the motion of 'Rocket' (id 1) gets out of all bounds between 0.0 s and"
-                                + " 0.05 s by the sum of its forces; lessen its forces or the time"
-                                + " step");
+                                + " 0.05 s by its named force 'Engine', the largest of its forces;"
+                                + " lessen its forces or the time step");
         assertThat(world.stateHash()).isEqualTo(before);
+    }
+
+    private static WorldObjectDefinition.Builder fleck() {
+        return WorldObjectDefinition.named("Fleck").volume(new Sphere(0.1)).mass(1e-3);
+    }
+
+    private static final Propulsor WEAK = propulsor("Weak", 1e300);
+    private static final Propulsor STRONG = propulsor("Strong", 1e306);
+
+    private static Propulsor propulsor(String name, double thrust) {
+        return new Propulsor(name, thrust, 1, Vec3.ZERO, new Vec3(1, 0, 0));
+    }
+
+    static Stream<Arguments> finiteForces() {
+        NamedForce force = NamedForce.direct("Gale", Frame.BODY, new Vec3(0, -1e305, 0));
+        Gravity gravity = new Gravity(1e307);
+        return Stream.of(
+                arguments(
+                        "its effect 'gravity', the largest of its forces",
+                        fleck().component(WEAK).effect(gravity)),
+                arguments(
+                        "its named force 'Gale', the largest of its forces",
+                        fleck().component(WEAK).force(force).effect(gravity)),
+                arguments(
+                        "its propulsor 'Strong', the largest of its forces",
+                        fleck().component(WEAK).component(STRONG).force(force)),
+                arguments("its own speed", fleck().velocity(Double.MAX_VALUE, 0, 0)));
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("finiteForces")
+    void whereEveryForceIsFiniteTheLargestIsNamed(
+            String culprit, WorldObjectDefinition.Builder body) {
+        World world = World.builder().timeStep(10).add(body.build()).build();
+
+        assertThatThrownBy(
+                        () -> {
+                            while (world.time() < 1000) {
+                                world.advanceTimestep();
+                            }
+                        })
+                .isInstanceOf(StepException.class)
+                .hasMessageContaining(" by " + culprit + "; ");
+    }
+
+    @Test
+    void ofFiniteForcesWhoseSumIsNotTheLargestIsNamed() {
+        World world =
+                World.builder()
+                        .add(
+                                fleck().component(propulsor("One", 1e308))
+                                        .component(propulsor("Other", 1.2e308))
+                                        .build())
+                        .build();
+
+        assertThatThrownBy(world::advanceTimestep)
+                .isInstanceOf(StepException.class)
+                .hasMessageContaining(" by its propulsor 'Other', the largest of its forces; ");
     }
 
     /** Pulls with a force that has a pole where x is 1 m. */

@@ -67,7 +67,7 @@ final class BatchRun {
         StepStatistics done = world.statistics();
         return ("%d steps: %.6g s of world time in %.3g s, %.3g times real time; %d collisions,"
                         + " %d events, %d sub-steps, %d contacts held, %d quick hits,"
-                        + " %d crowded hits")
+                        + " %d crowded hits, %d lowered hits, %d islands unsolved")
                 .formatted(
                         steps,
                         world.time() - startTime,
@@ -78,6 +78,8 @@ final class BatchRun {
                         done.subSteps(),
                         done.heldPairs(),
                         done.quickHits(),
-                        done.crowdedHits());
+                        done.crowdedHits(),
+                        done.loweredHits(),
+                        done.unsolvedIslands());
     }
 }

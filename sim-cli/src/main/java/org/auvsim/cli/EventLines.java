@@ -63,12 +63,15 @@ final class EventLines {
                     event(
                             s.timestamp(),
                             "(step)",
-                            "sub-steps %d, contacts held %d, quick hits %d, crowded hits %d"
+                            ("sub-steps %d, contacts held %d, quick hits %d, crowded hits %d,"
+                                            + " lowered hits %d, islands unsolved %d")
                                     .formatted(
                                             s.subSteps(),
                                             s.heldPairs(),
                                             s.quickHits(),
-                                            s.crowdedHits()));
+                                            s.crowdedHits(),
+                                            s.loweredHits(),
+                                            s.unsolvedIslands()));
             case LaggingNotification l ->
                     Optional.of("(too slow: %d left out)".formatted(l.skipped()));
             case DisconnectedNotification d -> Optional.of("the simulator ends: " + d.reason());

@@ -64,7 +64,8 @@ final class Watch implements Callable<Integer> {
             names = "--steps",
             description =
                     "Tells also what kept a step from getting stuck or diverging: sub-steps,"
-                            + " contacts held, quick hits, crowded hits.")
+                            + " contacts held, quick hits, crowded hits, lowered hits, islands"
+                            + " unsolved.")
     private boolean steps;
 
     @Override

@@ -61,7 +61,7 @@ class RunTest {
         assertThat(auvsim.out())
                 .contains(
                         "1 collisions, 1 events, 0 sub-steps, 0 contacts held, 0 quick hits,"
-                                + " 0 crowded hits")
+                                + " 0 crowded hits, 0 lowered hits, 0 islands unsolved")
                 .contains("rows written to " + csv);
         assertThat(auvsim.err()).isEmpty();
     }
@@ -187,7 +187,7 @@ class RunTest {
 
         assertThat(auvsim.err())
                 .startsWith("The run ends at ")
-                .contains("'Bolt' (id 4) gets out of all bounds between ", " s by ")
+                .contains("'Bolt' (id 4) gets out of all bounds between ", " s by its effect 'gravity', ")
                 .endsWith("; the last good state is in " + last + "\n")
                 .hasLineCount(1);
         assertThat(new CommandLineHarness(folder).run("validate", last)).isZero();

@@ -73,7 +73,8 @@ class WatchTest {
                         line ->
                                 line.matches(
                                         " +0\\.[0-9]{3}  \\(step\\) +sub-steps 0, contacts held 1,"
-                                                + " quick hits 0, crowded hits 0"));
+                                                + " quick hits 0, crowded hits 0, lowered hits 0,"
+                                                + " islands unsolved 0"));
     }
 
     @Test

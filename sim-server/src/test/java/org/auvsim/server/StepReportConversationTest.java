@@ -61,7 +61,8 @@ class StepReportConversationTest {
                     .isEqualTo(
                             "<auvsml><step-report-notification timestamp=\"0.05\" sub-steps=\"0\""
                                     + " held-pairs=\"1\" quick-hits=\"0\""
-                                    + " crowded-hits=\"0\"/></auvsml>");
+                                    + " crowded-hits=\"0\" lowered-hits=\"0\""
+                                    + " unsolved-islands=\"0\"/></auvsml>");
             assertThat(client.next()).isEqualTo(STEP_DONE);
         }
     }

@@ -3,6 +3,7 @@ package org.auvsim.core.step;
 import org.auvsim.core.contact.Bounce;
 import org.auvsim.core.contact.ContactSolver;
 import org.auvsim.core.contact.RestitutionRule;
+import org.auvsim.core.contact.Solution;
 import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Manifold;
@@ -115,7 +116,9 @@ final class Impacts {
             double closing = -problem.contacts.separationSpeed(c, problem.bodies);
             problem.contacts.target[c] = Math.max(e, 0) * Math.max(closing, 0);
         }
-        solver.solve(problem.bodies, problem.contacts);
+        Solution solution = solver.solve(problem.bodies, problem.contacts);
+        tally.loweredHits += solution.bounceKept() < 1 ? 1 : 0;
+        tally.unsolvedIslands += solution.converged() ? 0 : 1;
         problem.applyImpulses();
         if (wantsImpulse) {
             double[] received = problem.bodies.impulse;

@@ -57,9 +57,13 @@ final class Settlement {
     private final ContactAims aims;
     private final TurningSlip slip;
     private final RememberedForces remembered;
+    private final StepTally tally;
     private final ContactSolver stopping = ContactSolver.forResting(STOP_TOLERANCE, MOST_SWEEPS);
     private final ContactSolver accurate = ContactSolver.forResting(TOLERANCE, MOST_SWEEPS);
     private final ContactSolver rough = ContactSolver.forResting(ROUGH, MOST_SWEEPS);
+
+    /** Whether the contact forces were found to within the solver's tolerance when last asked. */
+    private boolean isSolved;
 
     Settlement(
             Motion motion,
@@ -69,6 +73,7 @@ final class Settlement {
             ContactProblem problem,
             RestingContacts resting) {
         this.trajectories = trajectories;
+        tally = motion.tally();
         this.problem = problem;
         Paths paths = trajectories.paths();
         ContactPlace place = new ContactPlace(motion.bodies(), problem);
@@ -88,6 +93,7 @@ final class Settlement {
      * @param time of the world (s) at the offset
      */
     void settle(double offset, double length, double time) {
+        isSolved = true;
         begin(offset, length);
         remembered.find(time);
         setRemembered(length - offset);
@@ -98,6 +104,7 @@ final class Settlement {
             isSettled = reached == end;
             end = isSettled ? end : trial.trace(offset, reached);
         }
+        tally.unsolvedIslands += isSolved ? 0 : 1;
     }
 
     /** Finds the contacts where the segment starts, and stops what would meet before its end. */
@@ -177,7 +184,7 @@ final class Settlement {
     private double solve(double h, boolean isWithinFrame) {
         boolean mayBeRough = isWithinFrame || problem.contacts.areCentral();
         ContactSolver solver = mayBeRough ? rough : accurate;
-        solver.solve(problem.bodies, problem.contacts);
+        isSolved = solver.solve(problem.bodies, problem.contacts).converged();
         remembered.remember(h);
         return trial.difference();
     }

@@ -11,6 +11,10 @@ package org.auvsim.core.step;
  * @param quickHits collisions without loss, as the pair had met within the last 10 ms
  * @param crowdedHits collisions without restitution, as too much happened to a heap in one frame to
  *     follow it all
+ * @param loweredHits collisions whose restitution was lowered, as at all their contacts together,
+ *     or with friction, it would have added energy
+ * @param unsolvedIslands times that the forces or impulses between bodies in contact were not found
+ *     as well as asked for within the rounds allowed: the bodies may slip a little more
  */
 public record StepStatistics(
         long collisions,
@@ -18,4 +22,6 @@ public record StepStatistics(
         long subSteps,
         long heldPairs,
         long quickHits,
-        long crowdedHits) {}
+        long crowdedHits,
+        long loweredHits,
+        long unsolvedIslands) {}

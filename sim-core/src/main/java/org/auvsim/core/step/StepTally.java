@@ -8,10 +8,20 @@ public final class StepTally {
     long heldPairs;
     long quickHits;
     long crowdedHits;
+    long loweredHits;
+    long unsolvedIslands;
 
     /** What has been counted so far. */
     public StepStatistics statistics() {
-        return new StepStatistics(collisions, events, subSteps, heldPairs, quickHits, crowdedHits);
+        return new StepStatistics(
+                collisions,
+                events,
+                subSteps,
+                heldPairs,
+                quickHits,
+                crowdedHits,
+                loweredHits,
+                unsolvedIslands);
     }
 
     /** What has been counted since it was as {@code before}. */
@@ -22,7 +32,9 @@ public final class StepTally {
                 subSteps - before.subSteps,
                 heldPairs - before.heldPairs,
                 quickHits - before.quickHits,
-                crowdedHits - before.crowdedHits);
+                crowdedHits - before.crowdedHits,
+                loweredHits - before.loweredHits,
+                unsolvedIslands - before.unsolvedIslands);
     }
 
     /** Takes the counts of another. */
@@ -33,6 +45,8 @@ public final class StepTally {
         heldPairs = other.heldPairs;
         quickHits = other.quickHits;
         crowdedHits = other.crowdedHits;
+        loweredHits = other.loweredHits;
+        unsolvedIslands = other.unsolvedIslands;
     }
 
     /** An independent copy. */

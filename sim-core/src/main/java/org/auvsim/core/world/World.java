@@ -386,14 +386,18 @@ public final class World {
         if (step.subSteps() > 0
                 || step.heldPairs() > 0
                 || step.quickHits() > 0
-                || step.crowdedHits() > 0) {
+                || step.crowdedHits() > 0
+                || step.loweredHits() > 0
+                || step.unsolvedIslands() > 0) {
             announcements.announce(
                     new WorldEvent.StepReport(
                             time(),
                             step.subSteps(),
                             step.heldPairs(),
                             step.quickHits(),
-                            step.crowdedHits()));
+                            step.crowdedHits(),
+                            step.loweredHits(),
+                            step.unsolvedIslands()));
         }
     }
 

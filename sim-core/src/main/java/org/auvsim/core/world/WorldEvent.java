@@ -39,7 +39,14 @@ public sealed interface WorldEvent {
      * How a step was kept from getting stuck or diverging, counted as in {@link StepStatistics}; a
      * step that needed nothing of it is not reported. Follows the movements.
      */
-    record StepReport(double time, long subSteps, long heldPairs, long quickHits, long crowdedHits)
+    record StepReport(
+            double time,
+            long subSteps,
+            long heldPairs,
+            long quickHits,
+            long crowdedHits,
+            long loweredHits,
+            long unsolvedIslands)
             implements WorldEvent {}
 
     /** A step is done; the last event of a step. */

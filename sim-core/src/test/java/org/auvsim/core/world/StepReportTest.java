@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.auvsim.core.effect.Damping;
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Draws;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Box;
@@ -61,7 +62,7 @@ class StepReportTest {
             world.advanceTimestep();
 
             assertThat(reports())
-                    .containsExactly(new WorldEvent.StepReport(world.time(), 0, 2, 0, 0));
+                    .containsExactly(new WorldEvent.StepReport(world.time(), 0, 2, 0, 0, 0, 0));
             assertThat(events.get(events.size() - 2)).isInstanceOf(WorldEvent.StepReport.class);
             assertThat(events.getLast()).isInstanceOf(WorldEvent.StepAdvanced.class);
             events.clear();
@@ -113,6 +114,67 @@ class StepReportTest {
                 .position(cell % ROW, Math.floorDiv(cell, ROW), height)
                 .velocity(0, 0, speed)
                 .build();
+    }
+
+    /** With friction, a rod that bounces by all of its restitution would gain energy from spin. */
+    @Test
+    void restitutionThatIsLoweredIsReported() {
+        World world =
+                heard(
+                        roughFloor(),
+                        rough(WorldObjectDefinition.named("Rod"))
+                                .volume(new Box(new Vec3(0.2, 0.4, 2)))
+                                .mass(1)
+                                .restitution(0.9)
+                                .effect(new Gravity(9.81))
+                                .position(0, 0, 1.2)
+                                .orientation(new Quat(-0.5, -0.85, -0.18, 0.02).normalized())
+                                .velocity(0, -0.9, -1.4)
+                                .angularVelocity(-5.5, -9.7, -8.4)
+                                .build());
+
+        while (world.statistics().collisions() == 0) {
+            world.advanceTimestep();
+        }
+
+        assertThat(world.statistics().loweredHits()).isEqualTo(1);
+        assertThat(reports()).hasSize(1);
+        assertThat(reports().getFirst().loweredHits()).isEqualTo(1);
+    }
+
+    private static WorldObjectDefinition roughFloor() {
+        return rough(WorldObjectDefinition.named("Floor")).volume(new HalfSpace()).fixed().build();
+    }
+
+    private static WorldObjectDefinition.Builder rough(WorldObjectDefinition.Builder body) {
+        return body.friction(1);
+    }
+
+    @Test
+    void islandsWhoseForcesAreNotFoundAreReported() {
+        Draws draws = new Draws(3);
+        List<WorldObjectDefinition> objects = new ArrayList<>();
+        objects.add(roughFloor());
+        for (int i = 0; i < 5; i++) {
+            objects.add(
+                    rough(WorldObjectDefinition.named("Tumbling " + i))
+                            .volume(new Box(new Vec3(1, 1, 1)))
+                            .mass(1)
+                            .restitution(0)
+                            .effect(new Gravity(9.81))
+                            .position(0, 0, 1 + 1.8 * i)
+                            .orientation(draws.orientation())
+                            .build());
+        }
+        World world = heard(objects.toArray(WorldObjectDefinition[]::new));
+
+        while (world.time() < 2) {
+            world.advanceTimestep();
+        }
+
+        assertThat(reports().stream().mapToLong(WorldEvent.StepReport::unsolvedIslands).sum())
+                .isPositive()
+                .isEqualTo(world.statistics().unsolvedIslands());
     }
 
     /** A plane across the x axis, solid on the side that {@code normal}, 1 or -1, points from. */
@@ -172,6 +234,6 @@ class StepReportTest {
 
         world.advanceTimestep();
 
-        assertThat(reports()).containsExactly(new WorldEvent.StepReport(world.time(), 0, 1, 0, 0));
+        assertThat(reports()).containsExactly(new WorldEvent.StepReport(world.time(), 0, 1, 0, 0, 0, 0));
     }
 }

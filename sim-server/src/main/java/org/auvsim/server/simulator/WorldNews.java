@@ -125,7 +125,9 @@ final class WorldNews implements WorldListener {
                                 report.subSteps(),
                                 report.heldPairs(),
                                 report.quickHits(),
-                                report.crowdedHits()));
+                                report.crowdedHits(),
+                                report.loweredHits(),
+                                report.unsolvedIslands()));
     }
 
     /** Tells where the step will end. */

@@ -13,11 +13,17 @@ import org.auvsim.core.description.Unit;
  * @param quickHits collisions without loss, as the pair had met within the last 10 ms
  * @param crowdedHits collisions without restitution, as too much happened to a heap in one step to
  *     follow it all
+ * @param loweredHits collisions whose restitution was lowered, as at all their contacts together,
+ *     or with friction, it would have added energy
+ * @param unsolvedIslands times that the forces between bodies in contact were not found as well as
+ *     asked for within the rounds allowed: the bodies may slip a little more
  */
 public record StepReportNotification(
         @Unit("s") double timestamp,
         long subSteps,
         long heldPairs,
         long quickHits,
-        long crowdedHits)
+        long crowdedHits,
+        long loweredHits,
+        long unsolvedIslands)
         implements Message {}

@@ -16,6 +16,9 @@ final class Corners {
     /** Points whose gaps differ by less than this share of the contact's width touch together. */
     private static final double TOGETHER = 0.1;
 
+    /** Gaps of one plane lie on a plane to within this share of the contact's width. */
+    private static final double BULGE = 1e-6;
+
     private final int[] chosen = new int[MOST];
     private final int[] near = new int[Manifold.MAXIMUM];
     private int nearCount;
@@ -48,7 +51,49 @@ final class Corners {
                 chosen[count++] = chosen[k];
             }
         }
-        return count;
+        return bulges(m, count) ? -1 : count;
+    }
+
+    /**
+     * Whether a point lies deeper than a plane would have it at which the chosen ones touch: it
+     * carries what they do not, as a ball does that stands out of a box's bottom.
+     */
+    private boolean bulges(Manifold m, int count) {
+        int a = chosen[0];
+        int b = chosen[1];
+        double dx = m.x[b] - m.x[a];
+        double dy = m.y[b] - m.y[a];
+        double dz = m.z[b] - m.z[a];
+        double squared = dx * dx + dy * dy + dz * dz;
+        double along = m.gap[b] - m.gap[a];
+        double aside = 0;
+        if (count > 2) {
+            int c = chosen[2];
+            double t = along(m, a, c, dx, dy, dz) / squared;
+            aside = (m.gap[c] - m.gap[a] - t * along) / aside(m, a, c, dx, dy, dz);
+        }
+        boolean any = false;
+        for (int i = 0; i < nearCount; i++) {
+            int k = near[i];
+            double plane =
+                    m.gap[a]
+                            + along(m, a, k, dx, dy, dz) / squared * along
+                            + aside(m, a, k, dx, dy, dz) * aside;
+            any |= m.gap[k] < plane - BULGE * Math.sqrt(squared);
+        }
+        return any;
+    }
+
+    /** How far point k lies from point a along a direction, times the direction's length. */
+    private static double along(Manifold m, int a, int k, double dx, double dy, double dz) {
+        return dx * (m.x[k] - m.x[a]) + dy * (m.y[k] - m.y[a]) + dz * (m.z[k] - m.z[a]);
+    }
+
+    /** How far point k lies to one side of point a, seen along a direction, times its length. */
+    private static double aside(Manifold m, int a, int k, double dx, double dy, double dz) {
+        return (dy * m.nz[a] - dz * m.ny[a]) * (m.x[k] - m.x[a])
+                + (dz * m.nx[a] - dx * m.nz[a]) * (m.y[k] - m.y[a])
+                + (dx * m.ny[a] - dy * m.nx[a]) * (m.z[k] - m.z[a]);
     }
 
     private static boolean isFlat(Manifold m) {
@@ -116,18 +161,11 @@ final class Corners {
         double dx = m.x[b] - m.x[a];
         double dy = m.y[b] - m.y[a];
         double dz = m.z[b] - m.z[a];
-        double ax = dy * m.nz[a] - dz * m.ny[a];
-        double ay = dz * m.nx[a] - dx * m.nz[a];
-        double az = dx * m.ny[a] - dy * m.nx[a];
         int best = -1;
         double most = 1e-6 * (dx * dx + dy * dy + dz * dz);
         for (int i = 0; i < nearCount; i++) {
             int k = near[i];
-            double aside =
-                    side
-                            * (ax * (m.x[k] - m.x[a])
-                                    + ay * (m.y[k] - m.y[a])
-                                    + az * (m.z[k] - m.z[a]));
+            double aside = side * aside(m, a, k, dx, dy, dz);
             if (aside > most) {
                 most = aside;
                 best = k;

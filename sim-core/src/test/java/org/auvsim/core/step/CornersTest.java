@@ -91,6 +91,36 @@ class CornersTest {
         assertThat(corners.choose(manifold)).isEqualTo(-1);
     }
 
+    /** A box's four corners, and a ball that stands out of its bottom between them. */
+    @Test
+    void whatLiesDeeperThanTheCornersKeepsAllPoints() {
+        addCorners();
+        manifold.add(0, 0.1, 0, 0, 0, 1, -1e-4);
+
+        assertThat(corners.choose(manifold)).isEqualTo(-1);
+    }
+
+    @Test
+    void whatIsNoDeeperThanTheCornersIsLeftOut() {
+        addCorners();
+        manifold.add(0, 0.1, 0, 0, 0, 1, 0);
+
+        assertThat(chosen()).containsExactlyInAnyOrder(0, 1, 2, 3);
+    }
+
+    /** The contact of a box that leans a little: its gaps grow along x. */
+    private void addCorners() {
+        for (Vec3 corner :
+                List.of(
+                        new Vec3(-1, -1, 0),
+                        new Vec3(-1, 1, 0),
+                        new Vec3(1, 1, 0),
+                        new Vec3(1, -1, 0))) {
+            double gap = 1e-5 * corner.x();
+            manifold.add(corner.x(), corner.y(), corner.z(), 0, 0, 1, gap);
+        }
+    }
+
     /**
      * All points are at most the first two's distance from the first, and no farther aside than the
      * other two: the four hold at least a quarter of the area that all hold.

@@ -68,8 +68,13 @@ final class Ground {
         return kineticEnergy(world)
                 + world.objects().stream()
                         .filter(o -> !o.isFixed())
-                        .mapToDouble(o -> o.mass() * G * o.position().z())
+                        .mapToDouble(o -> o.mass() * G * centreOfMass(o).z())
                         .sum();
+    }
+
+    private static Vec3 centreOfMass(WorldObject o) {
+        Vec3 inBody = o.definition().centreOfMass().orElse(o.volume().centreOfMass());
+        return o.position().plus(o.orientation().rotate(inBody));
     }
 
     static void run(World world, double end) {

@@ -19,16 +19,22 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntConsumer;
 
 /** Equal worlds stay equal to the bit: run twice, copied on the way, on any number of lanes. */
 class DeterminismTest {
     private static final int STEPS = 60;
 
-    /** Plain threads, one a part, started anew for each run. */
-    private record Threads(int count) implements Lanes {
+    /** Plain threads, one a part, started anew for each run; it counts the runs. */
+    private record Threads(int count, AtomicInteger runs) implements Lanes {
+        Threads(int count) {
+            this(count, new AtomicInteger());
+        }
+
         @Override
         public void run(IntConsumer part) {
+            runs.incrementAndGet();
             List<Thread> threads = new ArrayList<>();
             for (int i = 0; i < count; i++) {
                 int number = i;
@@ -135,10 +141,9 @@ class DeterminismTest {
     @ParameterizedTest(name = "{0} lanes, seed {1}")
     @CsvSource({"2, 1", "8, 1", "2, 2", "8, 2"})
     void theNumberOfLanesChangesNoBit(int lanes, long seed) {
-        long one = run(cloud(seed, 2500).build(), 6).stateHash();
+        World one = run(cloud(seed, 2500).build(), 6);
 
-        assertThat(run(cloud(seed, 2500).lanes(new Threads(lanes)).build(), 6).stateHash())
-                .isEqualTo(one);
+        assertSameOnLanes(lanes, cloud(seed, 2500), 6, one);
     }
 
     @ParameterizedTest(name = "{0} lanes")
@@ -147,8 +152,7 @@ class DeterminismTest {
         World one = run(rain(3, 520).build(), 10);
 
         assertThat(one.statistics().heldPairs()).isPositive();
-        assertThat(run(rain(3, 520).lanes(new Threads(lanes)).build(), 10).stateHash())
-                .isEqualTo(one.stateHash());
+        assertSameOnLanes(lanes, rain(3, 520), 10, one);
     }
 
     @ParameterizedTest(name = "{0} lanes, seed {1}")
@@ -157,8 +161,17 @@ class DeterminismTest {
         World one = run(chains(seed, 600).build(), 2);
 
         assertThat(one.statistics().collisions()).isPositive();
-        assertThat(run(chains(seed, 600).lanes(new Threads(lanes)).build(), 2).stateHash())
-                .isEqualTo(one.stateHash());
+        assertSameOnLanes(lanes, chains(seed, 600), 2, one);
+    }
+
+    /** The world is large enough for lanes to pay: they must have been run in each step. */
+    private static void assertSameOnLanes(int lanes, WorldBuilder world, int steps, World one) {
+        Threads threads = new Threads(lanes);
+
+        long hash = run(world.lanes(threads).build(), steps).stateHash();
+
+        assertThat(hash).isEqualTo(one.stateHash());
+        assertThat(threads.runs()).hasValueGreaterThanOrEqualTo(steps);
     }
 
     @ParameterizedTest(name = "seed {0}")

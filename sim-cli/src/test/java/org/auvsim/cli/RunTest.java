@@ -168,9 +168,9 @@ class RunTest {
                 .hasLineCount(1);
     }
 
-    /** Its velocity grows past all numbers in a few steps. */
+    /** Its velocity grows past all numbers in a few steps; of shorter ones more can be made. */
     @Test
-    void theLastGoodStateIsWrittenAndCanBeRunOn() throws IOException {
+    void theLastGoodStateIsWrittenAndRunsOn() throws IOException {
         Path file =
                 auvsim.file(
                         "wild.xml",
@@ -182,20 +182,29 @@ class RunTest {
                         </scenario>
                         """);
         Path last = folder.resolve("last.xml");
+        Path before = folder.resolve("before.csv");
+        Path after = folder.resolve("after.csv");
 
-        assertThat(auvsim.run("run", file, "--last-good", last)).isEqualTo(2);
+        assertThat(auvsim.run("run", file, "--last-good", last, "--out", before)).isEqualTo(2);
 
         assertThat(auvsim.err())
                 .startsWith("The run ends at ")
-                .contains("'Bolt' (id 4) gets out of all bounds between ", " s by its effect 'gravity', ")
+                .contains("'Bolt' (id 4) gets out of all bounds between ")
+                .contains(" s by its effect 'gravity', the largest of its forces; ")
                 .endsWith("; the last good state is in " + last + "\n")
                 .hasLineCount(1);
-        assertThat(new CommandLineHarness(folder).run("validate", last)).isZero();
+        CommandLineHarness again = new CommandLineHarness(folder);
+        assertThat(again.run("validate", last)).isZero();
         String written = Files.readString(last, UTF_8);
         assertThat(written).contains("<world-object id=\"4\" name=\"Bolt\"", "<gravity ");
         double began =
                 Double.parseDouble(written.replaceFirst("(?s).*start-time=\"([^\"]*)\".*", "$1"));
         assertThat(auvsim.err()).startsWith("The run ends at " + began + " s");
+
+        Files.writeString(last, written.replaceFirst("delta=\"[^\"]*\"", "delta=\"0.01\""));
+        assertThat(again.run("run", last, "--until", began + 0.1, "--out", after)).isZero();
+        List<String> rows = Files.readAllLines(after, UTF_8);
+        assertThat(rows).hasSize(1 + 11).element(1).isEqualTo(Files.readAllLines(before).getLast());
     }
 
     @Test

@@ -123,8 +123,7 @@ public final class Diagnosis {
 
     private void noteConstantForces(RigidBody owner) {
         for (NamedForce force : owner.forces()) {
-            largest.note(
-                    force.vector(), force.point(), of(owner, "named force", force.name()));
+            largest.note(force.vector(), force.point(), of(owner, "named force", force.name()));
         }
         for (Propulsor propulsor : owner.propulsors()) {
             largest.note(

@@ -70,7 +70,9 @@ public abstract class StepperAccuracyContract {
             assertThat(SpringSwarm.collisions(world, end)).hasSizeGreaterThan(2);
             errors[i] = swarm.error(world);
         }
-        assertThat(order(steps, errors)).as("errors %s", Arrays.toString(errors)).isGreaterThan(3.5);
+        assertThat(order(steps, errors))
+                .as("errors %s", Arrays.toString(errors))
+                .isGreaterThan(3.5);
     }
 
     /** Slope of the logarithms, by least squares. */

@@ -234,6 +234,7 @@ class StepReportTest {
 
         world.advanceTimestep();
 
-        assertThat(reports()).containsExactly(new WorldEvent.StepReport(world.time(), 0, 1, 0, 0, 0, 0));
+        assertThat(reports())
+                .containsExactly(new WorldEvent.StepReport(world.time(), 0, 1, 0, 0, 0, 0));
     }
 }

@@ -135,7 +135,9 @@ public final class Diagnosis {
 
     private String of(RigidBody owner, String kind, String name) {
         String quoted = kind + " '" + name + "'";
-        return owner == body ? "its " + quoted : "the " + quoted + " of '" + owner.name() + "'";
+        return owner.id() == body.id()
+                ? "its " + quoted
+                : "the " + quoted + " of '" + owner.name() + "'";
     }
 
     private static String kebab(String camel) {

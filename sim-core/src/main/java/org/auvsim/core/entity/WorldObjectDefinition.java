@@ -155,54 +155,23 @@ public record WorldObjectDefinition(
 
     /** The same with another id, or without one. */
     public WorldObjectDefinition withId(OptionalLong otherId) {
-        return new WorldObjectDefinition(
-                otherId,
-                name,
-                fixed,
-                mass,
-                restitution,
-                friction,
-                layer,
-                ignores,
-                volume,
-                inertia,
-                centreOfMass,
-                addedMass,
-                mount,
-                position,
-                orientation,
-                velocity,
-                angularVelocity,
-                response,
-                force,
-                effect,
-                component);
+        Builder same = new Builder(this);
+        same.id = otherId;
+        return same.build();
     }
 
     /** The same with the present id, state, forces, effects and components of an object. */
     WorldObjectDefinition as(WorldObject object) {
-        return new WorldObjectDefinition(
-                OptionalLong.of(object.id()),
-                name,
-                fixed,
-                mass,
-                restitution,
-                friction,
-                layer,
-                ignores,
-                volume,
-                inertia,
-                centreOfMass,
-                addedMass,
-                mount,
-                object.position(),
-                object.orientation(),
-                object.velocity(),
-                object.angularVelocity(),
-                response,
-                object.forces(),
-                object.effects(),
-                object.components());
+        Builder same = new Builder(this);
+        same.id = OptionalLong.of(object.id());
+        same.position = object.position();
+        same.orientation = object.orientation();
+        same.velocity = object.velocity();
+        same.angularVelocity = object.angularVelocity();
+        same.forces = object.forces();
+        same.effects = object.effects();
+        same.components = object.components();
+        return same.build();
     }
 
     /** Starts a definition of an object that moves freely. */
@@ -219,7 +188,7 @@ public record WorldObjectDefinition(
         private double restitution = 1;
         private double friction;
         private int layer;
-        private final List<IgnoredLayer> ignores = new ArrayList<>();
+        private List<IgnoredLayer> ignores = new ArrayList<>();
         private Optional<Volume> volume = Optional.empty();
         private Optional<Inertia> inertia = Optional.empty();
         private Optional<Vec3> centreOfMass = Optional.empty();
@@ -230,12 +199,36 @@ public record WorldObjectDefinition(
         private Vec3 velocity = Vec3.ZERO;
         private Vec3 angularVelocity = Vec3.ZERO;
         private Optional<CollisionResponse> response = Optional.empty();
-        private final List<NamedForce> forces = new ArrayList<>();
-        private final List<Effect> effects = new ArrayList<>();
-        private final List<Component> components = new ArrayList<>();
+        private List<NamedForce> forces = new ArrayList<>();
+        private List<Effect> effects = new ArrayList<>();
+        private List<Component> components = new ArrayList<>();
 
         private Builder(String name) {
             this.name = name;
+        }
+
+        private Builder(WorldObjectDefinition same) {
+            name = same.name;
+            id = same.id;
+            fixed = same.fixed;
+            mass = same.mass;
+            restitution = same.restitution;
+            friction = same.friction;
+            layer = same.layer;
+            ignores = same.ignores;
+            volume = Optional.of(same.volume);
+            inertia = same.inertia;
+            centreOfMass = same.centreOfMass;
+            addedMass = same.addedMass;
+            mount = same.mount;
+            position = same.position;
+            orientation = same.orientation;
+            velocity = same.velocity;
+            angularVelocity = same.angularVelocity;
+            response = same.response;
+            forces = same.force;
+            effects = same.effect;
+            components = same.component;
         }
 
         /** Its id, 1 or more; else the world gives the next free one. */

@@ -11,6 +11,7 @@ import org.auvsim.core.entity.Bodies;
 import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Draws;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Box;
 import org.auvsim.core.volume.Sphere;
@@ -23,7 +24,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 
 /** However far a frame has gone, undoing it gives every body its state back to the bit. */
@@ -52,15 +52,15 @@ class TrajectoriesUndoTest {
     private Bodies bodies = new Bodies();
 
     private Trajectories trajectories(Setting setting) {
-        SplittableRandom random = new SplittableRandom(5);
+        Draws draws = new Draws(5);
         bodies = new Bodies();
         for (int slot = 0; slot < COUNT; slot++) {
             WorldObjectDefinition.Builder body =
                     WorldObjectDefinition.named("Body " + slot)
                             .volume(setting.volume())
                             .mass(1)
-                            .position(vector(random, 10));
-            bodies.add(slot + 1, slot % 10 == 7 ? body.fixed().build() : flying(body, random));
+                            .position(draws.vector(10));
+            bodies.add(slot + 1, slot % 10 == 7 ? body.fixed().build() : flying(body, draws));
         }
         Effect damping =
                 new Damping(all(setting.damping()), all(0.1), all(setting.damping()), all(0));
@@ -80,17 +80,10 @@ class TrajectoriesUndoTest {
     }
 
     private static WorldObjectDefinition flying(
-            WorldObjectDefinition.Builder body, SplittableRandom random) {
-        Vec3 v = vector(random, 3);
-        Vec3 w = vector(random, 3);
+            WorldObjectDefinition.Builder body, Draws draws) {
+        Vec3 v = draws.vector(3);
+        Vec3 w = draws.vector(3);
         return body.velocity(v.x(), v.y(), v.z()).angularVelocity(w.x(), w.y(), w.z()).build();
-    }
-
-    private static Vec3 vector(SplittableRandom random, double limit) {
-        return new Vec3(
-                random.nextDouble(-limit, limit),
-                random.nextDouble(-limit, limit),
-                random.nextDouble(-limit, limit));
     }
 
     private static Vec3 all(double k) {

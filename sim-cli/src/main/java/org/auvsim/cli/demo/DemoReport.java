@@ -12,6 +12,12 @@ import java.util.Locale;
  * What is left of a demonstration: {@code demo.png}, and {@code demo.html} with the figures too.
  */
 final class DemoReport {
+    /** Why two rows of the table are alike. */
+    static final String WHY_ALIKE =
+            "The two corrections are alike here because nothing is in the robot's way: both end a"
+                    + " step where the robot is, with the momentum that was projected. Only vector"
+                    + " adjustment would meet an obstacle on the way there.";
+
     private DemoReport() {}
 
     /** Makes the folder if need be, and sees that it can be written to. */
@@ -58,10 +64,11 @@ final class DemoReport {
         <table><tr><th>simulation</th><th>corrections</th><th>RMS error (m)</th>
         <th>largest error (m)</th></tr>
         %s</table>
+        <p>%s</p>
         <p><img alt="The true path and the three simulated ones"
         src="data:image/png;base64,%s"></p>
         </body></html>
         """
-                .formatted(rows, Base64.getEncoder().encodeToString(picture));
+                .formatted(rows, WHY_ALIKE, Base64.getEncoder().encodeToString(picture));
     }
 }

@@ -59,6 +59,7 @@ public final class Demonstration {
         tracks.add(fly("direct alteration", Optional.of("DirectPositionChangeFeedbackHandler")));
         tracks.add(fly("vector adjustment", Optional.of("VectorAdjustmentFeedbackHandler")));
         table.summary(tracks);
+        out.printf("%n%s%n", DemoReport.WHY_ALIKE);
         out.printf("%nThe picture: %s%n", DemoReport.write(folder, tracks).toAbsolutePath());
         out.flush();
     }

@@ -25,7 +25,10 @@ class FlightTest {
         assertThat(free.corrections()).isZero();
         assertThat(corrected.corrections()).isPositive();
         assertThat(corrected.rmsError()).isLessThan(free.rmsError() / 2);
-        assertThat(DemoReport.write(folder, List.of(free, corrected))).isNotEmptyFile();
+        assertThat(DemoReport.write(folder, List.of(free, corrected)))
+                .content()
+                .contains("<td>corrected</td><td>" + corrected.corrections() + "</td>")
+                .contains(DemoReport.WHY_ALIKE);
         assertThat(folder.resolve("demo.png")).isNotEmptyFile();
     }
 

@@ -6,6 +6,7 @@ import org.auvsim.auvsml.Fault;
 import org.auvsim.auvsml.xml.PlacedElement;
 import org.auvsim.auvsml.xml.XmlText;
 import org.auvsim.auvsml.xml.XmlTree;
+import org.auvsim.core.description.ElementName;
 import org.jspecify.annotations.Nullable;
 
 import java.util.HashMap;
@@ -97,7 +98,7 @@ public final class AuvsmlMapper {
     }
 
     private static void put(Map<String, Class<?>> byName, Class<?> type, Class<?> record) {
-        String name = Names.kebab(record.getSimpleName());
+        String name = ElementName.of(record);
         Class<?> other = byName.put(name, record);
         if (other != null && other != record) {
             throw new IllegalArgumentException(

@@ -3,23 +3,14 @@ package org.auvsim.auvsml.mapping;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.ToIntFunction;
 
-/** How Java's names look in XML, and which known name an unknown one comes near. */
+/** How a name that somebody wrote is shown, and which known names it comes near. */
 final class Names {
     private static final int LONGEST_COMPARED = 64;
     private static final int LONGEST_SHOWN = 80;
 
     private Names() {}
-
-    /**
-     * {@code isProjectedState} to {@code is-projected-state}; {@code GPSFix} to {@code gps-fix}.
-     */
-    static String kebab(String camel) {
-        return camel.replaceAll("(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", "-")
-                .toLowerCase(Locale.ROOT);
-    }
 
     /** What somebody wrote, in quotes and not longer than a line. */
     static String quoted(String found) {

@@ -3,6 +3,7 @@ package org.auvsim.auvsml.mapping;
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.xml.PlacedElement;
 import org.auvsim.auvsml.xml.XmlText;
+import org.auvsim.core.description.ElementName;
 import org.jdom2.Attribute;
 import org.jdom2.Content;
 import org.jdom2.Text;
@@ -45,7 +46,7 @@ final class RecordCodec {
     RecordCodec(AuvsmlMapper mapper, Class<?> type, List<Slot> slots, MethodHandle constructor) {
         this.mapper = mapper;
         this.type = type;
-        this.elementName = Names.kebab(type.getSimpleName());
+        this.elementName = ElementName.of(type);
         this.slots = slots;
         this.attributeSlots = slots.stream().filter(Slot::isAttribute).toList();
         this.elementSlots = slots.stream().filter(slot -> !slot.isAttribute()).toList();

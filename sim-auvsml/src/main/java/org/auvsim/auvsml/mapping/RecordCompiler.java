@@ -1,6 +1,7 @@
 package org.auvsim.auvsml.mapping;
 
 import org.auvsim.core.description.Default;
+import org.auvsim.core.description.ElementName;
 import org.auvsim.core.description.Name;
 import org.auvsim.core.description.Unit;
 
@@ -81,7 +82,7 @@ final class RecordCompiler {
 
     private static String name(RecordComponent component) {
         Name stated = component.getAnnotation(Name.class);
-        return stated == null ? Names.kebab(component.getName()) : stated.value();
+        return stated == null ? ElementName.of(component.getName()) : stated.value();
     }
 
     private Presence presence(RecordComponent component, Slot.Content content) {

@@ -1,6 +1,7 @@
 package org.auvsim.auvsml.mapping;
 
 import org.auvsim.auvsml.xml.XmlText;
+import org.auvsim.core.description.ElementName;
 import org.auvsim.core.math.Numbers;
 
 import java.util.ArrayDeque;
@@ -75,7 +76,7 @@ public final class SchemaWriter {
 
     /** Types of one simple name in two packages are told apart by the package. */
     private void name(Class<?> type, Map<String, Class<?>> kind) {
-        String name = Names.kebab(type.getSimpleName());
+        String name = ElementName.of(type);
         if (records.containsKey(name)
                 || enums.containsKey(name)
                 || name.equals(NUMBER)
@@ -95,7 +96,7 @@ public final class SchemaWriter {
             out.close("xs:element");
         }
         for (Class<?> document : documents) {
-            element(Names.kebab(document.getSimpleName()), document);
+            element(ElementName.of(document), document);
         }
         messages();
         records.forEach(this::record);
@@ -111,7 +112,7 @@ public final class SchemaWriter {
         out.open("xs:choice");
         out.attribute("maxOccurs", "unbounded");
         for (Class<?> message : catalogue.types()) {
-            element(Names.kebab(message.getSimpleName()), message);
+            element(ElementName.of(message), message);
         }
         out.close("xs:choice");
         begin("xs:attribute", MessageCatalogue.REQUEST_ID, "xs:string");

@@ -10,6 +10,7 @@ import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.xml.Limits;
 import org.auvsim.auvsml.xml.XmlTreeReader;
 import org.auvsim.core.description.Default;
+import org.auvsim.core.description.ElementName;
 import org.auvsim.core.description.Name;
 import org.auvsim.core.math.Vec3;
 import org.junit.jupiter.api.Test;
@@ -265,7 +266,7 @@ class AuvsmlMapperTest {
         "AUV1701Beacon,auv1701-beacon",
     })
     void namesAreInKebabCase(String java, String xml) {
-        assertThat(Names.kebab(java)).isEqualTo(xml);
+        assertThat(ElementName.of(java)).isEqualTo(xml);
     }
 
     @Test

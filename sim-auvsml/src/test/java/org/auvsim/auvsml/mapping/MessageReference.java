@@ -5,6 +5,7 @@ import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.Command;
 import org.auvsim.auvsml.message.command.EventType;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
+import org.auvsim.core.description.ElementName;
 
 import java.io.IOException;
 import java.util.ArrayList;
@@ -88,7 +89,7 @@ final class MessageReference {
         out.append("\n| message | sent by |\n|---|---|\n");
         for (String name : packages()) {
             for (Class<?> type : typesIn(name)) {
-                String element = Names.kebab(type.getSimpleName());
+                String element = ElementName.of(type);
                 out.append("| [%s](#%s) | %s |\n".formatted(element, element, sender(type)));
             }
         }
@@ -102,7 +103,7 @@ final class MessageReference {
 
     private void message(Class<?> type) throws IOException {
         JavadocSource comment = JavadocSource.of(type);
-        out.append("\n### ").append(Names.kebab(type.getSimpleName())).append("\n\n");
+        out.append("\n### ").append(ElementName.of(type)).append("\n\n");
         out.append(comment.description()).append("\n\n");
         parts(type, comment);
         Message example = examples.get(type);
@@ -159,7 +160,7 @@ final class MessageReference {
     private static String componentsOf(Class<?> type) {
         List<String> names = new ArrayList<>();
         for (var component : type.getRecordComponents()) {
-            names.add(Names.kebab(component.getName()));
+            names.add(ElementName.of(component.getName()));
         }
         return names.size() > 9 ? "as in a scenario" : String.join(", ", names);
     }

@@ -8,6 +8,7 @@ import org.auvsim.auvsml.framing.Incoming;
 import org.auvsim.auvsml.framing.RootDecoder;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.xml.Limits;
+import org.auvsim.core.description.ElementName;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -56,7 +57,7 @@ public abstract class RoundTripContract {
                                         .mapToObj(
                                                 seed ->
                                                         Arguments.of(
-                                                                Names.kebab(type.getSimpleName()),
+                                                                ElementName.of(type),
                                                                 seed,
                                                                 type)));
     }

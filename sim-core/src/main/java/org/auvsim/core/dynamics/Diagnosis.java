@@ -1,5 +1,6 @@
 package org.auvsim.core.dynamics;
 
+import org.auvsim.core.description.ElementName;
 import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.entity.Effect;
@@ -11,7 +12,6 @@ import org.auvsim.core.math.Vec3;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -103,7 +103,7 @@ public final class Diagnosis {
                 if (!alone.evaluate(effect, slot)) {
                     continue;
                 }
-                String name = of(owner, "effect", kebab(effect.getClass().getSimpleName()));
+                String name = of(owner, "effect", ElementName.of(effect.getClass()));
                 if (!alone.areForcesFinite()) {
                     return Optional.of(name);
                 }
@@ -138,10 +138,6 @@ public final class Diagnosis {
         return owner.id() == body.id()
                 ? "its " + quoted
                 : "the " + quoted + " of '" + owner.name() + "'";
-    }
-
-    private static String kebab(String camel) {
-        return camel.replaceAll("(?<=[a-z0-9])(?=[A-Z])", "-").toLowerCase(Locale.ROOT);
     }
 
     /** The largest of what has been noted: by its largest component in N or N m. */

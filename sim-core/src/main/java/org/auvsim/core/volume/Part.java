@@ -1,6 +1,7 @@
 package org.auvsim.core.volume;
 
 import org.auvsim.core.description.Default;
+import org.auvsim.core.description.ElementName;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.math.Mat3;
 import org.auvsim.core.math.Quat;
@@ -27,7 +28,7 @@ public record Part(
         if (!(volume instanceof Sphere || volume instanceof Capsule || volume instanceof Box)) {
             throw new IllegalArgumentException(
                     "a part of a compound must be a sphere, a capsule or a box, but is a "
-                            + volume.getClass().getSimpleName());
+                            + ElementName.of(volume.getClass()));
         }
         if (!position.isFinite()) {
             throw new IllegalArgumentException(

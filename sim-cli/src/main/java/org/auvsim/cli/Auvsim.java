@@ -45,7 +45,7 @@ public final class Auvsim implements Runnable {
 
     /** The command line, whose reports of faults of our own go to files in {@code reports}. */
     static CommandLine commandLine(Path reports) {
-        return new CommandLine(new Auvsim())
+        return OptionValues.readBy(new CommandLine(new Auvsim()))
                 .setCaseInsensitiveEnumValuesAllowed(true)
                 .setParameterExceptionHandler(Auvsim::explain)
                 .setExecutionExceptionHandler(new FaultReport(reports));
@@ -58,7 +58,7 @@ public final class Auvsim implements Runnable {
 
     private static int explain(ParameterException e, String[] arguments) {
         PrintWriter err = e.getCommandLine().getErr();
-        err.println(e.getMessage());
+        err.println(OptionValues.refusal(e).orElse(e.getMessage()));
         CommandLine.UnmatchedArgumentException.printSuggestions(e, err);
         err.printf("Try '%s --help'.%n", e.getCommandLine().getCommandSpec().qualifiedName());
         err.flush();

@@ -52,6 +52,7 @@ final class Bench implements Callable<Integer> {
     private static final List<Integer> ALL =
             Stream.concat(TENS.stream(), Stream.of(1_000, 10_000, 100_000)).toList();
     private static final double QUICK_SECONDS = 5;
+    private static final int USUAL_REPEAT = 5;
 
     /** Wall time before the timed runs of each number of bodies. */
     private static final double WARM_UP_SECONDS = 3;
@@ -68,9 +69,8 @@ final class Bench implements Callable<Integer> {
     @Option(
             names = "--repeat",
             paramLabel = "TIMES",
-            defaultValue = "5",
-            description = "Timed runs of each (default: ${DEFAULT-VALUE}).")
-    private int repeat;
+            description = "Timed runs of each (default: 5).")
+    private Optional<Integer> repeat = Optional.empty();
 
     @Option(
             names = "--seconds",
@@ -104,7 +104,9 @@ final class Bench implements Callable<Integer> {
 
     @Option(
             names = "--quick",
-            description = "10 and 100 bodies, 5 s of world time, once: whether it works at all.")
+            description =
+                    "10 and 100 bodies, 5 s of world time, once, where --bodies, --seconds and"
+                            + " --repeat do not say otherwise: whether it works at all.")
     private boolean quick;
 
     @Option(
@@ -137,7 +139,8 @@ final class Bench implements Callable<Integer> {
         for (int n : numbers()) {
             require(n > 0, "--bodies must be 1 or more, but one is " + n + ".");
         }
-        require(repeat > 0, "--repeat must be 1 or more, but is " + repeat + ".");
+        repeat.ifPresent(
+                times -> require(times > 0, "--repeat must be 1 or more, but is " + times + "."));
         require(
                 restitution >= 0 && restitution <= 1,
                 "--restitution must be 0 to 1, but is " + restitution + ".");
@@ -163,7 +166,11 @@ final class Bench implements Callable<Integer> {
 
     private void reportSpeed(Lanes lanes, BooleanSupplier stop) throws IOException {
         WorkloadBench bench =
-                new WorkloadBench(stepper, lanes, quick ? 0 : WARM_UP_SECONDS, quick ? 1 : repeat);
+                new WorkloadBench(
+                        stepper,
+                        lanes,
+                        quick ? 0 : WARM_UP_SECONDS,
+                        repeat.orElse(quick ? 1 : USUAL_REPEAT));
         List<Measurement> measured = new ArrayList<>();
         BenchTable.header().forEach(this::tell);
         for (int n : numbers()) {
@@ -180,7 +187,7 @@ final class Bench implements Callable<Integer> {
             BenchCsv.write(folder.resolve("bench.csv"), measured);
             BenchChart.write(folder.resolve("bench.png"), measured);
         }
-        tell("%d rows written to %s".formatted(measured.size(), folder.resolve("bench.csv")));
+        tell(Rows.written(measured.size(), folder.resolve("bench.csv")));
     }
 
     private void reportStages(BooleanSupplier stop) throws IOException {
@@ -196,7 +203,7 @@ final class Bench implements Callable<Integer> {
         }
         StageReport.fits(costs).forEach(this::tell);
         StageReport.write(folder, costs);
-        tell("%d rows written to %s".formatted(costs.size(), folder.resolve("thesis.csv")));
+        tell(Rows.written(costs.size(), folder.resolve("thesis.csv")));
     }
 
     private void tell(String line) {

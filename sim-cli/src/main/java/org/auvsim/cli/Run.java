@@ -122,7 +122,7 @@ final class Run implements Callable<Integer> {
                 TrajectoryCsv csv = new TrajectoryCsv(writer)) {
             csv.append(world);
             run(world, csv::append, interruption);
-            tell("%d rows written to %s".formatted(csv.rows(), target));
+            tell(Rows.written(csv.rows(), target));
         } catch (IOException e) {
             throw FileTrouble.writing(target, e);
         } catch (UncheckedIOException e) {

@@ -104,12 +104,28 @@ class BenchTest {
                 "--repeat | 0 | --repeat must be 1 or more, but is 0.",
                 "--restitution | 1.5 | --restitution must be 0 to 1, but is 1.5.",
                 "--seconds | 0 | --seconds must be above 0 s and finite, but is 0.0 s.",
-                "--bodies | ten | Invalid value for option '--bodies' (N): 'ten' is not an int",
+                "--bodies | 10,ten | --bodies: expected a whole number, but found 'ten'.",
+                "--repeat | 1.5 | --repeat: expected a whole number, but found '1.5'.",
+                "--seconds | long | --seconds: expected a number, but found 'long'.",
+                "--stepper | octree | --stepper: expected event or snapshot, but found 'octree'.",
             })
     void whatMeansNothingIsExplained(String option, String value, String sentence) {
         assertThat(auvsim.run("bench", option, value, "--out", folder)).isEqualTo(2);
         assertThat(auvsim.err().lines()).first().isEqualTo(sentence);
         assertThat(auvsim.out()).isEmpty();
+    }
+
+    @Test
+    void whatIsStatedCountsBeforeWhatIsQuick() throws IOException {
+        assertThat(
+                        auvsim.run(
+                                "bench", "--quick", "--bodies", 3, "--seconds", 0.5, "--repeat", 2,
+                                "--out", folder))
+                .isZero();
+
+        Path csv = folder.resolve("bench.csv");
+        assertThat(auvsim.out().lines()).last().isEqualTo("1 row written to " + csv);
+        assertThat(Files.readAllLines(csv, UTF_8)).last().asString().startsWith("3,1,1.0,0.5,2,");
     }
 
     @Test

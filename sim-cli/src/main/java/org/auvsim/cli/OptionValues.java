@@ -1,0 +1,62 @@
+package org.auvsim.cli;
+
+import picocli.CommandLine;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.TypeConversionException;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+
+/** Reads the values of options, and says what was expected of one that cannot be read. */
+final class OptionValues {
+    /** How picocli begins to tell that a value cannot be read, up to what its reader says. */
+    private static final String OPENING = "^Invalid value for option '[^']*'[^:]*: ";
+
+    private OptionValues() {}
+
+    /** Lets a command line read numbers by this. */
+    static CommandLine readBy(CommandLine line) {
+        ITypeConverter<Integer> whole = text -> number(text, Integer::valueOf, "a whole number");
+        ITypeConverter<Double> real = text -> number(text, Double::valueOf, "a number");
+        return line.registerConverter(int.class, whole)
+                .registerConverter(Integer.class, whole)
+                .registerConverter(double.class, real)
+                .registerConverter(Double.class, real);
+    }
+
+    private static <N> N number(String text, Function<String, N> read, String expected) {
+        try {
+            return read.apply(text.strip());
+        } catch (NumberFormatException _) {
+            throw new TypeConversionException(
+                    "expected %s, but found '%s'".formatted(expected, text));
+        }
+    }
+
+    /** The sentence on a value that an option does not take; empty if that is not the fault. */
+    static Optional<String> refusal(ParameterException e) {
+        ArgSpec argument = e.getArgSpec();
+        if (!(argument instanceof OptionSpec option)
+                || !String.valueOf(e.getMessage()).startsWith("Invalid value ")) {
+            return Optional.empty();
+        }
+        String problem =
+                argument.auxiliaryTypes()[0].isEnum()
+                        ? "expected %s, but found '%s'"
+                                .formatted(names(argument.auxiliaryTypes()[0]), e.getValue())
+                        : String.valueOf(e.getMessage()).replaceFirst(OPENING, "");
+        return Optional.of("%s: %s.".formatted(option.longestName(), problem));
+    }
+
+    private static String names(Class<?> choices) {
+        return Arrays.stream(choices.getEnumConstants())
+                .map(choice -> choice.toString().toLowerCase(Locale.ROOT))
+                .collect(Collectors.joining(" or "));
+    }
+}

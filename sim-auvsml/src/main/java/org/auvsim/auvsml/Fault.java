@@ -15,6 +15,11 @@ public record Fault(ErrorCode code, String problem, String path, int line, int c
         return path.isEmpty() ? problem : problem + " at " + path;
     }
 
+    /** The place in a file of this name, as compilers tell it, and the sentence. */
+    public String in(Object file) {
+        return "%s:%d:%d: %s".formatted(file, line, column, sentence());
+    }
+
     /** The same fault in a text that begins at this line and column of a longer one. */
     public Fault shiftedTo(int startLine, int startColumn) {
         return new Fault(

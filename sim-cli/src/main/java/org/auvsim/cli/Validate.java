@@ -46,7 +46,7 @@ final class Validate implements Callable<Integer> {
     private boolean isOk(Path file, List<Fault> faults) {
         PrintWriter out = spec.commandLine().getOut();
         for (Fault fault : faults) {
-            out.printf("%s:%d:%d: %s%n", file, fault.line(), fault.column(), fault.sentence());
+            out.println(fault.in(file));
         }
         if (faults.isEmpty()) {
             out.printf("%s: ok%n", file);

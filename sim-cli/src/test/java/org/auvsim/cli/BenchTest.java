@@ -119,8 +119,16 @@ class BenchTest {
     void whatIsStatedCountsBeforeWhatIsQuick() throws IOException {
         assertThat(
                         auvsim.run(
-                                "bench", "--quick", "--bodies", 3, "--seconds", 0.5, "--repeat", 2,
-                                "--out", folder))
+                                "bench",
+                                "--quick",
+                                "--bodies",
+                                3,
+                                "--seconds",
+                                0.5,
+                                "--repeat",
+                                2,
+                                "--out",
+                                folder))
                 .isZero();
 
         Path csv = folder.resolve("bench.csv");

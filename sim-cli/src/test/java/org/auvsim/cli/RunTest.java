@@ -95,7 +95,7 @@ class RunTest {
     @ParameterizedTest
     @CsvSource({
         "-1, '--until must be after the scenario''s start at 0.0 s, but is -1.0 s.'",
-        "soon, 'Invalid value for option ''--until'': ''soon'' is not a double'",
+        "soon, '--until: expected a number, but found ''soon''.'",
     })
     void wrongEndsAreExplained(String until, String sentence) {
         assertThat(auvsim.run("run", SCENARIOS.resolve("tank.xml"), "--until", until)).isEqualTo(2);
@@ -135,10 +135,26 @@ class RunTest {
                         "<scenario>\n  <world-object name='A' mass='-3'>"
                                 + "<sphere radius='1'/></world-object>\n</scenario>");
         assertThat(auvsim.run("run", file)).isEqualTo(2);
-        assertThat(auvsim.err())
-                .startsWith(file + ", line 2, column ")
-                .contains("-3.0 kg")
-                .hasLineCount(1);
+        assertThat(auvsim.err()).startsWith(file + ":2:3: ").contains("-3.0 kg").hasLineCount(1);
+    }
+
+    @Test
+    void allFaultsOfAScenarioAreToldAsValidateTellsThem() throws IOException {
+        Path file =
+                auvsim.file(
+                        "a.xml",
+                        """
+                        <scenario>
+                          <world-object name="A" mass="1"><sphere radius="0"/></world-object>
+                          <world-object name="B" mass="one"><sphere radius="1"/></world-object>
+                        </scenario>
+                        """);
+        CommandLineHarness other = new CommandLineHarness(folder);
+        assertThat(other.run("validate", file)).isEqualTo(2);
+
+        assertThat(auvsim.run("run", file)).isEqualTo(2);
+
+        assertThat(auvsim.err()).isEqualTo(other.out()).hasLineCount(2);
     }
 
     @Test
@@ -202,9 +218,9 @@ class RunTest {
         assertThat(auvsim.err()).startsWith("The run ends at " + began + " s");
 
         Files.writeString(last, written.replaceFirst("delta=\"[^\"]*\"", "delta=\"0.01\""));
-        assertThat(again.run("run", last, "--until", began + 0.1, "--out", after)).isZero();
+        assertThat(again.run("run", last, "--until", began + 0.02, "--out", after)).isZero();
         List<String> rows = Files.readAllLines(after, UTF_8);
-        assertThat(rows).hasSize(1 + 11).element(1).isEqualTo(Files.readAllLines(before).getLast());
+        assertThat(rows).hasSize(1 + 3).element(1).isEqualTo(Files.readAllLines(before).getLast());
     }
 
     @Test

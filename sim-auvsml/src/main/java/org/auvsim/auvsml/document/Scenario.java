@@ -36,8 +36,18 @@ public record Scenario(
         Optional<FeedbackProcessorChoice> feedbackProcessor,
         List<Field<?>> field,
         List<WorldObjectDefinition> worldObject) {
-    /** Lists that cannot be changed. */
+    /**
+     * A checked scenario.
+     *
+     * @throws IllegalArgumentException if a time step is lost in the start time's rounding
+     */
     public Scenario {
+        if (startTime + timeStep.delta() == startTime) {
+            throw new IllegalArgumentException(
+                    "a time step of %s s leaves the start time of %s s as it is; begin earlier, or"
+                                    .formatted(timeStep.delta(), startTime)
+                            + " take a longer step");
+        }
         field = List.copyOf(field);
         worldObject = List.copyOf(worldObject);
     }
@@ -54,6 +64,11 @@ public record Scenario(
 
     /** The same, its steps made on these lanes. */
     public World world(Lanes lanes) {
+        return world(lanes, allowOverlaps);
+    }
+
+    /** The same, overlaps allowed or not whatever is stated. */
+    World world(Lanes lanes, boolean overlapsAllowed) {
         WorldBuilder world =
                 World.builder()
                         .startTime(startTime)
@@ -63,7 +78,7 @@ public record Scenario(
         if (boundingSpheres) {
             world.asBoundingSpheres();
         }
-        if (allowOverlaps) {
+        if (overlapsAllowed) {
             world.allowOverlaps();
         }
         field.forEach(world::add);

@@ -1,13 +1,11 @@
 package org.auvsim.auvsml.document;
 
 import org.auvsim.auvsml.AuvsmlException;
-import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.Fault;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.auvsml.xml.Limits;
 import org.auvsim.auvsml.xml.XmlTree;
 import org.auvsim.auvsml.xml.XmlTreeReader;
-import org.auvsim.core.world.WorldException;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -16,9 +14,14 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
 
 /** Reads scenarios: root element {@code <scenario>}, in a file or as bytes. */
 public final class ScenarioLoader {
+    /** So many faults of a file are told, a line each. */
+    private static final int MOST_LINES = 20;
+
     private final AuvsmlMapper mapper;
     private final Limits limits;
     private final XmlTreeReader trees;
@@ -44,8 +47,18 @@ public final class ScenarioLoader {
         try {
             return parse(bytes(file));
         } catch (AuvsmlException e) {
-            throw new DocumentException(file + ", " + e.getMessage(), e);
+            throw new DocumentException(lines(file, e.faults()), e);
         }
+    }
+
+    private static String lines(Path file, List<Fault> faults) {
+        String lines =
+                faults.stream()
+                        .limit(MOST_LINES)
+                        .map(fault -> fault.in(file))
+                        .collect(Collectors.joining("\n"));
+        int more = faults.size() - MOST_LINES;
+        return more > 0 ? lines + "\n%s: %d faults more".formatted(file, more) : lines;
     }
 
     /** A file's bytes, one more than the limit at most. */
@@ -69,31 +82,26 @@ public final class ScenarioLoader {
     }
 
     Scenario decode(XmlTree tree) throws AuvsmlException {
-        List<Fault> faults = new ArrayList<>(Twins.in(tree));
-        try {
-            Scenario scenario = mapper.decode(Scenario.class, tree);
-            if (faults.isEmpty()) {
-                requireWorld(scenario, tree);
-                return scenario;
-            }
-        } catch (AuvsmlException e) {
-            faults.addAll(0, e.faults());
+        List<Fault> faults = new ArrayList<>();
+        Optional<Scenario> scenario = read(tree, faults);
+        faults.addAll(Twins.in(tree));
+        if (scenario.isPresent() && faults.isEmpty()) {
+            faults.addAll(WorldFaults.in(scenario.get(), tree));
+        } else {
+            faults.addAll(WorldFaults.inSoundPart(tree, List.copyOf(faults), mapper));
+        }
+        if (faults.isEmpty()) {
+            return scenario.orElseThrow();
         }
         throw new AuvsmlException(faults);
     }
 
-    /** What only the finished world can tell has the scenario's own place. */
-    private static void requireWorld(Scenario scenario, XmlTree tree) throws AuvsmlException {
+    private Optional<Scenario> read(XmlTree tree, List<Fault> faults) {
         try {
-            scenario.world();
-        } catch (WorldException | IllegalArgumentException e) {
-            throw new AuvsmlException(
-                    new Fault(
-                            ErrorCode.INVALID_VALUE,
-                            String.valueOf(e.getMessage()),
-                            tree.root().getName(),
-                            tree.root().place().line(),
-                            tree.root().place().column()));
+            return Optional.of(mapper.decode(Scenario.class, tree));
+        } catch (AuvsmlException e) {
+            faults.addAll(e.faults());
+            return Optional.empty();
         }
     }
 }

@@ -4,15 +4,18 @@ import org.auvsim.core.description.Unit;
 
 /** By how much a step moves time on if nothing shortens it. */
 public record TimeStep(@Unit("s") double delta) {
+    /** Shorter ones (s) get nowhere, and in time do not change it at all. */
+    private static final double LEAST = 1e-9;
+
     /**
      * A checked time step.
      *
-     * @throws IllegalArgumentException if it is not above 0
+     * @throws IllegalArgumentException if it is below 1e-9 s
      */
     public TimeStep {
-        if (!(delta > 0)) {
+        if (!(delta >= LEAST)) {
             throw new IllegalArgumentException(
-                    "the time step must be above 0 s, but is " + delta + " s");
+                    "the time step must be " + LEAST + " s or more, but is " + delta + " s");
         }
     }
 }

@@ -163,8 +163,10 @@ class ScenarioLoaderTest {
                     mass="30"             | mas="30"            | line 14, column 43: <world-object> has no attribute 'mas'; the nearest known name is 'mass'
                     name="Rock"           | name="Juggernaut"   | line 22, column 17: the name 'Juggernaut' is that of the <world-object> in line 14
                     name="Rock"           | name="a" id="47"    | line 22, column 26: the id '47' is that of the <world-object> in line 14
-                    delta="0.01"          | delta="0"           | line 4, column 3: the time step must be above 0 s, but is 0.0 s
-                    delta="0.01"          | delta="-1"          | line 4, column 3: the time step must be above 0 s
+                    delta="0.01"          | delta="0"           | line 4, column 3: the time step must be 1.0E-9 s or more, but is 0.0 s
+                    delta="0.01"          | delta="-1"          | line 4, column 3: the time step must be 1.0E-9 s or more, but is -1.0 s
+                    delta="0.01"          | delta="1e-300"      | line 4, column 3: the time step must be 1.0E-9 s or more, but is 1.0E-300 s
+                    start-time="1.5"      | start-time="1e15"   | line 3, column 1: a time step of 0.01 s leaves the start time of 1.0E15 s as it is; begin earlier, or take a longer step
                     <sphere radius="0.5"/>| ``                  | line 22, column 3: <world-object> needs a volume: one of the elements box
                     <sphere radius="0.5"/>| <compound/>         | line 22, column 39: a compound needs at least one part
                     <sphere radius="0.5"/>| <height-map spacing="1"><row heights="0 x"/></height-map> | line 22, column 68: expected finite numbers with blanks between them, but found '0 x'
@@ -174,7 +176,7 @@ class ScenarioLoaderTest {
                     <snapshot-stepper>    | <event-stepper/><octree-partitioner/><snapshot-stepper> | line 5, column 19: <octree-partitioner> belongs inside <snapshot-stepper>, but is inside <scenario>
                     <snapshot-stepper>    | <event-stepper><bisection-finder/></event-stepper><snapshot-stepper> | line 5, column 18: <bisection-finder> belongs inside <snapshot-stepper>, but is inside <event-stepper>
                     start-time="1.5"      | start-time="1.5" bounding-spheres="1"><world-object name="Ground" fixed="1"><half-space/></world-object | line 3, column 1: 'Ground' has no bounding sphere, as its volume has no end
-                    <position x="1" y="2" z="-3"/> | ``         | line 3, column 1: objects overlap at the start: 'Rock' (id 2) and 'Juggernaut' (id 47) by 0.650 m; move them apart or set allow-overlaps
+                    <position x="1" y="2" z="-3"/> | ``         | line 22, column 3: 'Rock' overlaps 'Juggernaut' of line 14 by 0.650 m; move them apart or set allow-overlaps
                     wait="0.02"           | wait="-1"           | line 9, column 3: the wait for feedback must be above 0 s
                     <scenario start-time  | <scene start-time   | line 23, column 10: unexpected close tag
                     """)
@@ -220,13 +222,13 @@ class ScenarioLoaderTest {
         assertThatThrownBy(() -> loader.load(file))
                 .hasMessage(
                         file
-                                + ", line 1, column 1: expected the root element <scenario>,"
+                                + ":1:1: expected the root element <scenario>,"
                                 + " but found <auvsml> at auvsml");
 
         Files.writeString(file, "mass: 3");
         assertThatThrownBy(() -> loader.load(file))
                 .isInstanceOf(DocumentException.class)
-                .hasMessageStartingWith(file + ", line 1, column 1: ");
+                .hasMessageStartingWith(file + ":1:1: ");
 
         Files.writeString(file, TANK);
         assertThat(loader.load(file)).isEqualTo(loader.parse(TANK.getBytes(UTF_8)));

@@ -87,6 +87,56 @@ class ValidationTest {
                                 + " scenario/world-object/position");
     }
 
+    /** Overlaps among what is right, beside what is wrong and an id that is there twice. */
+    @Test
+    void noFaultHidesAnOverlap() throws IOException {
+        assertThat(
+                        faults(
+                                """
+                                <scenario>
+                                  <time-step delta="0"/>
+                                  <world-object name="a" mass="1"><sphere radius="1"/></world-object>
+                                  <world-object name="b" mass="1"><sphere radius="-1"/></world-object>
+                                  <world-object name="c" mass="1" id="7"><sphere radius="1"/>
+                                    <position x="9" y="0" z="0"/></world-object>
+                                  <world-object name="d" mass="1"><sphere radius="1"/>
+                                    <position x="0" y="1.5" z="0"/></world-object>
+                                  <world-object name="e" mass="1" id="7"><sphere radius="1"/></world-object>
+                                </scenario>
+                                """))
+                .containsExactly(
+                        "line 2, column 3: the time step must be 1.0E-9 s or more, but is 0.0 s at"
+                                + " scenario/time-step",
+                        "line 4, column 35: a sphere's radius must be above 0 m and finite, but is"
+                                + " -1.0 m at scenario/world-object/sphere",
+                        "line 7, column 3: 'd' overlaps 'a' of line 3 by 0.500 m; move them apart"
+                                + " or set allow-overlaps",
+                        "line 9, column 35: the id '7' is that of the <world-object> in line 5;"
+                                + " expected another one at scenario/world-object@id");
+    }
+
+    @Test
+    void eachOverlapIsToldAtTheSecondOfThePair() throws IOException {
+        StringBuilder text = new StringBuilder("<scenario>");
+        for (int i = 1; i <= 13; i++) {
+            text.append(
+                    """
+
+                    <world-object name="%d" id="%d" mass="1"><sphere radius="1"/>
+                    <position x="%d.5" y="0" z="0"/></world-object>\
+                    """
+                            .formatted(i, 100 - i, i));
+        }
+        List<String> faults = faults(text + "</scenario>");
+
+        assertThat(faults)
+                .hasSize(11)
+                .contains(
+                        "line 1, column 1: 2 pairs more overlap at the start",
+                        "line 26, column 1: '13' overlaps '12' of line 24 by 1.00 m; move them"
+                                + " apart or set allow-overlaps");
+    }
+
     /** A compound that lacks a coordinate, a volume, or all of its parts. */
     @Test
     void aCompoundThatIsNotWholeIsToldWhereItLacksWhat() throws IOException {
@@ -112,7 +162,7 @@ class ValidationTest {
                         "line 5, column 28: expected a finite number, but found '' at"
                                 + " scenario/world-object/compound/part/box/size@y",
                         "line 6, column 5: a part of a compound must be a sphere, a capsule or a"
-                                + " box, but is a HalfSpace at"
+                                + " box, but is a half-space at"
                                 + " scenario/world-object/compound/part",
                         "line 8, column 35: a compound needs at least one part, but has none; add"
                                 + " a <part> at scenario/world-object/compound");

@@ -57,9 +57,7 @@ public abstract class RoundTripContract {
                                         .mapToObj(
                                                 seed ->
                                                         Arguments.of(
-                                                                ElementName.of(type),
-                                                                seed,
-                                                                type)));
+                                                                ElementName.of(type), seed, type)));
     }
 
     @ParameterizedTest(name = "{0}, seed {1}")

@@ -11,15 +11,14 @@ import java.util.Locale;
  * @param depth how far (m) they would have to be moved apart
  */
 public record Overlap(RigidBody first, RigidBody second, double depth) {
+    /** The depth with its unit, for people. */
+    public String depthInMetres() {
+        return String.format(Locale.ROOT, "%.3g m", depth);
+    }
+
     @Override
     public String toString() {
-        return String.format(
-                Locale.ROOT,
-                "'%s' (id %d) and '%s' (id %d) by %.3g m",
-                first.name(),
-                first.id(),
-                second.name(),
-                second.id(),
-                depth);
+        return "'%s' (id %d) and '%s' (id %d) by %s"
+                .formatted(first.name(), first.id(), second.name(), second.id(), depthInMetres());
     }
 }

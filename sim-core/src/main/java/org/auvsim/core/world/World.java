@@ -10,6 +10,7 @@ import org.auvsim.core.entity.Wrench;
 import org.auvsim.core.sensor.Datum;
 import org.auvsim.core.step.Collision;
 import org.auvsim.core.step.Motion;
+import org.auvsim.core.step.Overlap;
 import org.auvsim.core.step.StepException;
 import org.auvsim.core.step.StepResult;
 import org.auvsim.core.step.StepStatistics;
@@ -399,6 +400,14 @@ public final class World {
                             step.loweredHits(),
                             step.unsolvedIslands()));
         }
+    }
+
+    /**
+     * The pairs of world objects that share space now by more than rounding and would collide, in
+     * order of their ids; of very many only some.
+     */
+    public List<Overlap> overlaps() {
+        return mechanics.motion(time()).overlaps();
     }
 
     /**

@@ -79,8 +79,7 @@ class TrajectoriesUndoTest {
                 Lanes.ONE);
     }
 
-    private static WorldObjectDefinition flying(
-            WorldObjectDefinition.Builder body, Draws draws) {
+    private static WorldObjectDefinition flying(WorldObjectDefinition.Builder body, Draws draws) {
         Vec3 v = draws.vector(3);
         Vec3 w = draws.vector(3);
         return body.velocity(v.x(), v.y(), v.z()).angularVelocity(w.x(), w.y(), w.z()).build();

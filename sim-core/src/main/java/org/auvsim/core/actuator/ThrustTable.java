@@ -25,7 +25,7 @@ public record ThrustTable(List<ThrustPoint> thrustPoint) implements ThrustCurve 
             if (!(level >= -1 && level <= 1) || !Double.isFinite(thrust)) {
                 throw new IllegalArgumentException(
                         "a point of a thrust table needs a level of -1 to 1 and a finite thrust,"
-                            + " but has"
+                                + " but has"
                                 + " level %s and thrust %s N".formatted(level, thrust));
             }
         }

@@ -1,13 +1,14 @@
 package org.auvsim.core.dynamics;
 
 import org.auvsim.core.description.ElementName;
+import org.auvsim.core.entity.Actuator;
 import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.NamedForce;
-import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.RigidBody;
 import org.auvsim.core.entity.Surroundings;
+import org.auvsim.core.entity.Wrench;
 import org.auvsim.core.math.Vec3;
 
 import java.util.Arrays;
@@ -76,7 +77,7 @@ public final class Diagnosis {
             double[][] rates = copy(block.rate);
             bodies.applied().write(block);
             Optional<String> boundless =
-                    alone.areForcesFinite() ? effect() : Optional.of(constantForce());
+                    alone.areForcesFinite() ? boundless() : Optional.of(constantForce());
             if (boundless.isPresent()) {
                 return boundless.get();
             }
@@ -95,25 +96,40 @@ public final class Diagnosis {
                 .toArray(double[][]::new);
     }
 
-    /** The effect that has no bounds in the block's present state; notes the others. */
-    private Optional<String> effect() {
-        for (int slot : together) {
-            RigidBody owner = bySlot.get(slot);
-            for (Effect effect : owner.effects()) {
-                if (!alone.evaluate(effect, slot)) {
-                    continue;
+    /** The effect or actuator that has no bounds in the block's present state; notes the others. */
+    private Optional<String> boundless() {
+        for (int i = 0; i < together.length; i++) {
+            RigidBody owner = bySlot.get(together[i]);
+            for (Actuator actuator : owner.actuators()) {
+                if (actuator.constantPush().isEmpty()) {
+                    alone.evaluate(actuator, i);
+                    if (!areFinite(of(owner, actuator))) {
+                        return Optional.of(of(owner, actuator));
+                    }
                 }
+            }
+            for (Effect effect : owner.effects()) {
                 String name = of(owner, "effect", ElementName.of(effect.getClass()));
-                if (!alone.areForcesFinite()) {
+                if (alone.evaluate(effect, together[i]) && !areFinite(name)) {
                     return Optional.of(name);
                 }
-                largest.note(alone.sizeOnFirst(), name);
             }
         }
         return Optional.empty();
     }
 
-    /** The largest of the named forces and propulsors: each is finite, but not their sum. */
+    /** Whether the forces of what has been evaluated are finite; if so, they are noted. */
+    private boolean areFinite(String whose) {
+        if (alone.areForcesFinite()) {
+            largest.note(alone.sizeOnFirst(), whose);
+            return true;
+        }
+        return false;
+    }
+
+    /**
+     * The largest of the named forces and constant actuators: each is finite, but not their sum.
+     */
     private String constantForce() {
         for (int slot : together) {
             noteConstantForces(bySlot.get(slot));
@@ -123,14 +139,17 @@ public final class Diagnosis {
 
     private void noteConstantForces(RigidBody owner) {
         for (NamedForce force : owner.forces()) {
-            largest.note(force.vector(), force.point(), of(owner, "named force", force.name()));
-        }
-        for (Propulsor propulsor : owner.propulsors()) {
+            Vec3 torque = force.point().cross(force.vector());
             largest.note(
-                    propulsor.thrust(),
-                    propulsor.position(),
-                    of(owner, "propulsor", propulsor.name()));
+                    new Wrench(force.vector(), torque), of(owner, "named force", force.name()));
         }
+        for (Actuator actuator : owner.actuators()) {
+            actuator.constantPush().ifPresent(push -> largest.note(push, of(owner, actuator)));
+        }
+    }
+
+    private String of(RigidBody owner, Actuator actuator) {
+        return of(owner, ElementName.of(actuator.getClass()), actuator.name());
     }
 
     private String of(RigidBody owner, String kind, String name) {
@@ -145,8 +164,8 @@ public final class Diagnosis {
         private double size;
         private Optional<String> name = Optional.empty();
 
-        void note(Vec3 force, Vec3 point, String whose) {
-            note(Math.max(size(force), size(point.cross(force))), whose);
+        void note(Wrench push, String whose) {
+            note(Math.max(size(push.force()), size(push.torque())), whose);
         }
 
         void note(double newSize, String whose) {

@@ -1,5 +1,6 @@
 package org.auvsim.core.dynamics;
 
+import org.auvsim.core.entity.Actuator;
 import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.BlockEffect;
 import org.auvsim.core.entity.BodyState;
@@ -15,7 +16,9 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
-/** Evaluates one effect of one body as if nothing else acted on the bodies of a block. */
+/**
+ * Evaluates one effect or actuator of one body as if nothing else acted on the bodies of a block.
+ */
 final class EffectAlone {
     private final int bodies;
     private final Block block;
@@ -43,11 +46,21 @@ final class EffectAlone {
         if (effect instanceof CoupledEffect coupled && !ids.containsAll(coupled.partners())) {
             return false;
         }
+        clear();
+        layOut(effect, owner).add(block);
+        return true;
+    }
+
+    /** Sets the block's forces and torques to those of an actuator of its body {@code i}. */
+    void evaluate(Actuator actuator, int i) {
+        clear();
+        actuator.add(block, i);
+    }
+
+    private void clear() {
         for (int c = BodyState.PX; c <= BodyState.LZ; c++) {
             Arrays.fill(block.rate[c], 0, block.count, 0);
         }
-        layOut(effect, owner).add(block);
-        return true;
     }
 
     private BlockEffect layOut(Effect effect, int owner) {

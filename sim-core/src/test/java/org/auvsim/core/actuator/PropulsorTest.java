@@ -124,7 +124,7 @@ class PropulsorTest {
                 .isThrownBy(() -> new ThrustTable(rows))
                 .withMessage(
                         "point 3 of a thrust table has level 0.4, which is not above the 0.5 of"
-                            + " point 2; put them in order of level, each level once");
+                                + " point 2; put them in order of level, each level once");
         assertThatIllegalArgumentException()
                 .isThrownBy(
                         () ->

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.BodyEffect;
@@ -11,7 +12,6 @@ import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.entity.CoupledEffect;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
-import org.auvsim.core.entity.Propulsor;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.step.AllPairsPartitioner;

@@ -58,7 +58,7 @@ final class EventLines {
                     event(
                             r.measuredAt(),
                             r.worldObjectId(),
-                            "reads %s: %s".formatted(r.sensor(), r.reading()));
+                            "reads %s: %s".formatted(r.sensor(), Quantities.of(r.reading())));
             case StepReportNotification s ->
                     event(
                             s.timestamp(),

@@ -39,6 +39,8 @@ import java.util.function.Consumer;
             "and a row for each object that is not fixed, at the start and after each step: time"
                 + " (s), name, position (m), orientation (quaternion, body to world), velocity"
                 + " (m/s) and angular velocity (rad/s), all in world axes (x east, y north, z up).",
+            "That of --readings has a row for each value that a sensor read: when it was measured"
+                    + " (s), when it arrived (s), object, sensor, the value's name, and the value.",
             "Ctrl-C ends a run early; the CSV is whole up to there.",
             "",
             "Example: auvsim run examples/scenarios/tank.xml --until 120 --out run.csv"
@@ -63,6 +65,12 @@ final class Run implements Callable<Integer> {
             paramLabel = "FILE",
             description = "Writes what moves as CSV; '-' is the standard output.")
     private Optional<Path> out = Optional.empty();
+
+    @Option(
+            names = "--readings",
+            paramLabel = "FILE",
+            description = "Writes what sensors read as CSV, a row for each value.")
+    private Optional<Path> readings = Optional.empty();
 
     @Option(
             names = "--last-good",
@@ -108,13 +116,32 @@ final class Run implements Callable<Integer> {
         }
         // Ctrl-C waits until all of this is closed, so that the CSV is whole.
         try (Interruption interruption = new Interruption(() -> {})) {
-            if (out.isPresent()) {
-                record(world, out.get(), interruption);
+            if (readings.isPresent()) {
+                recordReadings(world, readings.get(), interruption);
             } else {
-                run(world, _ -> {}, interruption);
+                runRecorded(world, interruption);
             }
         }
         return 0;
+    }
+
+    private void recordReadings(World world, Path target, Interruption interruption) {
+        try (Writer writer = Files.newBufferedWriter(target, UTF_8);
+                ReadingsCsv csv = new ReadingsCsv(world, writer)) {
+            world.addListener(csv);
+            runRecorded(world, interruption);
+            tell("%d values read written to %s".formatted(csv.rows(), target));
+        } catch (IOException e) {
+            throw FileTrouble.writing(target, e);
+        }
+    }
+
+    private void runRecorded(World world, Interruption interruption) {
+        if (out.isPresent()) {
+            record(world, out.get(), interruption);
+        } else {
+            run(world, _ -> {}, interruption);
+        }
     }
 
     private void record(World world, Path target, Interruption interruption) {

@@ -86,6 +86,39 @@ class RunTest {
     }
 
     @Test
+    void writesWhatSensorsRead() throws IOException {
+        Path scenario = folder.resolve("diver.xml");
+        Files.writeString(
+                scenario,
+                """
+                <scenario>
+                  <datum latitude="0" longitude="0"/>
+                  <world-object name="Diver" mass="1">
+                    <sphere radius="0.1"/>
+                    <velocity x="0" y="0" z="-1"/>
+                    <depth-sensor name="Keller"><sampling rate="40" delay="0.01"/></depth-sensor>
+                    <range-sonar name="Echo" maximum-range="9"><sampling rate="5"/></range-sonar>
+                  </world-object>
+                  <world-object name="Wall" fixed="1">
+                    <box><size x="2" y="20" z="20"/></box><position x="4" y="0" z="0"/>
+                  </world-object>
+                </scenario>
+                """);
+        Path csv = folder.resolve("readings.csv");
+
+        assertThat(auvsim.run("run", scenario, "--until", 0.2, "--readings", csv)).isZero();
+
+        List<String> lines = Files.readAllLines(csv, UTF_8);
+        assertThat(lines.get(0)).isEqualTo("t,arrived,object,sensor,quantity,value");
+        assertThat(lines.get(1)).isEqualTo("0.025,0.035,Diver,Keller,depth,0.025");
+        assertThat(lines)
+                .contains("0.2,0.2,Diver,Echo,echo.0.beam,0")
+                .contains("0.2,0.2,Diver,Echo,echo.0.distance,3.0")
+                .hasSize(1 + 7 + 2);
+        assertThat(auvsim.out()).contains("9 values read written to " + csv);
+    }
+
+    @Test
     void leavesOutWhatIsFixed() {
         assertThat(auvsim.run("run", SCENARIOS.resolve("tank.xml"), "--until", 0.2, "--out", "-"))
                 .isZero();

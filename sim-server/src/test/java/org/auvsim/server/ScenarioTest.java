@@ -30,6 +30,7 @@ class ScenarioTest {
                 SnapshotStepper.standard(),
                 stepping,
                 override.map(FeedbackProcessorChoice::new),
+                Optional.empty(),
                 List.of(),
                 List.of(Tank.ball(1, "ship", 0, 0, 0)));
     }

@@ -5,6 +5,7 @@ import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.sensor.Datum;
 import org.auvsim.core.step.Lanes;
 import org.auvsim.core.step.Stepper;
 import org.auvsim.core.world.World;
@@ -23,6 +24,7 @@ import java.util.Optional;
  * @param stepper how a step is made
  * @param feedbackTimestepping when robots' feedback is taken
  * @param feedbackProcessor which processor uses it; empty: the one that each message names
+ * @param datum where the world is on Earth; needed by sensors that tell that
  * @param field what fills the whole world: currents, magnetic fields, temperatures
  * @param worldObject what moves, or does not
  */
@@ -34,6 +36,7 @@ public record Scenario(
         @Default("event-stepper") Stepper stepper,
         @Default("asynchronous-feedback-timestepper") FeedbackTimestepping feedbackTimestepping,
         Optional<FeedbackProcessorChoice> feedbackProcessor,
+        Optional<Datum> datum,
         List<Field<?>> field,
         List<WorldObjectDefinition> worldObject) {
     /**
@@ -81,6 +84,7 @@ public record Scenario(
         if (overlapsAllowed) {
             world.allowOverlaps();
         }
+        datum.ifPresent(world::datum);
         field.forEach(world::add);
         worldObject.forEach(world::add);
         return world.build();
@@ -110,6 +114,7 @@ public record Scenario(
                 stepper,
                 feedbackTimestepping,
                 feedbackProcessor,
+                datum,
                 world.fields(),
                 world.objects().stream().map(WorldObject::presentDefinition).toList());
     }

@@ -33,6 +33,12 @@ final class Check {
         }
     }
 
+    static void atLeast0(String element, String name, String what, double value, String unit) {
+        if (!(value >= 0) || Double.isInfinite(value)) {
+            throw refusal(element, name, what, "0 " + unit + " or more and finite", value);
+        }
+    }
+
     static void within(
             String element,
             String name,

@@ -2,6 +2,8 @@ package org.auvsim.core.sensor;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.math.Mat3;
+import org.auvsim.core.math.Vec3;
 
 /**
  * Where the origin of a world is on Earth (WGS 84); its x axis points east there, y north and z
@@ -33,5 +35,36 @@ public record Datum(
             throw new IllegalArgumentException(
                     "the altitude of a datum must be a finite number (m), but is " + altitude);
         }
+    }
+
+    /** The place of a point of the world (m, x east, y north, z up at the datum). */
+    public GeodeticPosition toGeodetic(Vec3 world) {
+        Vec3 centre = Wgs84.earthFixed(latitude, longitude, altitude);
+        return Wgs84.geodetic(centre.plus(axes().times(world)));
+    }
+
+    /** The point of the world (m) at a place. */
+    public Vec3 toWorld(GeodeticPosition place) {
+        Vec3 there = Wgs84.earthFixed(place.latitude(), place.longitude(), place.altitude());
+        Vec3 centre = Wgs84.earthFixed(latitude, longitude, altitude);
+        return axes().transposed().times(there.minus(centre));
+    }
+
+    /** Turns vectors of the world into Earth-fixed ones: its columns are east, north and up. */
+    private Mat3 axes() {
+        double sinLat = StrictMath.sin(Math.toRadians(latitude));
+        double cosLat = StrictMath.cos(Math.toRadians(latitude));
+        double sinLon = StrictMath.sin(Math.toRadians(longitude));
+        double cosLon = StrictMath.cos(Math.toRadians(longitude));
+        return new Mat3(
+                -sinLon,
+                -sinLat * cosLon,
+                cosLat * cosLon,
+                cosLon,
+                -sinLat * sinLon,
+                cosLat * sinLon,
+                0,
+                cosLat,
+                sinLat);
     }
 }

@@ -25,6 +25,10 @@ public record VectorErrors(
     public VectorErrors {
         requireSpread("deviation", deviation);
         requireSpread("drift", drift);
+        requireBias(bias);
+    }
+
+    static void requireBias(Vec3 bias) {
         if (!bias.isFinite()) {
             throw new IllegalArgumentException(
                     "the bias of a sensor must be finite, but is " + bias);

@@ -123,11 +123,8 @@ public final class EquationsOfMotion {
     /** Fills rotations, velocities, forces, torques and rates of the block from its state. */
     public void evaluate(Block b) {
         act(b);
-        for (int i = 0; b.hasSpatial && i < b.count; i++) {
-            SpatialInertia spatial = b.inertia(i);
-            if (spatial != null) {
-                spatial.complete(b, i);
-            }
+        if (b.hasSpatial) {
+            b.spatial().complete(b);
         }
         if (b.hasFixed) {
             holdFixed(b);
@@ -136,6 +133,7 @@ public final class EquationsOfMotion {
 
     /** As {@link #evaluate}, but forces and torques act as if nothing held the bodies. */
     void act(Block b) {
+        b.moved();
         plainVelocities(b);
         waterVelocities(b);
         if (b.turns()) {
@@ -165,26 +163,23 @@ public final class EquationsOfMotion {
 
     /** Orientations and all that follows from them; angular velocities in the world for effects. */
     private void turn(Block b) {
-        if (!b.hasInertia) {
-            bodies.loadInertia(b);
-        }
         Rotation.matrices(b);
-        Rotation.bodyRates(b);
-        if (effects.length > 0 || !bodies.actuators().isEmpty()) {
-            b.toWorld(b.wx, b.wy, b.wz, b.bodyWx, b.bodyWy, b.bodyWz);
+        if (!b.hasSpatial || !b.spatial().areAllHere()) {
+            turnPlain(b);
         }
         if (b.hasSpatial) {
-            spatialVelocities(b);
+            b.spatial().move(b);
         }
         Rotation.quaternionRates(b);
     }
 
-    private void spatialVelocities(Block b) {
-        for (int i = 0; i < b.count; i++) {
-            SpatialInertia spatial = b.inertia(i);
-            if (spatial != null) {
-                spatial.move(b, i);
-            }
+    private void turnPlain(Block b) {
+        if (!b.hasInertia) {
+            bodies.loadInertia(b);
+        }
+        Rotation.bodyRates(b);
+        if (effects.length > 0 || !bodies.actuators().isEmpty()) {
+            b.toWorld(b.wx, b.wy, b.wz, b.bodyWx, b.bodyWy, b.bodyWz);
         }
     }
 
@@ -203,7 +198,7 @@ public final class EquationsOfMotion {
         if (b.hasSpatial) {
             waterVelocities(b);
             Rotation.matrices(b);
-            spatialVelocities(b);
+            b.spatial().move(b);
         }
     }
 
@@ -239,6 +234,7 @@ public final class EquationsOfMotion {
     }
 
     private void waterVelocities(Block b) {
+        b.hasWater = currents.length > 0;
         b.hasFlow = isUneven;
         if (currents.length == 0) {
             return;

@@ -37,6 +37,9 @@ final class BuoyancyBlock implements BlockEffect {
 
         private final double[][] numbers;
 
+        /** Whether a centre of buoyancy is not its body's origin. */
+        private boolean isAside;
+
         Layer(List<List<Effect>> bySlot, int k) {
             numbers = new double[7][bySlot.size()];
             Arrays.fill(numbers[FADE], 1);
@@ -53,6 +56,7 @@ final class BuoyancyBlock implements BlockEffect {
             numbers[CENTRE][slot] = of.centre().x();
             numbers[CENTRE + 1][slot] = of.centre().y();
             numbers[CENTRE + 2][slot] = of.centre().z();
+            isAside |= of.centre().norm() > 0;
             numbers[SURFACE][slot] = of.surface();
             numbers[FADE][slot] = of.volume() == 0 ? 1 : of.fade();
         }
@@ -63,10 +67,7 @@ final class BuoyancyBlock implements BlockEffect {
             double[] y = b.scratch[3];
             double[] z = b.scratch[4];
             b.gather(numbers[MASS], mass);
-            b.gather(numbers[CENTRE], b.scratch[5]);
-            b.gather(numbers[CENTRE + 1], b.scratch[6]);
-            b.gather(numbers[CENTRE + 2], b.scratch[7]);
-            b.toWorld(x, y, z, b.scratch[5], b.scratch[6], b.scratch[7]);
+            centres(b, x, y, z);
             wet(b, mass, z);
             double[] acceleration = b.scratch[1];
             b.gather(numbers[ACCELERATION], acceleration);
@@ -79,6 +80,20 @@ final class BuoyancyBlock implements BlockEffect {
             if (b.hasFlow) {
                 accelerate(b, mass, x, y, z);
             }
+        }
+
+        /** The centres of buoyancy (m from the origins, world axes). */
+        private void centres(Block b, double[] x, double[] y, double[] z) {
+            if (!isAside) {
+                Arrays.fill(x, 0, b.count, 0);
+                Arrays.fill(y, 0, b.count, 0);
+                Arrays.fill(z, 0, b.count, 0);
+                return;
+            }
+            b.gather(numbers[CENTRE], b.scratch[5]);
+            b.gather(numbers[CENTRE + 1], b.scratch[6]);
+            b.gather(numbers[CENTRE + 2], b.scratch[7]);
+            b.toWorld(x, y, z, b.scratch[5], b.scratch[6], b.scratch[7]);
         }
 
         /** Leaves of the displaced masses what is under water. */

@@ -1,8 +1,6 @@
 package org.auvsim.core.effect;
 
 import org.auvsim.core.entity.Block;
-import org.auvsim.core.entity.SpatialInertia;
-import org.auvsim.core.math.Vec3;
 
 /** The weights of all bodies of a world; a body without has an acceleration of zero. */
 final class GravityBlock implements PlainForce {
@@ -22,17 +20,19 @@ final class GravityBlock implements PlainForce {
         for (int i = 0; i < b.count; i++) {
             fz[i] -= mass[i] * acceleration[i];
         }
-        for (int i = 0; b.hasSpatial && i < b.count; i++) {
-            SpatialInertia spatial = b.inertia(i);
-            if (spatial != null) {
-                turn(b, i, b.toWorld(i, spatial.centreOfMass()), mass[i] * acceleration[i]);
-            }
+        if (b.hasSpatial) {
+            turn(b, acceleration);
         }
     }
 
-    /** A weight (N) at a point (m from the origin, world axes). */
-    private static void turn(Block b, int i, Vec3 point, double weight) {
-        b.tx[i] -= point.y() * weight;
-        b.ty[i] += point.x() * weight;
+    /** Weights at the centres of mass turn bodies about their origins. */
+    private static void turn(Block b, double[] acceleration) {
+        double[] x = b.scratch[1];
+        double[] y = b.scratch[2];
+        b.spatial().centres(b, x, y, b.scratch[3]);
+        for (int i = 0; i < b.count; i++) {
+            b.tx[i] -= y[i] * b.mass[i] * acceleration[i];
+            b.ty[i] += x[i] * b.mass[i] * acceleration[i];
+        }
     }
 }

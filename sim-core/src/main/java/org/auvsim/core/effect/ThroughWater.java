@@ -22,17 +22,13 @@ final class ThroughWater {
      */
     static void measure(Block b) {
         double[][] s = b.scratch;
-        subtract(b, s[FORCE], b.vx, b.ux);
-        subtract(b, s[FORCE + 1], b.vy, b.uy);
-        subtract(b, s[FORCE + 2], b.vz, b.uz);
-        b.toBody(s[0], s[1], s[2], s[FORCE], s[FORCE + 1], s[FORCE + 2]);
-        b.toBody(s[3], s[4], s[5], b.wx, b.wy, b.wz);
-    }
-
-    private static void subtract(Block b, double[] to, double[] from, double[] what) {
-        for (int i = 0; i < b.count; i++) {
-            to[i] = from[i] - what[i];
-        }
+        double[][] relative = b.relativeVelocities();
+        System.arraycopy(relative[0], 0, s[0], 0, b.count);
+        System.arraycopy(relative[1], 0, s[1], 0, b.count);
+        System.arraycopy(relative[2], 0, s[2], 0, b.count);
+        System.arraycopy(b.bodyWx, 0, s[3], 0, b.count);
+        System.arraycopy(b.bodyWy, 0, s[4], 0, b.count);
+        System.arraycopy(b.bodyWz, 0, s[5], 0, b.count);
     }
 
     /** Adds the forces (N) and torques (N m) to those of the block. */

@@ -64,6 +64,11 @@ public final class Block {
     public final double[] bodyWy;
     public final double[] bodyWz;
 
+    /** Velocities relative to the water in body axes, then in the world's. */
+    private final double[][] relative;
+
+    private boolean hasRelative;
+
     /** Velocity of the water at the origin (m/s, world). */
     public final double[] ux;
 
@@ -76,6 +81,9 @@ public final class Block {
      * component {@code row} along axis {@code column}.
      */
     public final double[][] flow;
+
+    /** Whether there are currents. */
+    public boolean hasWater;
 
     /** Whether the water moves unevenly or in time. */
     public boolean hasFlow;
@@ -154,6 +162,7 @@ public final class Block {
     /** Resultants of named forces and propulsors, as {@link AppliedForces} lays them out. */
     final double[][] applied;
 
+    private @Nullable SpatialBlock spatialBlock;
     private final int[] subSteps;
     private boolean hasSubSteps;
     private final int[] slots;
@@ -194,6 +203,7 @@ public final class Block {
         bodyWx = new double[capacity];
         bodyWy = new double[capacity];
         bodyWz = new double[capacity];
+        relative = new double[6][capacity];
         ux = new double[capacity];
         uy = new double[capacity];
         uz = new double[capacity];
@@ -280,6 +290,14 @@ public final class Block {
     /** The inertia of body {@code i} if it is more than mass and tensor about its origin. */
     public @Nullable SpatialInertia inertia(int i) {
         return inertia[i];
+    }
+
+    /** What is computed for all bodies with an inertia of their own kind together. */
+    public SpatialBlock spatial() {
+        if (spatialBlock == null) {
+            spatialBlock = new SpatialBlock(capacity);
+        }
+        return spatialBlock;
     }
 
     /** Slot of body {@code i}. */
@@ -388,6 +406,38 @@ public final class Block {
                 flow[3][i] * way.x() + flow[4][i] * way.y() + flow[5][i] * way.z(),
                 flow[6][i] * way.x() + flow[7][i] * way.y() + flow[8][i] * way.z(),
                 flow[9][i] * way.x() + flow[10][i] * way.y() + flow[11][i] * way.z());
+    }
+
+    /**
+     * Velocities of the origins relative to the water, in the bodies' axes (m/s): three arrays,
+     * computed when they are first asked for in an evaluation.
+     */
+    public double[][] relativeVelocities() {
+        if (!hasRelative) {
+            if (hasSpatial && spatial().areAllHere()) {
+                spatial().relative(count, hasWater, relative);
+            } else {
+                subtract(relative[3], vx, ux);
+                subtract(relative[4], vy, uy);
+                subtract(relative[5], vz, uz);
+                toBody(
+                        relative[0], relative[1], relative[2], relative[3], relative[4],
+                        relative[5]);
+            }
+            hasRelative = true;
+        }
+        return relative;
+    }
+
+    private void subtract(double[] to, double[] from, double[] what) {
+        for (int i = 0; i < count; i++) {
+            to[i] = from[i] - what[i];
+        }
+    }
+
+    /** States that velocities have changed. */
+    public void moved() {
+        hasRelative = false;
     }
 
     /** Turns a world vector into the axes of body {@code i}. */

@@ -56,6 +56,7 @@ public final class BodyState {
     private int fixed;
     private int withSpatial;
     private @Nullable SpatialInertia[] spatial = new @Nullable SpatialInertia[16];
+    private final SpatialColumns spatialColumns;
     private List<Field<?>> fields = List.of();
     private List<Current> currents = List.of();
     private double time;
@@ -70,6 +71,7 @@ public final class BodyState {
     /** A state without bodies. */
     public BodyState() {
         columns = new double[COLUMNS][16];
+        spatialColumns = new SpatialColumns(16);
         inverseInertia = new double[ELEMENTS][16];
         mass = new double[16];
         inverseMass = new double[16];
@@ -84,6 +86,7 @@ public final class BodyState {
         fixed = original.fixed;
         withSpatial = original.withSpatial;
         spatial = original.spatial.clone();
+        spatialColumns = original.spatialColumns.copy();
         fields = original.fields;
         currents = original.currents;
         time = original.time;
@@ -168,6 +171,9 @@ public final class BodyState {
         for (int i = 0; withSpatial > 0 && i < b.count; i++) {
             b.inertia[i] = spatial[b.slot(i)];
             b.hasSpatial |= b.inertia[i] != null;
+        }
+        if (b.hasSpatial) {
+            b.spatial().load(b, spatialColumns);
         }
         b.hasFixed = false;
         for (int i = 0; fixed > 0 && i < b.count; i++) {
@@ -364,6 +370,7 @@ public final class BodyState {
         setConstants(slot, definition);
         spatial[slot] = definition.spatialInertia().orElse(null);
         withSpatial += spatial[slot] == null ? 0 : 1;
+        spatialColumns.set(slot, spatial[slot]);
         withProducts += hasProducts(slot) ? 1 : 0;
         fixed += definition.fixed() ? 1 : 0;
         applied.clear(slot);
@@ -397,6 +404,7 @@ public final class BodyState {
         withProducts -= hasProducts(slot) ? 1 : 0;
         withSpatial -= spatial[slot] == null ? 0 : 1;
         System.arraycopy(spatial, slot + 1, spatial, slot, count - slot - 1);
+        spatialColumns.remove(slot, count);
         fixed -= inverseMass[slot] == 0 ? 1 : 0;
         for (double[] column : columns) {
             closeGap(column, slot);
@@ -420,6 +428,7 @@ public final class BodyState {
         growAll(columns, capacity);
         growAll(inverseInertia, capacity);
         spatial = Arrays.copyOf(spatial, capacity);
+        spatialColumns.grow(capacity);
         mass = Arrays.copyOf(mass, capacity);
         inverseMass = Arrays.copyOf(inverseMass, capacity);
         radius = Arrays.copyOf(radius, capacity);

@@ -50,7 +50,7 @@ public final class SpatialInertia {
 
     private final Vec3 centreOfMass;
     final double[] whole;
-    private final double[] inverse;
+    final double[] inverse;
     final double[] added;
     private final boolean hasAdded;
 

@@ -137,7 +137,10 @@ public final class EquationsOfMotion {
         plainVelocities(b);
         waterVelocities(b);
         if (b.turns()) {
-            turn(b);
+            turn(b, effects.length > 0 || !bodies.actuators().isEmpty());
+        }
+        if (b.hasSpatial) {
+            b.spatial().carry(b);
         }
         bodies.applied().write(b);
         for (BlockEffect effect : effects) {
@@ -161,11 +164,17 @@ public final class EquationsOfMotion {
         }
     }
 
-    /** Orientations and all that follows from them; angular velocities in the world for effects. */
-    private void turn(Block b) {
+    /** Orientations and all that follows from them, angular velocities in the world if wanted. */
+    private void turn(Block b, boolean inWorld) {
         Rotation.matrices(b);
         if (!b.hasSpatial || !b.spatial().areAllHere()) {
-            turnPlain(b);
+            if (!b.hasInertia) {
+                bodies.loadInertia(b);
+            }
+            Rotation.bodyRates(b);
+            if (inWorld) {
+                b.toWorld(b.wx, b.wy, b.wz, b.bodyWx, b.bodyWy, b.bodyWz);
+            }
         }
         if (b.hasSpatial) {
             b.spatial().move(b);
@@ -173,22 +182,14 @@ public final class EquationsOfMotion {
         Rotation.quaternionRates(b);
     }
 
-    private void turnPlain(Block b) {
-        if (!b.hasInertia) {
-            bodies.loadInertia(b);
-        }
-        Rotation.bodyRates(b);
-        if (effects.length > 0 || !bodies.actuators().isEmpty()) {
-            b.toWorld(b.wx, b.wy, b.wz, b.bodyWx, b.bodyWy, b.bodyWz);
-        }
-    }
-
     /** Fills velocities and angular velocities (world) of the block from its state. */
     public void motions(Block b) {
-        velocities(b);
+        plainVelocities(b);
+        if (b.hasSpatial) {
+            waterVelocities(b);
+        }
         if (b.turns()) {
-            turn(b);
-            b.toWorld(b.wx, b.wy, b.wz, b.bodyWx, b.bodyWy, b.bodyWz);
+            turn(b, true);
         }
     }
 

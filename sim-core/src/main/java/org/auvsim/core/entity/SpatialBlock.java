@@ -1,12 +1,7 @@
 package org.auvsim.core.entity;
 
-import static org.auvsim.core.entity.SpatialColumns.ADDED;
-import static org.auvsim.core.entity.SpatialColumns.ADDED_CROSS;
 import static org.auvsim.core.entity.SpatialColumns.CENTRE;
 import static org.auvsim.core.entity.SpatialColumns.INVERSE;
-import static org.auvsim.core.entity.SpatialColumns.SYMMETRIC;
-
-import java.util.Arrays;
 
 /**
  * The equations of {@link SpatialInertia} for all bodies of a block that have one, but for the
@@ -15,15 +10,17 @@ import java.util.Arrays;
 public final class SpatialBlock {
     private final double[][] constants;
 
-    /** Momenta, then velocities relative to the water, and velocities, in body axes. */
+    /** Momenta, velocities, and velocities relative to the water, in body axes. */
     private final double[][] momenta;
 
     private final double[][] velocities;
+    private final double[][] relative;
 
-    /** The water's velocity in body axes, and a vector between. */
+    /** The water's velocity in body axes. */
     private final double[][] water;
 
-    private final double[][] between;
+    /** Momenta less those of the flow; then the carried water's, in body and in world axes. */
+    private final double[][] lacking;
 
     /** Velocities in world axes. */
     private final double[][] inWorld;
@@ -42,8 +39,9 @@ public final class SpatialBlock {
         constants = new double[SpatialColumns.COLUMNS][capacity];
         momenta = new double[6][capacity];
         velocities = new double[6][capacity];
+        relative = new double[3][capacity];
         water = new double[3][capacity];
-        between = new double[3][capacity];
+        lacking = new double[6][capacity];
         inWorld = new double[6][capacity];
         carried = new double[3][capacity];
         isHere = new boolean[capacity];
@@ -82,14 +80,16 @@ public final class SpatialBlock {
                     b.state[BodyState.LY],
                     b.state[BodyState.LZ]);
             if (b.hasWater) {
-                addFlow(b);
+                subtractFlow(b);
             }
             for (int row = 0; row < 6; row++) {
-                solve(b.count, row, velocities[row]);
+                solve(b.count, b.hasWater ? lacking : momenta, row, velocities[row]);
+            }
+            if (b.hasWater) {
+                addFlow(b.count);
             }
             toWorld(b, velocities, 0, inWorld, 0);
             toWorld(b, velocities, 3, inWorld, 3);
-            carry(b);
             hand(b);
         }
         for (int i = 0; isAnyMounted && i < b.count; i++) {
@@ -104,51 +104,85 @@ public final class SpatialBlock {
         b.toWorld(to[t], to[t + 1], to[t + 2], from[f], from[f + 1], from[f + 2]);
     }
 
+    /**
+     * What of the momenta is left beside those that a dry body would have if it moved with the
+     * water, MRB nu_c: M times the velocities relative to the water.
+     */
+    private void subtractFlow(Block b) {
+        b.toBody(water[0], water[1], water[2], b.ux, b.uy, b.uz);
+        for (int axis = 0; axis < 3; axis++) {
+            subtract(b.count, lacking[axis], momenta[axis], b.mass, water[axis]);
+            int y = (axis + 1) % 3;
+            int z = (axis + 2) % 3;
+            subtractMoment(b, lacking[3 + axis], momenta[3 + axis], CENTRE + y, CENTRE + z, y, z);
+        }
+    }
+
+    private static void subtract(
+            int count, double[] to, double[] from, double[] mass, double[] velocity) {
+        for (int i = 0; i < count; i++) {
+            to[i] = from[i] - mass[i] * velocity[i];
+        }
+    }
+
+    /** Less m (r_G x u), one component. */
+    private void subtractMoment(
+            Block b, double[] to, double[] from, int centreY, int centreZ, int y, int z) {
+        double[] ry = constants[centreY];
+        double[] rz = constants[centreZ];
+        double[] uy = water[y];
+        double[] uz = water[z];
+        for (int i = 0; i < b.count; i++) {
+            to[i] = from[i] - b.mass[i] * (ry[i] * uz[i] - rz[i] * uy[i]);
+        }
+    }
+
+    /** One row of M^-1 times momenta. */
+    private void solve(int count, double[][] of, int row, double[] to) {
+        double[] a = inverse(row, 0);
+        double[] b = inverse(row, 1);
+        double[] c = inverse(row, 2);
+        double[] d = inverse(row, 3);
+        double[] e = inverse(row, 4);
+        double[] f = inverse(row, 5);
+        double[] x = of[0];
+        double[] y = of[1];
+        double[] z = of[2];
+        double[] k = of[3];
+        double[] m = of[4];
+        double[] n = of[5];
+        for (int i = 0; i < count; i++) {
+            to[i] = a[i] * x[i] + b[i] * y[i] + c[i] * z[i] + d[i] * k[i] + e[i] * m[i] + f[i] * n[i];
+        }
+    }
+
     /** The element of the inverse at a row and a column. */
     private double[] inverse(int row, int column) {
         int r = Math.min(row, column);
         return constants[INVERSE + r * 6 - r * (r - 1) / 2 + Math.abs(row - column)];
     }
 
-    private double[] added(int row, int column) {
-        return column < 3
-                ? constants[ADDED + SYMMETRIC[3 * row + column]]
-                : constants[ADDED_CROSS + 3 * row + column - 3];
-    }
-
-    /** Adds the momentum MA nu_c of the water that flows. */
-    private void addFlow(Block b) {
-        b.toBody(water[0], water[1], water[2], b.ux, b.uy, b.uz);
-        for (int row = 0; row < 3; row++) {
-            add(b.count, momenta[row], added(row, 0), added(row, 1), added(row, 2), water, 0);
-            add(b.count, momenta[3 + row], added(0, 3 + row), added(1, 3 + row), added(2, 3 + row), water, 0);
+    private void addFlow(int count) {
+        for (int axis = 0; axis < 3; axis++) {
+            double[] u = water[axis];
+            double[] v = velocities[axis];
+            double[] vr = relative[axis];
+            for (int i = 0; i < count; i++) {
+                vr[i] = v[i];
+                v[i] += u[i];
+            }
         }
     }
 
-    private static void add(
-            int count, double[] to, double[] a, double[] b, double[] c, double[][] v, int at) {
-        double[] x = v[at];
-        double[] y = v[at + 1];
-        double[] z = v[at + 2];
-        for (int i = 0; i < count; i++) {
-            to[i] += a[i] * x[i] + b[i] * y[i] + c[i] * z[i];
+    /**
+     * Finds what momenta that are carried along turn the bodies by, u x p_A - v x P; they have been
+     * moved. The linear momentum p_A of the water that a body carries is what the body itself, m (v
+     * + w x r_G), leaves of P.
+     */
+    public void carry(Block b) {
+        if (!isAnyHere) {
+            return;
         }
-    }
-
-    private void solve(int count, int row, double[] to) {
-        double[] a = inverse(row, 0);
-        double[] b = inverse(row, 1);
-        double[] c = inverse(row, 2);
-        double[] x = momenta[0];
-        double[] y = momenta[1];
-        double[] z = momenta[2];
-        for (int i = 0; i < count; i++) {
-            to[i] = a[i] * x[i] + b[i] * y[i] + c[i] * z[i];
-        }
-        add(count, to, inverse(row, 3), inverse(row, 4), inverse(row, 5), momenta, 3);
-    }
-
-    private void carry(Block b) {
         for (int axis = 0; axis < 3; axis++) {
             int y = (axis + 1) % 3;
             int z = (axis + 2) % 3;
@@ -161,7 +195,28 @@ public final class SpatialBlock {
                     b.state[BodyState.PX + z]);
         }
         if (b.hasWater) {
-            carryWater(b);
+            for (int axis = 0; axis < 3; axis++) {
+                carryWater(b, axis, (axis + 1) % 3, (axis + 2) % 3);
+            }
+            double[][] p = lacking;
+            toWorld(b, p, 0, p, 3);
+            addCross(b.count, carried[0], b.uy, b.uz, p[4], p[5]);
+            addCross(b.count, carried[1], b.uz, b.ux, p[5], p[3]);
+            addCross(b.count, carried[2], b.ux, b.uy, p[3], p[4]);
+        }
+    }
+
+    /** p_A along one of the body's axes. */
+    private void carryWater(Block b, int axis, int y, int z) {
+        double[] to = lacking[axis];
+        double[] whole = momenta[axis];
+        double[] v = velocities[axis];
+        double[] wy = velocities[3 + y];
+        double[] wz = velocities[3 + z];
+        double[] ry = constants[CENTRE + y];
+        double[] rz = constants[CENTRE + z];
+        for (int i = 0; i < b.count; i++) {
+            to[i] = whole[i] - b.mass[i] * (v[i] + wy[i] * rz[i] - wz[i] * ry[i]);
         }
     }
 
@@ -178,24 +233,6 @@ public final class SpatialBlock {
         for (int i = 0; i < count; i++) {
             to[i] += ay[i] * bz[i] - az[i] * by[i];
         }
-    }
-
-    /** u x p_A with the linear momentum of the carried water, p_A = R (MA (nu - nu_c)). */
-    private void carryWater(Block b) {
-        for (int axis = 0; axis < 3; axis++) {
-            for (int i = 0; i < b.count; i++) {
-                water[axis][i] = velocities[axis][i] - water[axis][i];
-            }
-        }
-        for (int row = 0; row < 3; row++) {
-            Arrays.fill(between[row], 0, b.count, 0);
-            add(b.count, between[row], added(row, 0), added(row, 1), added(row, 2), water, 0);
-            add(b.count, between[row], added(row, 3), added(row, 4), added(row, 5), velocities, 3);
-        }
-        toWorld(b, between, 0, momenta, 0);
-        addCross(b.count, carried[0], b.uy, b.uz, momenta[1], momenta[2]);
-        addCross(b.count, carried[1], b.uz, b.ux, momenta[2], momenta[0]);
-        addCross(b.count, carried[2], b.ux, b.uy, momenta[0], momenta[1]);
     }
 
     /** Hands the velocities over to the block. */
@@ -257,7 +294,7 @@ public final class SpatialBlock {
     /** Hands over the velocities relative to the water, in body axes, of all bodies. */
     void relative(int count, boolean inWater, double[][] to) {
         for (int axis = 0; axis < 3; axis++) {
-            double[] from = inWater ? water[axis] : velocities[axis];
+            double[] from = inWater ? relative[axis] : velocities[axis];
             System.arraycopy(from, 0, to[axis], 0, count);
         }
     }

@@ -10,19 +10,10 @@ final class SpatialColumns {
     /** The inverse of the whole inertia: 21 numbers, row by row from the diagonal on. */
     static final int INVERSE = 0;
 
-    /** Added mass, linear by linear: xx, xy, xz, yy, yz, zz. */
-    static final int ADDED = 21;
-
-    /** Added mass, linear by angular: three rows. */
-    static final int ADDED_CROSS = 27;
-
     /** Centre of mass (m, body). */
-    static final int CENTRE = 36;
+    static final int CENTRE = 21;
 
-    static final int COLUMNS = 39;
-
-    /** Where each element of a symmetric 3x3 matrix stands, row by row. */
-    static final int[] SYMMETRIC = {0, 1, 2, 1, 3, 4, 2, 4, 5};
+    static final int COLUMNS = 24;
 
     /** Without length until the first such body comes: most worlds have none. */
     private final double[][] columns;
@@ -70,12 +61,6 @@ final class SpatialColumns {
         for (int row = 0; row < 6; row++) {
             for (int c = row; c < 6; c++) {
                 columns[next++][slot] = inertia.inverse[6 * row + c];
-            }
-        }
-        for (int row = 0; row < 3; row++) {
-            for (int c = 0; c < 3; c++) {
-                columns[ADDED + SYMMETRIC[3 * row + c]][slot] = inertia.added[6 * row + c];
-                columns[ADDED_CROSS + 3 * row + c][slot] = inertia.added[6 * row + 3 + c];
             }
         }
         columns[CENTRE][slot] = inertia.centreOfMass().x();

@@ -386,6 +386,11 @@ public final class Block {
         return new Vec3(wx[i], wy[i], wz[i]);
     }
 
+    /** Angular velocity (rad/s) of body {@code i} in its own axes. */
+    public Vec3 bodyAngularVelocity(int i) {
+        return new Vec3(bodyWx[i], bodyWy[i], bodyWz[i]);
+    }
+
     /** Velocity (m/s, world) of the water at the origin of body {@code i}. */
     public Vec3 waterVelocity(int i) {
         return new Vec3(ux[i], uy[i], uz[i]);
@@ -421,7 +426,11 @@ public final class Block {
                 subtract(relative[4], vy, uy);
                 subtract(relative[5], vz, uz);
                 toBody(
-                        relative[0], relative[1], relative[2], relative[3], relative[4],
+                        relative[0],
+                        relative[1],
+                        relative[2],
+                        relative[3],
+                        relative[4],
                         relative[5]);
             }
             hasRelative = true;

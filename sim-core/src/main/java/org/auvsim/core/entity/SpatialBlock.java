@@ -152,7 +152,13 @@ public final class SpatialBlock {
         double[] m = of[4];
         double[] n = of[5];
         for (int i = 0; i < count; i++) {
-            to[i] = a[i] * x[i] + b[i] * y[i] + c[i] * z[i] + d[i] * k[i] + e[i] * m[i] + f[i] * n[i];
+            to[i] =
+                    a[i] * x[i]
+                            + b[i] * y[i]
+                            + c[i] * z[i]
+                            + d[i] * k[i]
+                            + e[i] * m[i]
+                            + f[i] * n[i];
         }
     }
 

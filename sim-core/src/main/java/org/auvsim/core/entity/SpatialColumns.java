@@ -3,8 +3,8 @@ package org.auvsim.core.entity;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The numbers of the bodies that have a {@link SpatialInertia}, one array each, by slot: what {@link
- * SpatialBlock} computes with. Zeros for all other bodies.
+ * The numbers of the bodies that have a {@link SpatialInertia}, one array each, by slot: what
+ * {@link SpatialBlock} computes with. Zeros for all other bodies.
  */
 final class SpatialColumns {
     /** The inverse of the whole inertia: 21 numbers, row by row from the diagonal on. */

@@ -36,7 +36,7 @@ class DampingTest {
         @Override
         public void add(Block block, int i) {
             Vec3 v = block.toBody(i, block.velocity(i).minus(block.waterVelocity(i)));
-            double[] tau = forces(d, v, block.toBody(i, block.angularVelocity(i)));
+            double[] tau = forces(d, v, block.bodyAngularVelocity(i));
             block.addForce(i, block.toWorld(i, new Vec3(tau[0], tau[1], tau[2])));
             block.addTorque(i, block.toWorld(i, new Vec3(tau[3], tau[4], tau[5])));
         }

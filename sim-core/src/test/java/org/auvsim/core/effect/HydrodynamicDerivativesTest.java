@@ -40,7 +40,7 @@ class HydrodynamicDerivativesTest {
         @Override
         public void add(Block block, int i) {
             Vec3 v = turned(block.toBody(i, block.velocity(i).minus(block.waterVelocity(i))));
-            Vec3 w = turned(block.toBody(i, block.angularVelocity(i)));
+            Vec3 w = turned(block.bodyAngularVelocity(i));
             double across = v.y();
             Vec3 force =
                     new Vec3(

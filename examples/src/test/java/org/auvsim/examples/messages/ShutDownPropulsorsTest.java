@@ -10,9 +10,7 @@ import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.command.WorldObjectControl;
 import org.auvsim.auvsml.message.entity.ListedPropulsor;
 import org.auvsim.auvsml.xml.Limits;
-import org.auvsim.core.actuator.Fin;
 import org.auvsim.core.actuator.Propulsor;
-import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
@@ -22,6 +20,7 @@ import org.junit.jupiter.api.Test;
 
 import java.io.ByteArrayInputStream;
 import java.io.InputStream;
+import java.lang.reflect.Proxy;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
@@ -70,27 +69,18 @@ class ShutDownPropulsorsTest {
         return xml.replaceAll(">\\s+<", "><").replace(" />", "/>").strip();
     }
 
-    /** A port to an object, as a server has it. */
-    private record Port(WorldObject object) implements WorldObjectControl {
-        @Override
-        public void apply(NamedForce force) {
-            object.applyForce(force);
-        }
-
-        @Override
-        public void removeForce(String name) {
-            object.removeForce(name);
-        }
-
-        @Override
-        public void setPropulsorLevel(String name, double level) {
-            object.command(Propulsor.class, name, level);
-        }
-
-        @Override
-        public void setControlSurface(String name, double angle) {
-            object.command(Fin.class, name, angle);
-        }
+    /** A port to an object that can do nothing but set propulsors. */
+    private static WorldObjectControl port(WorldObject object) {
+        return (WorldObjectControl)
+                Proxy.newProxyInstance(
+                        WorldObjectControl.class.getClassLoader(),
+                        new Class<?>[] {WorldObjectControl.class},
+                        (_, method, arguments) -> {
+                            assertThat(method.getName()).isEqualTo("setPropulsorLevel");
+                            object.command(
+                                    Propulsor.class, (String) arguments[0], (double) arguments[1]);
+                            return null;
+                        });
     }
 
     @Test
@@ -108,7 +98,7 @@ class ShutDownPropulsorsTest {
                                         .build())
                         .build();
 
-        Optional<?> response = LISTING.execute(new Port(world.object(LISTING.worldObjectId())));
+        Optional<?> response = LISTING.execute(port(world.object(LISTING.worldObjectId())));
 
         assertThat(response).isEmpty();
         assertThat(world.object(4).components(Propulsor.class))

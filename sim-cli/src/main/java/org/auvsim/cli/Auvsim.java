@@ -27,6 +27,7 @@ import java.nio.file.Path;
             Serve.class,
             Run.class,
             Validate.class,
+            Vehicle.class,
             Watch.class,
             Feed.class,
             Bench.class,

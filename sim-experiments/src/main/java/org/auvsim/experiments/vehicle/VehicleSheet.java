@@ -1,0 +1,191 @@
+package org.auvsim.experiments.vehicle;
+
+import org.auvsim.core.actuator.Fin;
+import org.auvsim.core.actuator.Propulsor;
+import org.auvsim.core.entity.Component;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Mat3;
+import org.auvsim.core.math.Vec3;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+
+/** What the numbers of a vehicle say of it, as lines for people. */
+public final class VehicleSheet {
+    private final WorldObjectDefinition vehicle;
+    private final Hydrostatics hydrostatics;
+    private final Hull hull;
+    private final OptionalDouble ahead;
+    private final List<String> lines = new ArrayList<>();
+
+    private VehicleSheet(WorldObjectDefinition vehicle) {
+        this.vehicle = vehicle;
+        hydrostatics = Hydrostatics.of(vehicle);
+        hull = Hull.of(vehicle.volume());
+        ahead = TerminalSpeeds.along(vehicle, new Vec3(1, 0, 0));
+    }
+
+    /**
+     * The sheet of a vehicle. Axes are those of its body: x forward, y to port, z up.
+     *
+     * @throws IllegalArgumentException if it is fixed or has no end, so that it is no vehicle
+     */
+    public static List<String> of(WorldObjectDefinition vehicle) {
+        if (vehicle.fixed() || !vehicle.volume().isBounded()) {
+            throw new IllegalArgumentException(
+                    "'%s' is fixed or has no end and so is no vehicle; name another body"
+                            .formatted(vehicle.name()));
+        }
+        return new VehicleSheet(vehicle).write();
+    }
+
+    private List<String> write() {
+        line("%s (body axes: x forward, y to port, z up)", vehicle.name());
+        line("");
+        masses();
+        addedMass();
+        motion();
+        controls();
+        line("");
+        findings();
+        return List.copyOf(lines);
+    }
+
+    private void line(String format, Object... values) {
+        lines.add(String.format(Locale.ROOT, format, values).stripTrailing());
+    }
+
+    private void masses() {
+        Mat3 inertia = vehicle.massProperties().orElseThrow().inertia();
+        Hydrostatics h = hydrostatics;
+        line("Hull          %s m%s", of(hull.size()), hull.isRound() ? ", round" : "");
+        line("Mass          %.5g kg, centre at %s m", mass(), of(h.centreOfMass()));
+        line(
+                "Inertia       %.4g, %.4g, %.4g kg m^2 about it",
+                inertia.xx(), inertia.yy(), inertia.zz());
+        line("Weight        %.5g N", h.weight());
+        line("Buoyancy      %.5g N, centre at %s m", h.buoyancy(), of(h.centreOfBuoyancy()));
+        if (h.stiffness() > 0) {
+            Vec3 added = vehicle.addedMass().map(a -> a.angular()).orElse(Vec3.ZERO);
+            line(
+                    "Righting      %.4g N m/rad, BG %.4g m; rolls in %.3g s, pitches in %.3g s",
+                    h.stiffness(),
+                    h.metacentricHeight(),
+                    period(inertia.xx() + added.x()),
+                    period(inertia.yy() + added.y()));
+        }
+    }
+
+    private double mass() {
+        return vehicle.mass().orElseThrow();
+    }
+
+    /** Period (s) of small swings, undamped; the inertia is about the centre of mass. */
+    private double period(double inertia) {
+        double arm = hydrostatics.centreOfMass().z();
+        return 2 * Math.PI * Math.sqrt((inertia + mass() * arm * arm) / hydrostatics.stiffness());
+    }
+
+    private void addedMass() {
+        AddedMassCheck check = AddedMassCheck.of(vehicle, hydrostatics, hull);
+        line("");
+        line("Added mass       surge     sway    heave     roll    pitch      yaw");
+        line("  stated     %s", row(boxed(check.stated())));
+        line("  ellipsoid  %s", row(boxed(check.ellipsoid())));
+        line("  strips     %s", row(check.strips()));
+        line("");
+        DampingCheck water = water();
+        List<OptionalDouble> against = new ArrayList<>();
+        for (int axis = 0; axis < 6; axis++) {
+            against.add(OptionalDouble.of(water.against(axis)));
+        }
+        line("Drag at 1    %s  (N at 1 m/s, N m at 1 rad/s)", row(against));
+    }
+
+    private DampingCheck water() {
+        return new DampingCheck(vehicle, hull, hydrostatics.density());
+    }
+
+    private static List<OptionalDouble> boxed(double[] values) {
+        List<OptionalDouble> boxed = new ArrayList<>();
+        for (double value : values) {
+            boxed.add(OptionalDouble.of(value));
+        }
+        return boxed;
+    }
+
+    private static String row(List<OptionalDouble> values) {
+        StringBuilder row = new StringBuilder();
+        for (OptionalDouble value : values) {
+            row.append(
+                    value.isPresent()
+                            ? String.format(Locale.ROOT, "%9.4g", value.getAsDouble())
+                            : "        -");
+        }
+        return row.toString();
+    }
+
+    private void motion() {
+        line("");
+        line(
+                "Full thrust   ahead %s, astern %s, to port %s, up %s, down %s (m/s)",
+                speed(ahead),
+                speed(TerminalSpeeds.along(vehicle, new Vec3(-1, 0, 0))),
+                speed(TerminalSpeeds.along(vehicle, new Vec3(0, 1, 0))),
+                speed(TerminalSpeeds.along(vehicle, new Vec3(0, 0, 1))),
+                speed(TerminalSpeeds.along(vehicle, new Vec3(0, 0, -1))));
+        if (ahead.isPresent()) {
+            CourseStability course = CourseStability.at(vehicle, ahead.getAsDouble());
+            line("Course        %s", course(course.sideways(), "sideways"));
+            line("              %s", course(course.vertical(), "up and down"));
+        }
+    }
+
+    private static String speed(OptionalDouble speed) {
+        return speed.isPresent() ? String.format(Locale.ROOT, "%.3g", speed.getAsDouble()) : "-";
+    }
+
+    private static String course(double growth, String plane) {
+        double time = Math.log(2) / Math.abs(growth);
+        return String.format(
+                Locale.ROOT,
+                growth < 0 ? "stable %s: halves in %.3g s" : "unstable %s: doubles in %.3g s",
+                plane,
+                time);
+    }
+
+    private void controls() {
+        List<Propulsor> propulsors = all(Propulsor.class);
+        ThrustAllocation allocation = ThrustAllocation.of(propulsors);
+        line(
+                "Thrusters     %d, rank %d, independent: %s",
+                propulsors.size(),
+                allocation.rank(),
+                allocation.free().isEmpty()
+                        ? "none"
+                        : String.join(
+                                ", ",
+                                allocation.free().stream()
+                                        .map(axis -> axis.name().toLowerCase(Locale.ROOT))
+                                        .toList()));
+        line("Fins          %d", all(Fin.class).size());
+    }
+
+    private <C extends Component> List<C> all(Class<C> type) {
+        return vehicle.component().stream().filter(type::isInstance).map(type::cast).toList();
+    }
+
+    private void findings() {
+        List<String> found = new ArrayList<>(WeightCheck.findings(vehicle, hydrostatics));
+        found.addAll(AddedMassCheck.of(vehicle, hydrostatics, hull).findings());
+        found.addAll(water().findings());
+        line(found.isEmpty() ? "Nothing looks wrong." : "What looks wrong, or worth knowing:");
+        found.forEach(sentence -> line("- %s", sentence));
+    }
+
+    private static String of(Vec3 v) {
+        return String.format(Locale.ROOT, "(%.4g, %.4g, %.4g)", v.x(), v.y(), v.z());
+    }
+}

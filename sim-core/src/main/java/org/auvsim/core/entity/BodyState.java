@@ -218,7 +218,7 @@ public final class BodyState {
     /** States the fields of the world, in order of id. */
     public void setFields(List<Field<?>> all) {
         fields = List.copyOf(all);
-        currents = fields(Current.class);
+        currents = fields(Current.class).stream().map(Current::prepared).toList();
     }
 
     /** The fields of the world, in order of id. */

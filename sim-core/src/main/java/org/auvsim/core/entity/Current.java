@@ -13,6 +13,14 @@ public interface Current extends Field<Vec3> {
         return true;
     }
 
+    /**
+     * The same current with what follows from its parameters alone worked out beforehand: what a
+     * world evaluates, many times over. One that has nothing to work out is that itself.
+     */
+    default Current prepared() {
+        return this;
+    }
+
     /** By how much (m) it raises the water's surface over a place (m, world) at a time (s). */
     default double elevation(double x, double y, double time) {
         return 0;

@@ -101,6 +101,20 @@ public record Scenario(
                 .toList();
     }
 
+    /** The same scenario with other fields. */
+    Scenario withFields(List<Field<?>> fields) {
+        return new Scenario(
+                startTime,
+                boundingSpheres,
+                allowOverlaps,
+                timeStep,
+                stepper,
+                feedbackTimestepping,
+                feedbackProcessor,
+                fields,
+                worldObject);
+    }
+
     /**
      * The same scenario with a world's present time and objects as its beginning. Overlaps that the
      * world has come to, as it may in heaps, are let be.

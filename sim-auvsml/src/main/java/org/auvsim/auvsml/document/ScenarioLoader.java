@@ -45,7 +45,7 @@ public final class ScenarioLoader {
      */
     public Scenario load(Path file) throws DocumentException {
         try {
-            return parse(bytes(file));
+            return decode(trees.read(bytes(file)), folder(file));
         } catch (AuvsmlException e) {
             throw new DocumentException(lines(file, e.faults()), e);
         }
@@ -61,6 +61,11 @@ public final class ScenarioLoader {
         return more > 0 ? lines + "\n%s: %d faults more".formatted(file, more) : lines;
     }
 
+    /** Where the files are that a scenario in this one names. */
+    static Optional<Path> folder(Path file) {
+        return Optional.of(file.toAbsolutePath().getParent());
+    }
+
     /** A file's bytes, one more than the limit at most. */
     byte[] bytes(Path file) throws DocumentException {
         try (InputStream in = Files.newInputStream(file)) {
@@ -73,17 +78,23 @@ public final class ScenarioLoader {
     }
 
     /**
-     * The scenario in a text.
+     * The scenario in a text, which cannot name other files.
      *
      * @throws AuvsmlException with every fault that was found
      */
     public Scenario parse(byte[] xml) throws AuvsmlException {
-        return decode(trees.read(xml));
+        return decode(trees.read(xml), Optional.empty());
     }
 
-    Scenario decode(XmlTree tree) throws AuvsmlException {
+    /** What the tree states, with what is in the files of the folder that it names. */
+    Scenario decode(XmlTree tree, Optional<Path> folder) throws AuvsmlException {
         List<Fault> faults = new ArrayList<>();
-        Optional<Scenario> scenario = read(tree, faults);
+        Optional<Scenario> scenario =
+                read(tree, faults)
+                        .map(
+                                read ->
+                                        folder.map(f -> GridFiles.in(read, f, tree, faults))
+                                                .orElse(read));
         faults.addAll(Twins.in(tree));
         if (scenario.isPresent() && faults.isEmpty()) {
             faults.addAll(WorldFaults.in(scenario.get(), tree));

@@ -51,7 +51,7 @@ public final class Validation {
      */
     public List<Fault> faults(Path file) throws DocumentException {
         try (InputStream in = Files.newInputStream(file)) {
-            return faults(in);
+            return faults(in, ScenarioLoader.folder(file));
         } catch (NoSuchFileException e) {
             throw new DocumentException(file + ": there is no such file", e);
         } catch (IOException e) {
@@ -65,11 +65,15 @@ public final class Validation {
      * @throws IOException if it cannot be read to its end
      */
     public List<Fault> faults(InputStream in) throws IOException {
+        return faults(in, Optional.empty());
+    }
+
+    private List<Fault> faults(InputStream in, Optional<Path> folder) throws IOException {
         byte[] head = in.readNBytes(Limits.SCENARIO.bytes() + 1);
         Optional<String> root = scenarioTrees.rootName(head);
         return root.filter(MessageCatalogue.roots()::contains).isPresent()
                 ? ofMessages(head, in)
-                : ofScenario(head);
+                : ofScenario(head, folder);
     }
 
     /**
@@ -86,9 +90,9 @@ public final class Validation {
         return scenarios.load(file).notices();
     }
 
-    private List<Fault> ofScenario(byte[] text) {
+    private List<Fault> ofScenario(byte[] text, Optional<Path> folder) {
         try {
-            return of(scenarioTrees.read(text), scenarios::decode);
+            return of(scenarioTrees.read(text), tree -> scenarios.decode(tree, folder));
         } catch (AuvsmlException e) {
             return e.faults();
         }

@@ -63,7 +63,14 @@ public record GriddedCurrent(
 
     /** The current of these numbers. */
     public GriddedCurrent(
-            long id, String name, Numbers x, Numbers y, Numbers z, Numbers u, Numbers v, Numbers w) {
+            long id,
+            String name,
+            Numbers x,
+            Numbers y,
+            Numbers z,
+            Numbers u,
+            Numbers v,
+            Numbers w) {
         this(id, name, Optional.empty(), x, y, z, u, v, w);
     }
 
@@ -75,7 +82,13 @@ public record GriddedCurrent(
                     ("%s of %s must have a number for each of the %d points (%d x %d x %d), but has"
                                     + " %d")
                             .formatted(
-                                    which, current, points, x.size(), y.size(), z.size(), values.size()));
+                                    which,
+                                    current,
+                                    points,
+                                    x.size(),
+                                    y.size(),
+                                    z.size(),
+                                    values.size()));
         }
         for (int i = 0; i < values.size(); i++) {
             Domain.finite(current, "number " + (i + 1) + " of " + which, values.get(i), "m/s");
@@ -102,8 +115,7 @@ public record GriddedCurrent(
         double a = GridAxis.share(x, i, position.x());
         double b = GridAxis.share(y, j, position.y());
         double c = GridAxis.share(z, k, position.z());
-        return new Vec3(
-                between(u, at, a, b, c), between(v, at, a, b, c), between(w, at, a, b, c));
+        return new Vec3(between(u, at, a, b, c), between(v, at, a, b, c), between(w, at, a, b, c));
     }
 
     private int point(int i, int j, int k) {
@@ -133,7 +145,9 @@ public record GriddedCurrent(
         }
     }
 
-    /** One component and its change along each axis, which is that from side to side of the cell. */
+    /**
+     * One component and its change along each axis, which is that from side to side of the cell.
+     */
     private void add(Block block, int body, double[] to, int row, Numbers of) {
         double px = block.state[BodyState.X][body];
         double py = block.state[BodyState.Y][body];

@@ -48,9 +48,7 @@ public record MagneticDipoleField(
         return n.times(3 * moment.dot(n)).minus(moment).times(CONSTANT / (d * d * d));
     }
 
-    /**
-     * 3 mu0/(4 pi r^4) (m n^T + n m^T + (m . n) (1 - 5 n n^T)) with n = r / |r|; zero inside.
-     */
+    /** 3 mu0/(4 pi r^4) (m n^T + n m^T + (m . n) (1 - 5 n n^T)) with n = r / |r|; zero inside. */
     @Override
     public Mat3 gradientAt(Vec3 place, double time) {
         Vec3 r = place.minus(position);
@@ -65,7 +63,14 @@ public record MagneticDipoleField(
         Vec3 y = row(n, n.y(), moment.y(), along, k);
         Vec3 z = row(n, n.z(), moment.z(), along, k);
         return new Mat3(
-                x.x() + k * along, x.y(), x.z(), y.x(), y.y() + k * along, y.z(), z.x(), z.y(),
+                x.x() + k * along,
+                x.y(),
+                x.z(),
+                y.x(),
+                y.y() + k * along,
+                y.z(),
+                z.x(),
+                z.y(),
                 z.z() + k * along);
     }
 

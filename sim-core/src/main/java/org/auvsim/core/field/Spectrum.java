@@ -9,7 +9,9 @@ package org.auvsim.core.field;
  * @param gamma by how much the peak is enhanced
  */
 record Spectrum(double peak, double gamma) {
-    /** Below and above this share of the peak's frequency there is less than 0.5 % of the energy. */
+    /**
+     * Below and above this share of the peak's frequency there is less than 0.5 % of the energy.
+     */
     private static final double LOWEST = 0.5;
 
     private static final double HIGHEST = 4;

@@ -2,6 +2,7 @@ package org.auvsim.core.world;
 
 import org.auvsim.core.entity.Bodies;
 import org.auvsim.core.entity.CoupledEffect;
+import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.Field;
@@ -118,7 +119,18 @@ final class Population {
                             .formatted(entity.name()));
         }
         requireFree(entity.id(), entity.name());
+        if (entity instanceof Current current) {
+            requireReady(current);
+        }
         enter(entity);
+    }
+
+    private static void requireReady(Current current) {
+        try {
+            current.prepared();
+        } catch (IllegalArgumentException e) {
+            throw new WorldException(String.valueOf(e.getMessage()));
+        }
     }
 
     private void enter(Entity entity) {

@@ -31,8 +31,7 @@ class MagneticDipoleTest {
                 World.builder()
                         .timeStep(0.01)
                         .add(new UniformMagneticField(1, "earth", new Vec3(0, 5e-5, 0)))
-                        .add(
-                                magnet(new Vec3(4e4 * 1e-4, 4e4, 0)).build())
+                        .add(magnet(new Vec3(4e4 * 1e-4, 4e4, 0)).build())
                         .build();
         double rate = Math.sqrt(4e4 * 5e-5 / 0.5);
         while (world.time() < 3) {

@@ -83,13 +83,10 @@ class CurrentsTest {
         Vec3 place = new Vec3(1, 2, 3);
         assertNear(TIDE.valueAt(place, 3), TIDE.valueAt(place, 23), 1e-15);
         assertNear(
-                TIDE.valueAt(place, 3).plus(TIDE.valueAt(place, 13)),
-                new Vec3(0.2, 0, 0),
-                1e-15);
+                TIDE.valueAt(place, 3).plus(TIDE.valueAt(place, 13)), new Vec3(0.2, 0, 0), 1e-15);
         assertNear(
                 TIDE.valueAt(place, 0),
-                new Vec3(0.1, 0, 0)
-                        .plus(new Vec3(0.4, 0.2, -0.1).times(StrictMath.sin(0.7))),
+                new Vec3(0.1, 0, 0).plus(new Vec3(0.4, 0.2, -0.1).times(StrictMath.sin(0.7))),
                 1e-15);
     }
 
@@ -101,12 +98,10 @@ class CurrentsTest {
                         "the shear of current 's' must be horizontal, as water keeps its volume,"
                                 + " but is (0.0, 0.0, 0.1) 1/s");
         assertThatIllegalArgumentException()
-                .isThrownBy(
-                        () -> new OscillatingCurrent(1, "o", Vec3.ZERO, Vec3.ZERO, 0, 0))
+                .isThrownBy(() -> new OscillatingCurrent(1, "o", Vec3.ZERO, Vec3.ZERO, 0, 0))
                 .withMessageContaining("the period of current 'o' must be above 0 s");
         assertThatIllegalArgumentException()
-                .isThrownBy(
-                        () -> new VortexCurrent(1, "v", 0, 0, 1, -1, VortexProfile.RANKINE))
+                .isThrownBy(() -> new VortexCurrent(1, "v", 0, 0, 1, -1, VortexProfile.RANKINE))
                 .withMessageContaining("the core radius of current 'v' must be above 0 m");
     }
 }

@@ -97,7 +97,14 @@ class GriddedCurrentTest {
         Numbers none = Numbers.of(0, 0);
         GriddedCurrent profile =
                 new GriddedCurrent(
-                        1, "profile", one, one, Numbers.of(-10, 0), Numbers.of(0.1, 0.5), none, none);
+                        1,
+                        "profile",
+                        one,
+                        one,
+                        Numbers.of(-10, 0),
+                        Numbers.of(0.1, 0.5),
+                        none,
+                        none);
         assertNear(profile.valueAt(new Vec3(77, -3, -5), 0), new Vec3(0.3, 0, 0), 1e-15);
         Flows.assertExact(profile, List.of(new Vec3(1, 2, -3), new Vec3(0, 0, -12)), 0, 1e-10);
     }
@@ -108,9 +115,7 @@ class GriddedCurrentTest {
         Numbers two = Numbers.of(0, 1);
         assertThatIllegalArgumentException()
                 .isThrownBy(
-                        () ->
-                                new GriddedCurrent(
-                                        1, "g", Numbers.of(1, 1), one, one, two, two, two))
+                        () -> new GriddedCurrent(1, "g", Numbers.of(1, 1), one, one, two, two, two))
                 .withMessage("the places on x of current 'g' must ascend, but 1.0 m follows 1.0 m");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new GriddedCurrent(1, "g", two, one, one, two, one, two))

@@ -55,20 +55,17 @@ class MagneticFieldsTest {
             Vec3 n = new Vec3(StrictMath.cos(angle), 0.6 * StrictMath.sin(angle), 0).normalized();
             Vec3 inside = WRECK.valueAt(WRECK.position().plus(n.times(2 - 1e-9)), 0);
             Vec3 outside = WRECK.valueAt(WRECK.position().plus(n.times(2 + 1e-9)), 0);
-            assertNear(
-                    new Vec3(inside.dot(n), 0, 0), new Vec3(outside.dot(n), 0, 0), 1e-10);
+            assertNear(new Vec3(inside.dot(n), 0, 0), new Vec3(outside.dot(n), 0, 0), 1e-10);
         }
     }
 
     @Test
     void numbersThatMeanNothingAreRefused() {
         assertThatIllegalArgumentException()
-                .isThrownBy(
-                        () -> new MagneticDipoleField(1, "m", Vec3.ZERO, Vec3.ZERO, 0))
+                .isThrownBy(() -> new MagneticDipoleField(1, "m", Vec3.ZERO, Vec3.ZERO, 0))
                 .withMessageContaining("the radius of magnetic field 'm' must be above 0 m");
         assertThatIllegalArgumentException()
-                .isThrownBy(
-                        () -> new UniformMagneticField(1, "m", new Vec3(Double.NaN, 0, 0)))
+                .isThrownBy(() -> new UniformMagneticField(1, "m", new Vec3(Double.NaN, 0, 0)))
                 .withMessageContaining("the flux density of magnetic field 'm' must be finite");
     }
 }

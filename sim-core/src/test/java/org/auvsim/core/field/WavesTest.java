@@ -75,7 +75,8 @@ class WavesTest {
     @ValueSource(doubles = {0, 1.3, 4.4})
     void theWaterFollowsTheSurfaceAndTheGround(double time) {
         double h = 1e-5;
-        double rise = (SHALLOW.elevation(3, 2, time + h) - SHALLOW.elevation(3, 2, time - h)) / (2 * h);
+        double rise =
+                (SHALLOW.elevation(3, 2, time + h) - SHALLOW.elevation(3, 2, time - h)) / (2 * h);
         assertThat(SHALLOW.valueAt(new Vec3(3, 2, 1), time).z()).isCloseTo(rise, within(1e-8));
         assertThat(SHALLOW.valueAt(new Vec3(3, 2, -3), time).z()).isCloseTo(0, within(1e-15));
         assertThat(SHALLOW.valueAt(new Vec3(3, 2, 9), time))
@@ -89,8 +90,10 @@ class WavesTest {
         double h = 1e-5;
         Block block = Flows.at(List.of(new Vec3(3, 2, 1)), time);
         SHALLOW.prepared().addTo(block);
-        double x = (SHALLOW.elevation(3 + h, 2, time) - SHALLOW.elevation(3 - h, 2, time)) / (2 * h);
-        double y = (SHALLOW.elevation(3, 2 + h, time) - SHALLOW.elevation(3, 2 - h, time)) / (2 * h);
+        double x =
+                (SHALLOW.elevation(3 + h, 2, time) - SHALLOW.elevation(3 - h, 2, time)) / (2 * h);
+        double y =
+                (SHALLOW.elevation(3, 2 + h, time) - SHALLOW.elevation(3, 2 - h, time)) / (2 * h);
         assertThat(block.flow[0][0]).isCloseTo(-9.80665 * x, within(1e-8));
         assertThat(block.flow[1][0]).isCloseTo(-9.80665 * y, within(1e-8));
     }
@@ -158,19 +161,18 @@ class WavesTest {
     @Test
     void wavesThatCannotBeAreRefused() {
         assertThatIllegalArgumentException()
-                .isThrownBy(
-                        () -> new AiryWave(1, "w", 3, 4, 0, 0, OptionalDouble.empty(), 0))
+                .isThrownBy(() -> new AiryWave(1, "w", 3, 4, 0, 0, OptionalDouble.empty(), 0))
                 .withMessageContaining("the amplitude of wave 'w' must be 1.77")
                 .withMessageContaining("as a steeper one breaks, but is 3.0 m");
         assertThatIllegalArgumentException()
-                .isThrownBy(
-                        () -> new AiryWave(1, "w", 0.1, 4, 0, 0, OptionalDouble.of(-2), 0))
+                .isThrownBy(() -> new AiryWave(1, "w", 0.1, 4, 0, 0, OptionalDouble.of(-2), 0))
                 .withMessageContaining("the depth of wave 'w' must be above 0 m");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> sea(0.5, 10))
                 .withMessageContaining("the gamma of waves 'sea' must be 1.0 to 10.0");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> sea(1, 0))
-                .withMessageContaining("the number of components of waves 'sea' must be 1.0 to 1000.0");
+                .withMessageContaining(
+                        "the number of components of waves 'sea' must be 1.0 to 1000.0");
     }
 }

@@ -111,6 +111,7 @@ public record Scenario(
                 stepper,
                 feedbackTimestepping,
                 feedbackProcessor,
+                datum,
                 fields,
                 worldObject);
     }

@@ -16,6 +16,6 @@ final class Draw {
         state += 0x9E3779B97F4A7C15L;
         long z = (state ^ (state >>> 30)) * 0xBF58476D1CE4E5B9L;
         z = (z ^ (z >>> 27)) * 0x94D049BB133111EBL;
-        return ((z ^ (z >>> 31)) >>> 11) * 0x1p-53;
+        return (double) ((z ^ (z >>> 31)) >>> 11) * 0x1p-53;
     }
 }

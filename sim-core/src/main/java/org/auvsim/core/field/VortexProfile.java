@@ -24,7 +24,7 @@ public enum VortexProfile {
             return change / (a * a * a * a);
         }
 
-        /** (1 - exp(-q)) / q to 1e-16. */
+        // (1 - exp(-q)) / q to 1e-16.
         private static double series(double q) {
             return 1 - q * (1.0 / 2 - q * (1.0 / 6 - q * (1.0 / 24 - q / 120)));
         }

@@ -49,9 +49,8 @@ final class EntityImpact {
         if (entity instanceof ExpandingSphere wave && volume instanceof Sphere ball) {
             return front(wave, epoch, body, ball, t0, t1);
         }
-        double fastest = entity.fastestSurface(epoch + t0, epoch + t1);
-        return fastest < Double.POSITIVE_INFINITY
-                ? advance(entity, fastest, epoch, body, volume, t0, t1)
+        return entity.fastestSurface(epoch + t0, epoch + t1) < Double.POSITIVE_INFINITY
+                ? advance(entity, epoch, body, volume, t0, t1)
                 : sample(entity, epoch, body, volume, t0, t1);
     }
 
@@ -93,7 +92,6 @@ final class EntityImpact {
 
     private double advance(
             Collidable entity,
-            double fastest,
             double epoch,
             BodyCurve body,
             Volume volume,
@@ -112,6 +110,8 @@ final class EntityImpact {
             if (t >= until) {
                 until = motion.look(body, volume, still, volume, t, t1);
             }
+            // Asked again each time: a front that has stopped must not make the steps tiny.
+            double fastest = entity.fastestSurface(epoch + t, epoch + t1);
             double next = Math.min(until, t + d / (motion.closing() + fastest));
             if (next >= t1) {
                 return Double.POSITIVE_INFINITY;

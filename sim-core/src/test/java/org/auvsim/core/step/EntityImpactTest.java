@@ -73,6 +73,16 @@ class EntityImpactTest {
     }
 
     @Test
+    void aFrontAsFastAsLightThatHasStoppedShortMeetsNobody() {
+        BodyCurve body = flight(new Vec3(300, 0, 0), new Vec3(290, 0, 0));
+        ExpandingSphere flash = wave(0, 3e8, 200);
+
+        assertThat(first(flash, body, new Box(new Vec3(1, 1, 1)))).isEqualTo(NEVER);
+        assertThat(first(wave(0, 3e8, 295), body, new Box(new Vec3(1, 1, 1))))
+                .isCloseTo(0.45, offset(1e-9));
+    }
+
+    @Test
     void aFrontThatStopsBeforeABallIsMetByTheBallLater() {
         // It stops with 1 m at 0.1125 s, and the ball of 0.5 m comes from 3 m at 2 m/s.
         BodyCurve body = flight(new Vec3(3, 0, 0), new Vec3(1, 0, 0));

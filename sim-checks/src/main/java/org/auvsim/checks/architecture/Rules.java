@@ -47,7 +47,7 @@ final class Rules {
                                 Set.of("contact", "volume"),
                                 Set.of("entity"),
                                 Set.of("field", "effect", "behavior", "dynamics", "sensor"),
-                                Set.of("step"),
+                                Set.of("step", "communication"),
                                 Set.of("world")))
                 .rule();
     }

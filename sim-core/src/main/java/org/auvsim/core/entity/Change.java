@@ -29,6 +29,9 @@ public sealed interface Change {
     record Update<E extends Entity>(long entityId, Class<E> type, UnaryOperator<E> update)
             implements Change {}
 
+    /** Brings an object a signal, of which the world tells its listeners. */
+    record Tell(long objectId, double time, Signal signal) implements Change {}
+
     /** Removes an entity; nothing happens if it has left already. */
     record Remove(long entityId) implements Change {}
 

@@ -119,7 +119,8 @@ public record ExpandingSphere(
         return changes;
     }
 
-    private ExpandingSphere having(long other) {
+    /** The same wave, having met one more. */
+    public ExpandingSphere having(long other) {
         List<Long> all = new ArrayList<>(met);
         all.add(other);
         return new ExpandingSphere(id, name, centre, start, radius, speed, greatest, effect, all);

@@ -23,8 +23,16 @@ public final class Noise {
 
     /** The noise of sample {@code k} of a sensor of this name in the object of an id. */
     public static Noise of(long objectId, String sensor, Sampling sampling, long k) {
-        long key = mix(mix(mix(sampling.seed() + GOLDEN) + objectId) + sensor.hashCode());
-        return new Noise(key, k, sampling.rate());
+        return new Noise(key(sampling.seed(), objectId, sensor), k, sampling.rate());
+    }
+
+    /** The noise of event {@code k} at a component of this name in the object of an id. */
+    public static Noise of(long seed, long objectId, String component, long k) {
+        return new Noise(key(seed, objectId, component), k, 1);
+    }
+
+    private static long key(long seed, long objectId, String component) {
+        return mix(mix(mix(seed + GOLDEN) + objectId) + component.hashCode());
     }
 
     /** A number with normal distribution, mean 0 and variance 1; one for each channel. */

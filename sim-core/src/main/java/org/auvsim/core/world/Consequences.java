@@ -12,12 +12,18 @@ final class Consequences {
     private final World world;
     private final Population population;
     private final Mechanics mechanics;
+    private final Announcements announcements;
 
     /** For a world, who is in it, and how they move. */
-    Consequences(World world, Population population, Mechanics mechanics) {
+    Consequences(
+            World world,
+            Population population,
+            Mechanics mechanics,
+            Announcements announcements) {
         this.world = world;
         this.population = population;
         this.mechanics = mechanics;
+        this.announcements = announcements;
     }
 
     /** Makes one change; one that is for somebody who has left comes to nothing. */
@@ -26,6 +32,7 @@ final class Consequences {
             case Change.Momentum m -> addMomentum(m);
             case Change.AddEntity added -> world.add(added.made().apply(population.nextId()));
             case Change.AddObject added -> world.add(added.definition());
+            case Change.Tell told -> tell(told);
             case Change.Update<?> updated -> update(updated);
             case Change.Remove removed -> {
                 if (population.find(removed.entityId()).isPresent()) {
@@ -44,6 +51,13 @@ final class Consequences {
                             object.setLinearMomentum(object.linearMomentum().plus(m.linear()));
                             object.setAngularMomentum(object.angularMomentum().plus(m.angular()));
                         });
+    }
+
+    private void tell(Change.Tell told) {
+        if (population.findObject(told.objectId()).isPresent()) {
+            announcements.announce(
+                    new WorldEvent.SignalReceived(told.time(), told.objectId(), told.signal()));
+        }
     }
 
     private <E extends Entity> void update(Change.Update<E> updated) {

@@ -1,5 +1,7 @@
 package org.auvsim.core.world;
 
+import org.auvsim.core.communication.Transceiver;
+import org.auvsim.core.communication.Transmission;
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.Entity;
@@ -51,7 +53,7 @@ public final class World {
         population = new Population();
         population.bodies().state().setTime(time());
         mechanics = new Mechanics(builder, population);
-        consequences = new Consequences(this, population, mechanics);
+        consequences = new Consequences(this, population, mechanics, announcements);
         datum = builder.datum;
         sensing = new Sensing(population, datum, announcements);
     }
@@ -62,7 +64,7 @@ public final class World {
         clock = new Clock(original.clock);
         population = new Population(original.population);
         mechanics = new Mechanics(original.mechanics, population);
-        consequences = new Consequences(this, population, mechanics);
+        consequences = new Consequences(this, population, mechanics, announcements);
         datum = original.datum;
         sensing = new Sensing(original.sensing, population, announcements);
         stepsAtOneInstant = original.stepsAtOneInstant;
@@ -222,6 +224,21 @@ public final class World {
         population.remove(id);
         mechanics.left();
         announcements.announce(new WorldEvent.EntityRemoved(time(), id));
+    }
+
+    /**
+     * Sends a message from a transceiver of an object. It travels as a {@link Transmission}, and
+     * {@link WorldEvent.SignalReceived} tells whom it reaches; sent from where the transceiver does
+     * not work, as from a radio under water, it reaches nobody.
+     *
+     * @param kind of the transceiver
+     * @throws WorldException if there is no such object
+     * @throws IllegalArgumentException if it has no such transceiver
+     */
+    public void transmit(
+            long objectId, Class<? extends Transceiver> kind, String transceiver, String text) {
+        Transmission.from(object(objectId), kind, transceiver, text, population.nextId(), time())
+                .ifPresent(this::add);
     }
 
     /**

@@ -1,6 +1,7 @@
 package org.auvsim.core.world;
 
 import org.auvsim.core.entity.MovementState;
+import org.auvsim.core.entity.Signal;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.sensor.SensorReading;
 import org.auvsim.core.step.Collision;
@@ -25,6 +26,9 @@ public sealed interface WorldEvent {
 
     /** A world object has moved, or its momenta have changed. */
     record Moved(double time, long objectId, MovementState state) implements WorldEvent {}
+
+    /** A signal, such as a message, has reached a world object. */
+    record SignalReceived(double time, long objectId, Signal signal) implements WorldEvent {}
 
     /**
      * A reading has arrived from a sensor.

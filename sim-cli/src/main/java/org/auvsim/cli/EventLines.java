@@ -7,6 +7,7 @@ import org.auvsim.auvsml.message.feedback.FeedbackAppliedNotification;
 import org.auvsim.auvsml.message.movement.CollisionNotification;
 import org.auvsim.auvsml.message.movement.MovementStateChangeMessage;
 import org.auvsim.auvsml.message.movement.StepReportNotification;
+import org.auvsim.auvsml.message.radio.RadioMessage;
 import org.auvsim.auvsml.message.sensing.SensorReadingMessage;
 import org.auvsim.auvsml.message.session.DisconnectedNotification;
 import org.auvsim.auvsml.message.session.ErrorResponse;
@@ -54,6 +55,11 @@ final class EventLines {
                             f.worldObjectId(),
                             "was corrected by %s, error %.4g m before, %.4g m after"
                                     .formatted(f.handlerName(), f.errorBefore(), f.errorAfter()));
+            case RadioMessage r ->
+                    event(
+                            r.timestamp(),
+                            r.worldObjectId(),
+                            "hears %s: %s".formatted(name(r.senderId()), r.text()));
             case SensorReadingMessage r ->
                     event(
                             r.measuredAt(),

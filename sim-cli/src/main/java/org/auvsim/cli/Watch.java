@@ -37,6 +37,7 @@ final class Watch implements Callable<Integer> {
                     EventType.MOVEMENT_STATE_CHANGE,
                     EventType.COLLISION,
                     EventType.SENSOR_READING,
+                    EventType.RADIO,
                     EventType.ENTITY_ADDED,
                     EventType.ENTITY_REMOVED,
                     EventType.FEEDBACK_APPLIED);

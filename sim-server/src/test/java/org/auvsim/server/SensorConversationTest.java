@@ -1,7 +1,9 @@
 package org.auvsim.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import org.auvsim.core.communication.AcousticModem;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.sensor.DepthSensor;
@@ -76,6 +78,47 @@ class SensorConversationTest {
             assertThat(all.next("sensor-reading-message")).contains("Keller");
             assertThat(steps.next()).contains("timestep-advanced-notification");
         }
+    }
+
+    @Test
+    void aMessageIsHeardAfterItsTravelTime() throws IOException {
+        World world =
+                World.builder()
+                        .add(withModem(1, "Sender", 0))
+                        .add(withModem(2, "Hearer", 31))
+                        .build();
+        TcpTransport tcp = TcpTransport.onLoopback(0);
+        try (Simulator _ = Simulator.of(world).paused().transport(tcp).start();
+                RawClient client = RawClient.welcomed(tcp.port())) {
+            client.ask("r", registration("Radio").replace("id=\"1\"", "id=\"2\""));
+            client.ask("s", send("modem"));
+            client.send("<auvsml><step-command/></auvsml>");
+
+            String heard = client.next("radio-message");
+            assertThat(RawClient.number(heard, "radio-message", "timestamp"))
+                    .isCloseTo(30 / 1500.0, within(1e-8));
+            assertThat(heard)
+                    .contains(
+                            "world-object-id=\"2\" sender-id=\"1\" sender=\"modem\" channel=\"1\""
+                                    + " sent-at=\"0.0\" text=\"surface!\"");
+            assertThat(client.ask("u", send("VHF")))
+                    .contains("'Sender' has no AcousticModem 'VHF'; it has [modem]");
+        }
+    }
+
+    private static String send(String modem) {
+        return "<send-acoustic-message-command world-object-id=\"1\" modem=\"%s\" text=\"surface!\"/>"
+                .formatted(modem);
+    }
+
+    private static WorldObjectDefinition withModem(long id, String name, double x) {
+        return WorldObjectDefinition.named(name)
+                .id(id)
+                .mass(1)
+                .volume(new Sphere(1))
+                .position(x, 0, 0)
+                .component(new AcousticModem("modem", Vec3.ZERO, "1", 100, 1500, 0, 0))
+                .build();
     }
 
     @Test

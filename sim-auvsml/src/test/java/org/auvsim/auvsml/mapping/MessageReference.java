@@ -68,7 +68,15 @@ final class MessageReference {
 
     private Set<String> packages() {
         Set<String> names = new LinkedHashSet<>();
-        List.of("listening", "movement", "sensing", "feedback", "control", "entity", "session")
+        List.of(
+                        "listening",
+                        "movement",
+                        "sensing",
+                        "radio",
+                        "feedback",
+                        "control",
+                        "entity",
+                        "session")
                 .forEach(name -> names.add(Message.class.getPackageName() + "." + name));
         catalogue.types().forEach(type -> names.add(type.getPackageName()));
         return names;

@@ -45,10 +45,14 @@ import org.auvsim.auvsml.message.entity.RemoveEffectCommand;
 import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
 import org.auvsim.auvsml.message.entity.WorldObjectListResponse;
 import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
+import org.auvsim.auvsml.message.radio.SendAcousticMessageCommand;
+import org.auvsim.auvsml.message.radio.SendRadioMessageCommand;
 import org.auvsim.auvsml.message.sensing.GetSensorListRequest;
 import org.auvsim.auvsml.message.sensing.ListedSensor;
 import org.auvsim.auvsml.message.sensing.SensorListResponse;
 import org.auvsim.auvsml.message.session.DisconnectCommand;
+import org.auvsim.core.communication.AcousticModem;
+import org.auvsim.core.communication.Radio;
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
@@ -178,6 +182,8 @@ class CommandsTest {
                 new ApplyForceCommand(1, "b", Frame.WORLD, UP, new Vec3(1, 0, 0)));
         silent(WorldObjectControl.class, new RemoveForceCommand(1, "a"));
         silent(WorldObjectControl.class, new SetPropulsorCommand(1, "Rudder", -1));
+        silent(WorldObjectControl.class, new SendAcousticMessageCommand(1, "Modem", "hello"));
+        silent(WorldObjectControl.class, new SendRadioMessageCommand(1, "VHF", "ahoy"));
         silent(WorldObjectControl.class, new AddEffectCommand(1, WEIGHT));
         silent(WorldObjectControl.class, new RemoveEffectCommand(1, WEIGHT));
         silent(WorldObjectControl.class, new SetControlSurfaceCommand(1, "Top Fin", 0.1));
@@ -188,6 +194,8 @@ class CommandsTest {
                         "apply" + List.of(new NamedForce("b", Frame.WORLD, UP, new Vec3(1, 0, 0))),
                         "removeForce[a]",
                         "setPropulsorLevel[Rudder, -1.0]",
+                        "transmit[" + AcousticModem.class + ", Modem, hello]",
+                        "transmit[" + Radio.class + ", VHF, ahoy]",
                         "addEffect" + List.of(WEIGHT),
                         "removeEffect" + List.of(WEIGHT),
                         "setControlSurface[Top Fin, 0.1]");

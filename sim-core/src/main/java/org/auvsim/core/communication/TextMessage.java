@@ -10,6 +10,5 @@ import org.auvsim.core.entity.Signal;
  * @param channel of both
  * @param sentAt world time (s)
  */
-public record TextMessage(
-        long senderId, String sender, String channel, double sentAt, String text)
+public record TextMessage(long senderId, String sender, String channel, double sentAt, String text)
         implements Signal {}

@@ -91,12 +91,7 @@ final class EntityImpact {
     }
 
     private double advance(
-            Collidable entity,
-            double epoch,
-            BodyCurve body,
-            Volume volume,
-            double t0,
-            double t1) {
+            Collidable entity, double epoch, BodyCurve body, Volume volume, double t0, double t1) {
         double touch = ConservativeAdvancement.CONTACT * volume.boundingRadius();
         double t = t0;
         double until = t0;

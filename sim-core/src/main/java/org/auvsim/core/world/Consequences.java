@@ -16,10 +16,7 @@ final class Consequences {
 
     /** For a world, who is in it, and how they move. */
     Consequences(
-            World world,
-            Population population,
-            Mechanics mechanics,
-            Announcements announcements) {
+            World world, Population population, Mechanics mechanics, Announcements announcements) {
         this.world = world;
         this.population = population;
         this.mechanics = mechanics;

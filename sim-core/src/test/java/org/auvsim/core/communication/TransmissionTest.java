@@ -67,11 +67,7 @@ class TransmissionTest {
     }
 
     private static void send(World world, Class<? extends Transceiver> kind, String text) {
-        world.transmit(
-                world.object("A").id(),
-                kind,
-                kind == Radio.class ? "radio" : "modem",
-                text);
+        world.transmit(world.object("A").id(), kind, kind == Radio.class ? "radio" : "modem", text);
     }
 
     @Test
@@ -80,7 +76,11 @@ class TransmissionTest {
                 sea(
                                 vehicle("A", BALL, 0, 0, modem("1", 2000, 0)),
                                 vehicle("B", BALL, 750.5, 0, modem("1", 2000, 0)),
-                                vehicle("C", new Box(new Vec3(1, 1, 1)), -1200.5, 0,
+                                vehicle(
+                                        "C",
+                                        new Box(new Vec3(1, 1, 1)),
+                                        -1200.5,
+                                        0,
                                         modem("1", 1, 0)))
                         .build();
         world.advanceTimestep();

@@ -12,7 +12,9 @@ import org.auvsim.auvsml.message.movement.MovementStateChangeMessage;
 import org.auvsim.auvsml.message.movement.StateType;
 import org.auvsim.auvsml.message.movement.StepReportNotification;
 import org.auvsim.auvsml.message.movement.TimestepAdvancedNotification;
+import org.auvsim.auvsml.message.radio.RadioMessage;
 import org.auvsim.auvsml.message.sensing.SensorReadingMessage;
+import org.auvsim.core.communication.TextMessage;
 import org.auvsim.core.entity.Contact;
 import org.auvsim.core.entity.MovementState;
 import org.auvsim.core.entity.WorldObject;
@@ -51,6 +53,11 @@ final class WorldNews implements WorldListener {
             case WorldEvent.Collided collided -> tell(collided);
             case WorldEvent.Moved movement -> moved.put(movement.objectId(), movement);
             case WorldEvent.SensorRead read -> tell(read);
+            case WorldEvent.SignalReceived received -> {
+                if (received.signal() instanceof TextMessage message) {
+                    tell(received, message);
+                }
+            }
             case WorldEvent.StepReport report -> tell(report);
             case WorldEvent.StepAdvanced _ -> {
                 // told when the whole step is over, see finished()
@@ -100,6 +107,22 @@ final class WorldNews implements WorldListener {
                                 contact.point(),
                                 contact.normal(),
                                 collision.impulse()));
+    }
+
+    private void tell(WorldEvent.SignalReceived received, TextMessage message) {
+        notifications.event(
+                EventType.RADIO,
+                List.of(received.objectId()),
+                received.time(),
+                () ->
+                        new RadioMessage(
+                                received.time(),
+                                received.objectId(),
+                                message.senderId(),
+                                message.sender(),
+                                message.channel(),
+                                message.sentAt(),
+                                message.text()));
     }
 
     private void tell(WorldEvent.SensorRead read) {

@@ -5,6 +5,7 @@ import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.command.WorldObjectControl;
 import org.auvsim.core.actuator.Fin;
 import org.auvsim.core.actuator.Propulsor;
+import org.auvsim.core.communication.Transceiver;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObject;
@@ -59,5 +60,10 @@ record WorldObjectPort(World world, WorldObject object) implements WorldObjectCo
                     "'%s' has no such effect; get-effect-list-request tells which it has, to the number"
                             .formatted(object.name()));
         }
+    }
+
+    @Override
+    public void transmit(Class<? extends Transceiver> kind, String transceiver, String text) {
+        world.transmit(object.id(), kind, transceiver, text);
     }
 }

@@ -21,6 +21,8 @@ public enum EventType {
     COLLISION("Collision"),
     /** A reading arrived from a sensor of an object. */
     SENSOR_READING("SensorReading"),
+    /** A message of a modem or a radio reached an object. */
+    RADIO("Radio"),
     /** An entity came into the world. */
     ENTITY_ADDED("EntityAdded"),
     /** An entity left the world. */

@@ -1,5 +1,6 @@
 package org.auvsim.auvsml.message.command;
 
+import org.auvsim.core.communication.Transceiver;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.NamedForce;
 
@@ -48,4 +49,13 @@ public interface WorldObjectControl {
      * @throws RefusedException if the object has no fin of this name, or it cannot turn so far
      */
     void setControlSurface(String name, double angle);
+
+    /**
+     * Sends a message.
+     *
+     * @param kind of the transceiver
+     * @param transceiver its name
+     * @throws RefusedException if the object has no such transceiver
+     */
+    void transmit(Class<? extends Transceiver> kind, String transceiver, String text);
 }

@@ -6,6 +6,7 @@ import static java.util.Objects.requireNonNull;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.cli.plot.TrajectoryPlot;
 import org.auvsim.cli.report.FileTrouble;
 import org.auvsim.cli.report.UserError;
 import org.auvsim.core.world.World;
@@ -73,6 +74,14 @@ final class Run implements Callable<Integer> {
     private Optional<Path> readings = Optional.empty();
 
     @Option(
+            names = "--plot",
+            paramLabel = "FILE.png",
+            description =
+                    "Draws the paths from above, heights and speeds of what moves, of many objects"
+                            + " the first ten.")
+    private Optional<Path> plot = Optional.empty();
+
+    @Option(
             names = "--last-good",
             paramLabel = "FILE",
             description =
@@ -114,15 +123,40 @@ final class Run implements Callable<Integer> {
                     "--until must be after the scenario's start at %s s, but is %s s."
                             .formatted(world.time(), until));
         }
+        if (plot.isPresent() && !plot.get().toString().endsWith(".png")) {
+            throw new UserError(
+                    "--plot draws PNG, so the file's name must end in .png, but is %s."
+                            .formatted(plot.get()));
+        }
         // Ctrl-C waits until all of this is closed, so that the CSV is whole.
         try (Interruption interruption = new Interruption(() -> {})) {
-            if (readings.isPresent()) {
-                recordReadings(world, readings.get(), interruption);
+            if (plot.isPresent()) {
+                draw(world, plot.get(), interruption);
             } else {
-                runRecorded(world, interruption);
+                runWithReadings(world, interruption);
             }
         }
         return 0;
+    }
+
+    private void draw(World world, Path target, Interruption interruption) {
+        TrajectoryPlot picture = new TrajectoryPlot(world);
+        world.addListener(picture);
+        runWithReadings(world, interruption);
+        try {
+            Files.write(target, picture.png());
+            tell("picture written to " + target);
+        } catch (IOException e) {
+            throw FileTrouble.writing(target, e);
+        }
+    }
+
+    private void runWithReadings(World world, Interruption interruption) {
+        if (readings.isPresent()) {
+            recordReadings(world, readings.get(), interruption);
+        } else {
+            runRecorded(world, interruption);
+        }
     }
 
     private void recordReadings(World world, Path target, Interruption interruption) {

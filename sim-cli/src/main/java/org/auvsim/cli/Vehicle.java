@@ -24,7 +24,7 @@ import java.util.concurrent.Callable;
         name = "vehicle",
         description =
                 "Prints what the numbers of a vehicle say of it: masses, stability, speeds, and"
-                    + " what looks wrong.",
+                        + " what looks wrong.",
         footer = {
             "",
             "Speeds and stability are found by trying the vehicle in still, deep water.",

@@ -13,6 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import java.awt.image.BufferedImage;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -21,6 +22,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
+
+import javax.imageio.ImageIO;
 
 class RunTest {
     private static final String HEADER = "t,object,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz";
@@ -64,6 +67,20 @@ class RunTest {
                                 + " 0 crowded hits, 0 lowered hits, 0 islands unsolved")
                 .contains("rows written to " + csv);
         assertThat(auvsim.err()).isEmpty();
+    }
+
+    @Test
+    void drawsAPictureOfPathsHeightsAndSpeeds() throws IOException {
+        Path picture = folder.resolve("run.png");
+        Path scenario = SCENARIOS.resolve("bluerov2-dive.xml");
+
+        assertThat(auvsim.run("run", scenario, "--until", 20, "--plot", picture)).isZero();
+
+        BufferedImage image = ImageIO.read(picture.toFile());
+        assertThat(image.getHeight()).isGreaterThan(image.getWidth());
+        assertThat(auvsim.out()).contains("picture written to " + picture);
+        assertThat(auvsim.run("run", scenario, "--plot", folder.resolve("run.svg"))).isEqualTo(2);
+        assertThat(auvsim.err()).contains("--plot draws PNG, so the file's name must end in .png");
     }
 
     @Test

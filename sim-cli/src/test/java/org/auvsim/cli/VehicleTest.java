@@ -43,7 +43,7 @@ class VehicleTest {
                 .contains("ahead 0.734, astern 0.734")
                 .contains(
                         "Thrusters     8, rank 6, independent: surge, sway, heave, roll, pitch,"
-                            + " yaw")
+                                + " yaw")
                 .contains("- Buoyancy is 1.0 N less than weight (0.7 %): it sinks.");
     }
 

@@ -126,8 +126,8 @@ final class DampingCheck {
                         String.format(
                                 Locale.ROOT,
                                 "Going %s, the water gives it energy: %.3g W at velocity (%.2f,"
-                                    + " %.2f, %.2f) m/s and rate (%.2f, %.2f, %.2f) rad/s; such"
-                                    + " lift terms hold within their tests alone.",
+                                        + " %.2f, %.2f) m/s and rate (%.2f, %.2f, %.2f) rad/s; such"
+                                        + " lift terms hold within their tests alone.",
                                 way,
                                 power,
                                 v.x(),

@@ -38,7 +38,7 @@ final class WeightCheck {
                     String.format(
                             Locale.ROOT,
                             "No body has these moments of inertia: %.3g kg m^2 is more than the"
-                                + " other two together.",
+                                    + " other two together.",
                             greatest));
         }
     }

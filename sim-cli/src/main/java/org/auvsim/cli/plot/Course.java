@@ -1,0 +1,47 @@
+package org.auvsim.cli.plot;
+
+import org.auvsim.core.math.Vec3;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+
+/** Where an object has been; of a long run every second, fourth ... sample is kept. */
+final class Course {
+    private static final int MOST_SAMPLES = 4000;
+
+    /** Time (s), position (m) and speed (m/s). */
+    record Sample(double time, Vec3 position, double speed) {}
+
+    private final String name;
+    private List<Sample> samples = new ArrayList<>();
+    private int stride = 1;
+    private int seen;
+
+    Course(String name) {
+        this.name = name;
+    }
+
+    String name() {
+        return name;
+    }
+
+    void add(Sample sample) {
+        if (seen++ % stride != 0) {
+            return;
+        }
+        samples.add(sample);
+        if (samples.size() == MOST_SAMPLES) {
+            List<Sample> fewer = new ArrayList<>();
+            for (int i = 0; i < samples.size(); i += 2) {
+                fewer.add(samples.get(i));
+            }
+            samples = fewer;
+            stride *= 2;
+        }
+    }
+
+    double[] values(ToDoubleFunction<Sample> of) {
+        return samples.stream().mapToDouble(of).toArray();
+    }
+}

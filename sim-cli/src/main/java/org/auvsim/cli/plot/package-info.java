@@ -1,0 +1,5 @@
+/** Pictures of runs. */
+@NullMarked
+package org.auvsim.cli.plot;
+
+import org.jspecify.annotations.NullMarked;

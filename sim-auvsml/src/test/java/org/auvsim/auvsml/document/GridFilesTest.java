@@ -71,19 +71,19 @@ class GridFilesTest {
             delimiter = '|',
             value = {
                 "x,y,z,u,v;0,0,0,1,1|bay.csv:1: expected the columns x, y, z, u, v, w, but found x,"
-                    + " y, z, u, v",
+                        + " y, z, u, v",
                 "x,y,z,u,v,w;0,0,0,1,1,1;0,1,0,fast,1,1|bay.csv:3: column 4, 'u': expected a finite"
                         + " number, but found 'fast'",
                 "x,y,z,u,v,w;0,0,0,1,1,NaN|bay.csv:2: column 6, 'w': expected a finite number, but"
-                    + " found 'NaN'",
+                        + " found 'NaN'",
                 "x,y,z,u,v,w;0,0,0,1,1,1;0,0,-0,1,1,1|bay.csv:3: the point (0.0, 0.0, 0.0) is in"
-                    + " line 2 already",
+                        + " line 2 already",
                 "x,y,z,u,v,w;0,0,0,1,1,1;1,0,0,1,1,1;0,2,0,1,1,1|bay.csv has a hole: no row has the"
-                    + " point (1.0, 2.0, 0.0) of its 2 x 2 x 1 points",
+                        + " point (1.0, 2.0, 0.0) of its 2 x 2 x 1 points",
                 "x,y,z,u,v,w;0,0,0,1,1,1;1,0,0,1,1,1;1,2,0,1,1,1|bay.csv has a hole: no row has the"
-                    + " point (0.0, 2.0, 0.0) of its 2 x 2 x 1 points",
+                        + " point (0.0, 2.0, 0.0) of its 2 x 2 x 1 points",
                 "x,y,z,u,v,w|bay.csv has no points: expected the header x,y,z,u,v,w and a row for"
-                    + " each point"
+                        + " each point"
             })
     void aFileThatIsNoGridIsRefusedWithLineAndColumn(String csv, String problem)
             throws IOException {

@@ -46,6 +46,7 @@ final class Rules {
                                 Set.of("math"),
                                 Set.of("contact", "volume"),
                                 Set.of("entity"),
+                                Set.of("actuator"),
                                 Set.of("field", "effect", "behavior", "dynamics", "sensor"),
                                 Set.of("step", "communication"),
                                 Set.of("world")))

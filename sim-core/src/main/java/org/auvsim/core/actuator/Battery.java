@@ -39,22 +39,30 @@ public record Battery(String name, @Unit("J") double capacity, @Unit("J") double
         return charge == 0;
     }
 
-    @Override
-    public void act(double time, WorldObject self) {
-        List<Propulsor> drawing =
-                self.components(Propulsor.class).stream()
-                        .filter(
-                                p ->
-                                        p.powerDraw()
-                                                .filter(d -> d.battery().equals(name))
-                                                .isPresent())
-                        .toList();
+    /**
+     * What is left in it at a time (s), not before it last counted (J).
+     *
+     * @param propulsors all of its object, as they are now
+     */
+    public double chargeAt(double time, List<Propulsor> propulsors) {
         double drawn = 0;
-        for (Propulsor propulsor : drawing) {
+        for (Propulsor propulsor : drawing(propulsors)) {
             drawn += propulsor.uncounted(time);
         }
-        Battery left = new Battery(name, capacity, Math.max(charge - drawn, 0));
-        for (Propulsor propulsor : drawing) {
+        return Math.max(charge - drawn, 0);
+    }
+
+    private List<Propulsor> drawing(List<Propulsor> propulsors) {
+        return propulsors.stream()
+                .filter(p -> p.powerDraw().filter(d -> d.battery().equals(name)).isPresent())
+                .toList();
+    }
+
+    @Override
+    public void act(double time, WorldObject self) {
+        List<Propulsor> propulsors = self.components(Propulsor.class);
+        Battery left = new Battery(name, capacity, chargeAt(time, propulsors));
+        for (Propulsor propulsor : drawing(propulsors)) {
             self.replace(propulsor.counted(time, !left.isEmpty()));
         }
         if (left.charge != charge) {

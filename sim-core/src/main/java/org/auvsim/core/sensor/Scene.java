@@ -1,5 +1,6 @@
 package org.auvsim.core.sensor;
 
+import org.auvsim.core.entity.Component;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.math.Vec3;
 
@@ -13,6 +14,9 @@ public interface Scene {
 
     /** All fields of a type, in order of id. */
     <F extends Field<?>> List<F> fields(Class<F> type);
+
+    /** The components of a type that the sensor's own object has, as they are after the step. */
+    <C extends Component> List<C> components(Class<C> type);
 
     /**
      * What a ray meets first of other bodies, within a range.

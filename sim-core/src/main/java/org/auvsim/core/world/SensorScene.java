@@ -1,5 +1,6 @@
 package org.auvsim.core.world;
 
+import org.auvsim.core.entity.Component;
 import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObject;
@@ -48,6 +49,11 @@ final class SensorScene implements Scene {
             }
         }
         return found;
+    }
+
+    @Override
+    public <C extends Component> List<C> components(Class<C> type) {
+        return self.components(type);
     }
 
     @Override

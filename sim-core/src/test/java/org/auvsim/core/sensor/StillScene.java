@@ -1,5 +1,6 @@
 package org.auvsim.core.sensor;
 
+import org.auvsim.core.entity.Component;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.math.Vec3;
 
@@ -15,6 +16,11 @@ final class StillScene implements Scene {
 
     @Override
     public <F extends Field<?>> List<F> fields(Class<F> type) {
+        return List.of();
+    }
+
+    @Override
+    public <C extends Component> List<C> components(Class<C> type) {
         return List.of();
     }
 

@@ -5,6 +5,8 @@ import static org.auvsim.core.entity.BodyState.PX;
 
 import org.auvsim.core.entity.Block;
 
+import java.util.Arrays;
+
 /**
  * How stiff the forces on a body are, from the first three stages of a Runge-Kutta step (as Hairer
  * &amp; Wanner, Solving Ordinary Differential Equations II, 1996, IV.2, do with other stages).
@@ -32,16 +34,28 @@ final class Stiffness {
      */
     private static final double REST = 1e-2;
 
+    /** Where in the block's scratch the sums of a body's three components stand. */
+    private static final int ACROSS = 0;
+
+    private static final int EARLY = 1;
+    private static final int LATE = 2;
+    private static final int FIRST = 3;
+    private static final int MOMENTUM = 4;
+    private static final int SUMS = 5;
+    private static final int Z = 5;
+
     private Stiffness() {}
 
     /** Writes for each body into how many parts the step of {@code dt} (s) should be cut. */
     static void estimate(Block b, double[][] start, double[][] sum, double dt) {
+        double[] z = b.scratch[Z];
+        Arrays.fill(z, 0, b.count, 0);
+        compare(b, start, sum, dt, PX, z);
+        if (b.turns()) {
+            compare(b, start, sum, dt, LX, z);
+        }
         for (int i = 0; i < b.count; i++) {
-            double z = stiffness(b, i, start, sum, dt, PX);
-            if (b.turns()) {
-                z = Math.max(z, stiffness(b, i, start, sum, dt, LX));
-            }
-            b.setSubSteps(i, parts(z));
+            b.setSubSteps(i, parts(z[i]));
         }
     }
 
@@ -55,35 +69,73 @@ final class Stiffness {
     }
 
     /**
-     * z of one of the momenta; after the third evaluation, when the state stands at start + k2 dt/2
-     * and the sum at start + k1 dt/6 + k2 dt/3.
+     * Raises z to that of one of the momenta; after the third evaluation, when the state stands at
+     * start + k2 dt/2 and the sum at start + k1 dt/6 + k2 dt/3.
      */
-    private static double stiffness(
-            Block b, int i, double[][] start, double[][] sum, double dt, int column) {
-        double across = 0;
-        double early = 0;
-        double late = 0;
-        double first = 0;
-        double momentum = 0;
-        for (int c = column; c < column + 3; c++) {
-            double p = start[c][i];
-            double k2 = 2 / dt * (b.state[c][i] - p);
-            double k1 = 6 / dt * (sum[c][i] - p) - 2 * k2;
-            double before = k2 - k1;
-            double after = b.rate[c][i] - k2;
-            across -= after * before;
-            early += before * before;
-            late += after * after;
-            first += k1 * k1;
-            momentum += p * p;
+    private static void compare(
+            Block b, double[][] start, double[][] sum, double dt, int column, double[] z) {
+        double[][] s = b.scratch;
+        for (int k = 0; k < SUMS; k++) {
+            Arrays.fill(s[k], 0, b.count, 0);
         }
-        double scale = Math.sqrt(momentum) + dt * Math.sqrt(first) + REST * b.mass[i];
-        if (across <= 0
-                || dt * Math.sqrt(early) <= ROUNDING * scale
-                || dt * Math.sqrt(late) <= HARMLESS * scale) {
+        for (int c = column; c < column + 3; c++) {
+            addChanges(b.count, s, start[c], b.state[c], sum[c], b.rate[c], dt);
+            addSizes(b.count, s, start[c], b.state[c], sum[c], dt);
+        }
+        double harmless = HARMLESS * HARMLESS / (dt * dt);
+        for (int i = 0; i < b.count; i++) {
+            // Most bodies are told by this alone; what scale adds makes the bound only larger.
+            if (s[ACROSS][i] > 0 && s[LATE][i] > harmless * s[MOMENTUM][i]) {
+                z[i] = Math.max(z[i], stiffness(s, i, dt, b.mass[i]));
+            }
+        }
+    }
+
+    private static void addChanges(
+            int count,
+            double[][] sums,
+            double[] start,
+            double[] state,
+            double[] sum,
+            double[] rate,
+            double dt) {
+        double[] across = sums[ACROSS];
+        double[] early = sums[EARLY];
+        double[] late = sums[LATE];
+        double twice = 2 / dt;
+        double sixfold = 6 / dt;
+        for (int i = 0; i < count; i++) {
+            double k2 = twice * (state[i] - start[i]);
+            double before = 3 * k2 - sixfold * (sum[i] - start[i]);
+            double after = rate[i] - k2;
+            across[i] -= after * before;
+            early[i] += before * before;
+            late[i] += after * after;
+        }
+    }
+
+    private static void addSizes(
+            int count, double[][] sums, double[] start, double[] state, double[] sum, double dt) {
+        double[] first = sums[FIRST];
+        double[] momentum = sums[MOMENTUM];
+        double twice = 2 / dt;
+        double sixfold = 6 / dt;
+        for (int i = 0; i < count; i++) {
+            double k1 = sixfold * (sum[i] - start[i]) - 2 * twice * (state[i] - start[i]);
+            first[i] += k1 * k1;
+            momentum[i] += start[i] * start[i];
+        }
+    }
+
+    private static double stiffness(double[][] sums, int i, double dt, double mass) {
+        double early = sums[EARLY][i];
+        double late = sums[LATE][i];
+        double first = sums[FIRST][i];
+        double scale = Math.sqrt(sums[MOMENTUM][i]) + dt * Math.sqrt(first) + REST * mass;
+        if (dt * Math.sqrt(early) <= ROUNDING * scale || dt * Math.sqrt(late) <= HARMLESS * scale) {
             return 0;
         }
-        double z = 2 * across / early;
+        double z = 2 * sums[ACROSS][i] / early;
         // Of a stiff force each stage's change is z/2 times the last one; of one that jumps, or is
         // changed by something else such as a partner's fall, only the last is large.
         return z > JUMP ? Math.min(z, 2 * Math.sqrt(early / first)) : z;

@@ -31,6 +31,7 @@ public final class SpatialBlock {
     /** Whether a body's motion is computed here. */
     private final boolean[] isHere;
 
+    private boolean areSymmetric;
     private boolean areAllHere;
     private boolean isAnyHere;
     private boolean isAnyMounted;
@@ -50,6 +51,7 @@ public final class SpatialBlock {
     /** Copies the constants of the block's bodies. */
     void load(Block b, SpatialColumns columns) {
         columns.gather(b, constants);
+        areSymmetric = areSymmetric(b.count);
         areAllHere = true;
         isAnyHere = false;
         isAnyMounted = false;
@@ -139,6 +141,10 @@ public final class SpatialBlock {
 
     /** One row of M^-1 times momenta. */
     private void solve(int count, double[][] of, int row, double[] to) {
+        if (areSymmetric) {
+            solveHalf(count, of, row, to);
+            return;
+        }
         double[] a = inverse(row, 0);
         double[] b = inverse(row, 1);
         double[] c = inverse(row, 2);
@@ -160,6 +166,35 @@ public final class SpatialBlock {
                             + e[i] * m[i]
                             + f[i] * n[i];
         }
+    }
+
+    /** Of bodies that are symmetric to port and starboard half of the row are zeros. */
+    private void solveHalf(int count, double[][] of, int row, double[] to) {
+        int first = row % 2;
+        double[] a = inverse(row, first);
+        double[] b = inverse(row, first + 2);
+        double[] c = inverse(row, first + 4);
+        double[] x = of[first];
+        double[] y = of[first + 2];
+        double[] z = of[first + 4];
+        for (int i = 0; i < count; i++) {
+            to[i] = a[i] * x[i] + b[i] * y[i] + c[i] * z[i];
+        }
+    }
+
+    /** Whether surge, heave and pitch have nothing to do with sway, roll and yaw. */
+    private boolean areSymmetric(int count) {
+        for (int row = 0; row < 6; row++) {
+            for (int column = row + 1; column < 6; column += 2) {
+                double[] element = inverse(row, column);
+                for (int i = 0; i < count; i++) {
+                    if (element[i] != 0) {
+                        return false;
+                    }
+                }
+            }
+        }
+        return true;
     }
 
     /** The element of the inverse at a row and a column. */

@@ -125,6 +125,7 @@ public class Rk4Benchmark {
         for (int done = 0; done < BODY_STEPS; done += block.count) {
             int count = Math.min(Block.SIZE, Math.min(bodies - next, BODY_STEPS - done));
             equations.load(block, next, count, 0);
+            equations.evaluate(block);
             rk4.advance(equations, block, DT);
             for (int c = 0; c < BodyState.COLUMNS; c++) {
                 System.arraycopy(block.state[c], 0, after[c], next, count);

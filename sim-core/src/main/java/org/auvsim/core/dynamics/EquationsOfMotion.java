@@ -137,7 +137,7 @@ public final class EquationsOfMotion {
         plainVelocities(b);
         waterVelocities(b);
         if (b.turns()) {
-            turn(b, effects.length > 0 || !bodies.actuators().isEmpty());
+            turn(b, needsSpin());
         }
         if (b.hasSpatial) {
             b.spatial().carry(b);
@@ -180,6 +180,17 @@ public final class EquationsOfMotion {
             b.spatial().move(b);
         }
         Rotation.quaternionRates(b);
+    }
+
+    /** Fills the angular velocities (world) of an evaluated block, which nobody may have needed. */
+    public void spin(Block b) {
+        if (b.turns() && !needsSpin()) {
+            b.toWorld(b.wx, b.wy, b.wz, b.bodyWx, b.bodyWy, b.bodyWz);
+        }
+    }
+
+    private boolean needsSpin() {
+        return effects.length > 0 || !bodies.actuators().isEmpty();
     }
 
     /** Fills velocities and angular velocities (world) of the block from its state. */

@@ -22,7 +22,6 @@ public record Rk4() implements Integrator {
         double[][] start = work[0];
         double[][] sum = work[1];
         double begin = block.time;
-        equations.evaluate(block);
         block.time = begin + NODE[1] * dt;
         begin(block, start, NODE[1] * dt, sum, WEIGHT[0] * dt);
         for (int stage = 1; stage < LAST; stage++) {

@@ -46,6 +46,7 @@ public final class SubSteps {
         double begin = block.time;
         for (int k = 0; k < parts; k++) {
             block.time = begin + k * (dt / parts);
+            equations.evaluate(block);
             integrator.advance(equations, block, dt / parts);
             for (int i = 0; i < block.count; i++) {
                 if (block.subSteps(i) > FINE) {

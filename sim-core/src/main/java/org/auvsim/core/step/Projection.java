@@ -186,6 +186,7 @@ final class Projection {
 
     private void integrateBlock() {
         if (offset != 0) {
+            equations.evaluate(block);
             integrator.advance(equations, block, offset);
         }
         for (int c = 0; c < BodyState.COLUMNS; c++) {

@@ -17,6 +17,11 @@ final class SegmentIntegrator {
 
     private static final int NONE = -1;
 
+    /** Where the spin at a segment's start and end is noted. */
+    private static final int START = 0;
+
+    private static final int END = 3;
+
     private final BodyTraits traits;
     private final EquationsOfMotion equations;
     private final BodyGroups groups;
@@ -140,6 +145,7 @@ final class SegmentIntegrator {
 
     /** Integrates the loaded bodies over a duration (s) and traces nothing. */
     void project(double duration) {
+        equations.evaluate(block);
         integrator.advance(equations, block, duration);
     }
 
@@ -209,22 +215,21 @@ final class SegmentIntegrator {
     }
 
     private void advance(Block of, double from, double to) {
-        measure(of, 0);
+        equations.evaluate(of);
         trace.begin(of);
+        if (!traits.areAllSpheres) {
+            equations.spin(of);
+            paths.noteSpin(of, START);
+        }
         integrator.advance(equations, of, to - from);
         writeEnds(of);
-        measure(of, 3);
-        trace.end(of, to - from);
-    }
-
-    /** Fills the velocities of a block, and notes the angular ones at start (0) or end (3). */
-    private void measure(Block of, int at) {
         if (traits.areAllSpheres) {
             equations.velocities(of);
-            return;
+        } else {
+            equations.motions(of);
+            paths.noteSpin(of, END);
         }
-        equations.motions(of);
-        paths.noteSpin(of, at);
+        trace.end(of, to - from);
     }
 
     /** Into how many parts the segments of a body, and all that it is coupled to, should be cut. */

@@ -34,6 +34,7 @@ class ContactForcesTest {
         block.hasContactTorques = true;
         block.contactFz[0] = 20;
         block.contactTx[0] = 3;
+        equations.evaluate(block);
         new Rk4().advance(equations, block, 0.05);
         assertThat(block.state[BodyState.PZ][0]).isZero();
         assertThat(block.state[BodyState.Z][0]).isZero();
@@ -47,6 +48,7 @@ class ContactForcesTest {
         block.hasContactTorques = true;
         block.contactFz[0] = 20;
         equations.load(block, 0, 1, 0);
+        equations.evaluate(block);
         new Rk4().advance(equations, block, 0.05);
         assertThat(block.state[BodyState.PZ][0]).isCloseTo(-1, within(1e-14));
     }

@@ -60,6 +60,7 @@ final class Flight {
     void advance(Integrator integrator, double dt, int steps) {
         for (int step = 0; step < steps; step++) {
             equations.load(block, 0, bodies.count(), time);
+            equations.evaluate(block);
             integrator.advance(equations, block, dt);
             for (int c = 0; c < BodyState.COLUMNS; c++) {
                 System.arraycopy(block.state[c], 0, bodies.state().column(c), 0, block.count);

@@ -38,6 +38,7 @@ class StiffnessTest {
         EquationsOfMotion equations = new EquationsOfMotion(bodies.state(), laidOut);
         Block block = new Block();
         equations.load(block, 0, 1, 0);
+        equations.evaluate(block);
         new Rk4().advance(equations, block, DT);
         return block.subSteps(0);
     }

@@ -66,6 +66,7 @@ final class Flight {
                 System.arraycopy(block.state[c], 0, bodies.state().column(c), 0, block.count);
             }
             time = block.time;
+            bodies.state().setTime(time);
         }
     }
 

@@ -10,29 +10,36 @@ import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.RealVector;
 import org.apache.commons.math3.ode.FirstOrderDifferentialEquations;
 import org.apache.commons.math3.ode.nonstiff.DormandPrince853Integrator;
+import org.auvsim.core.effect.Buoyancy;
 import org.auvsim.core.effect.Damping;
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.RigidBody;
-import org.auvsim.core.field.UniformCurrent;
 import org.auvsim.core.math.Vec3;
+
+import java.util.OptionalDouble;
 
 /**
  * {@link FullMassTest}'s vehicle written a second time, in the velocity form (Fossen 2021, equation
- * 6.52 and section 6.3): MRB nu' + CRB(nu) nu + MA nu_r' + CA(nu_r) nu_r = tau, where the water
- * moves evenly, so that nu_c' = (-w x u, 0) in body axes. Damping and weight act. Solved to 1e-13.
+ * 6.52 and section 6.3): MRB nu' + CRB(nu) nu + MA nu_r' + CA(nu_r) nu_r = tau, where nu_c' is that
+ * of the water that the moving origin meets. Weight, buoyancy and damping act and, where the water
+ * moves unevenly, m_d Du/Dt at the centre of buoyancy and MA ((u - v) . grad) u (Auton, Hunt &amp;
+ * Prud'homme 1988). Solved to 1e-14.
  */
 final class FossenVehicle implements FirstOrderDifferentialEquations {
-    private static final Vector3D WATER = new Vector3D(0.4, -0.3, 0.1);
     private static final double LINEAR = 2;
     private static final double ANGULAR = 0.5;
     private static final double GRAVITY = 1.5;
     private static final Vector3D CENTRE = new Vector3D(0.1, -0.05, -0.2);
+    private static final double DISPLACED = 9.8;
+    private static final Vector3D BUOYANCY = new Vector3D(0.05, 0.02, 0.1);
 
     private final RealMatrix rigid = new Array2DRowRealMatrix(6, 6);
     private final RealMatrix added = new Array2DRowRealMatrix(6, 6);
     private final RealMatrix inverse;
+    private final FossenWater water;
 
-    FossenVehicle() {
+    FossenVehicle(FossenWater water) {
+        this.water = water;
         RealMatrix s = skew(CENTRE);
         RealMatrix tensor =
                 new Array2DRowRealMatrix(
@@ -53,19 +60,27 @@ final class FossenVehicle implements FirstOrderDifferentialEquations {
         inverse = new LUDecomposition(rigid.add(added)).getSolver().getInverse();
     }
 
-    /** In the current from the beginning, when its velocity is stated. */
+    /** In the water from the beginning, when its velocity is stated. */
     Flight flight() {
         Vec3 ones = new Vec3(1, 1, 1);
         Flight flight =
                 Flight.of(FullMassTest.vehicle())
                         .with(new Gravity(GRAVITY))
                         .with(
+                                new Buoyancy(
+                                        DISPLACED / 1000,
+                                        1000,
+                                        GRAVITY,
+                                        vec(BUOYANCY),
+                                        1000,
+                                        OptionalDouble.empty()))
+                        .with(
                                 new Damping(
                                         ones.times(LINEAR),
                                         Vec3.ZERO,
                                         ones.times(ANGULAR),
-                                        Vec3.ZERO))
-                        .in(new UniformCurrent(1, "stream", new Vec3(0.4, -0.3, 0.1)));
+                                        Vec3.ZERO));
+        water.currents().forEach(flight::in);
         flight.body().setVelocity(new Vec3(1, 0.5, -0.3));
         flight.body().setAngularVelocity(new Vec3(0.4, -0.3, 0.6));
         return flight;
@@ -76,16 +91,22 @@ final class FossenVehicle implements FirstOrderDifferentialEquations {
         y[3] = 1;
         put(y, 7, new Vector3D(1, 0.5, -0.3));
         put(y, 10, new Vector3D(0.4, -0.3, 0.6));
-        new DormandPrince853Integrator(1e-8, 1, 1e-13, 1e-13).integrate(this, 0, y, time, y);
+        new DormandPrince853Integrator(1e-8, 1, 1e-14, 1e-14).integrate(this, 0, y, time, y);
         return y;
     }
 
+    /** The largest error of place, velocity and angular velocity, each relative to its size. */
     double error(RigidBody body, double[] y) {
         Rotation turn = rotation(y);
-        double place = body.position().distance(vec(vector(y, 0)));
-        double speed = body.velocity().distance(vec(turn.applyTo(vector(y, 7))));
-        double spin = body.angularVelocity().distance(vec(turn.applyTo(vector(y, 10))));
-        return Math.max(place, Math.max(speed, spin));
+        return Math.max(
+                error(body.position(), vector(y, 0)),
+                Math.max(
+                        error(body.velocity(), turn.applyTo(vector(y, 7))),
+                        error(body.angularVelocity(), turn.applyTo(vector(y, 10)))));
+    }
+
+    private static double error(Vec3 actual, Vector3D expected) {
+        return actual.distance(vec(expected)) / Math.max(1, expected.getNorm());
     }
 
     @Override
@@ -96,23 +117,35 @@ final class FossenVehicle implements FirstOrderDifferentialEquations {
     @Override
     public void computeDerivatives(double t, double[] y, double[] rate) {
         Rotation turn = rotation(y);
+        Vector3D place = vector(y, 0);
         Vector3D v = vector(y, 7);
         Vector3D w = vector(y, 10);
-        Vector3D water = turn.applyInverseTo(WATER);
-        Vector3D through = v.subtract(water);
+        Vector3D stream = water.velocity(place, t);
+        Vector3D local = turn.applyInverseTo(stream);
+        Vector3D through = v.subtract(local);
+        Vector3D byTime = water.byTime(place, t);
+        Vector3D met = byTime.add(water.along(place, t, turn.applyTo(v)));
+        Vector3D flowing = byTime.add(water.along(place, t, stream));
         Vector3D weight = turn.applyInverseTo(new Vector3D(0, 0, -10 * GRAVITY));
+        Vector3D lift =
+                turn.applyInverseTo(
+                        new Vector3D(0, 0, DISPLACED * GRAVITY).add(DISPLACED, flowing));
         RealVector nu = join(v, w);
         RealVector relative = join(through, w);
-        RealVector waterRate = join(w.crossProduct(water).negate(), Vector3D.ZERO);
+        RealVector waterRate =
+                join(turn.applyInverseTo(met).subtract(w.crossProduct(local)), Vector3D.ZERO);
+        RealVector uneven = join(turn.applyInverseTo(flowing.subtract(met)), Vector3D.ZERO);
         RealVector tau =
                 join(
-                        weight.subtract(through.scalarMultiply(LINEAR)),
-                        CENTRE.crossProduct(weight).subtract(w.scalarMultiply(ANGULAR)));
+                        weight.add(lift).subtract(through.scalarMultiply(LINEAR)),
+                        CENTRE.crossProduct(weight)
+                                .add(BUOYANCY.crossProduct(lift))
+                                .subtract(w.scalarMultiply(ANGULAR)));
         RealVector acceleration =
                 inverse.operate(
                         tau.subtract(coriolis(rigid, nu).operate(nu))
                                 .subtract(coriolis(added, relative).operate(relative))
-                                .add(added.operate(waterRate)));
+                                .add(added.operate(waterRate.add(uneven))));
         put(rate, 0, turn.applyTo(v));
         Vector3D q = vector(y, 4);
         rate[3] = -q.dotProduct(w) / 2;

@@ -15,6 +15,8 @@ import org.auvsim.core.field.UniformCurrent;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Box;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 import java.util.List;
 
@@ -101,12 +103,13 @@ class FullMassTest {
         assertNear(flight.body().linearMomentum(), new Vec3(5, 2, 0), 1e-4);
     }
 
-    @Test
-    void theIndependentVelocityFormGivesTheSameMotion() {
-        FossenVehicle reference = new FossenVehicle();
-        double[] truth = reference.solve(3);
+    @ParameterizedTest
+    @EnumSource(FossenWater.class)
+    void theIndependentVelocityFormGivesTheSameMotion(FossenWater water) {
+        FossenVehicle reference = new FossenVehicle(water);
+        double[] truth = reference.solve(60);
         Flight flight = reference.flight();
-        flight.advance(new Rk4(), 0.0005, 6000);
+        flight.advance(new Rk4(), 0.002, 30_000);
         assertThat(reference.error(flight.body(), truth)).isLessThan(1e-9);
     }
 }

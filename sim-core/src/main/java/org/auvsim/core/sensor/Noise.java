@@ -66,11 +66,11 @@ public final class Noise {
         long low = 1;
         double atLow = gaussian(stream, 1);
         while (2 * low <= n) {
-            atLow += Math.sqrt(low) * gaussian(stream, 2 * low);
+            atLow += Math.sqrt((double) low) * gaussian(stream, 2 * low);
             low *= 2;
         }
         long high = 2 * low;
-        double atHigh = low == n ? atLow : atLow + Math.sqrt(low) * gaussian(stream, high);
+        double atHigh = low == n ? atLow : atLow + Math.sqrt((double) low) * gaussian(stream, high);
         while (low < n) {
             long middle = (low + high) / 2;
             double spread = Math.sqrt((high - low) * 0.25);

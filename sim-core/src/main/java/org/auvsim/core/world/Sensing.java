@@ -10,7 +10,9 @@ import org.auvsim.core.sensor.Sensor;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -23,6 +25,13 @@ import java.util.Optional;
 final class Sensing {
     private static final Comparator<WorldEvent.SensorRead> BY_ARRIVAL =
             Comparator.comparingDouble(WorldEvent.SensorRead::time);
+
+    /** What tells a sensor from all others, whatever its parameters are now. */
+    private record Place(long objectId, String sensor) {
+        static Place of(Station station) {
+            return new Place(station.object().id(), station.sensor().name());
+        }
+    }
 
     private final Population population;
     private final Optional<Datum> datum;
@@ -101,16 +110,13 @@ final class Sensing {
             return;
         }
         listedAt = changes;
-        List<Station> before = List.copyOf(stations);
+        Map<Place, Station> before = new HashMap<>();
+        stations.forEach(station -> before.put(Place.of(station), station));
         stations.clear();
         for (WorldObject object : population.objects()) {
             for (Sensor sensor : object.components(Sensor.class)) {
-                Kinematics last =
-                        before.stream()
-                                .filter(station -> station.isOf(object.id(), sensor.name()))
-                                .findFirst()
-                                .map(Station::last)
-                                .orElseGet(() -> Kinematics.of(object, time));
+                Station former = before.get(new Place(object.id(), sensor.name()));
+                Kinematics last = former == null ? Kinematics.of(object, time) : former.last();
                 stations.add(new Station(object, sensor, last));
             }
         }

@@ -44,11 +44,6 @@ final class Station {
         return sampling.time(sampling.firstAfter(time));
     }
 
-    /** Whether it is the one of an object's sensor of a name, as it is now or was. */
-    boolean isOf(long objectId, String name) {
-        return object.id() == objectId && sensor.name().equals(name);
-    }
-
     /** It measures for sample {@code k}, and only if it is wanted is a reading made. */
     Optional<WorldEvent.SensorRead> measure(long k, Kinematics now, Scene scene, boolean isWanted) {
         Kinematics before = last;

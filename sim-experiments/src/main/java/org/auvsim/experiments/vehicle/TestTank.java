@@ -4,6 +4,7 @@ import org.auvsim.core.actuator.Fin;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.Actuator;
 import org.auvsim.core.entity.Component;
+import org.auvsim.core.entity.CoupledEffect;
 import org.auvsim.core.entity.Mount;
 import org.auvsim.core.entity.Twist;
 import org.auvsim.core.entity.WorldObject;
@@ -16,7 +17,10 @@ import org.auvsim.core.world.World;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 
-/** Still, deep water in which a vehicle is tried, its fins amidships, without its behaviors. */
+/**
+ * Still, deep water in which a vehicle is tried, its fins amidships, without its behaviors and what
+ * ties it to other bodies.
+ */
 final class TestTank {
     private static final double DEEP = -1000;
     private static final double INSTANT = 1e-6;
@@ -41,7 +45,9 @@ final class TestTank {
         vehicle.centreOfMass().ifPresent(body::centreOfMass);
         vehicle.addedMass().ifPresent(body::addedMass);
         mount.ifPresent(body::mount);
-        vehicle.effect().forEach(body::effect);
+        vehicle.effect().stream()
+                .filter(effect -> !(effect instanceof CoupledEffect))
+                .forEach(body::effect);
         for (Component component : vehicle.component()) {
             actuator(component, levels).ifPresent(body::component);
         }

@@ -63,7 +63,7 @@ public final class ScenarioLoader {
 
     /** Where the files are that a scenario in this one names. */
     static Optional<Path> folder(Path file) {
-        return Optional.of(file.toAbsolutePath().getParent());
+        return Optional.ofNullable(file.toAbsolutePath().getParent());
     }
 
     /** A file's bytes, one more than the limit at most. */

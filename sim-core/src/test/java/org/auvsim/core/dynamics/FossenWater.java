@@ -78,7 +78,7 @@ enum FossenWater {
                     cos * way.getX() + sin * way.getZ());
         }
 
-        /** The speed at which the swell moves the water. */
+        // The speed at which the swell moves the water.
         private double orbit(Vector3D p) {
             return 2 * RATE * StrictMath.exp(RATE * RATE / 9.80665 * (p.getZ() - SURFACE));
         }

@@ -57,12 +57,7 @@ public class VehicleBenchmark {
             List.of(
                     new Gravity(9.80665),
                     new Buoyancy(
-                            0.03,
-                            1025,
-                            9.80665,
-                            new Vec3(0, 0, 0.02),
-                            0,
-                            OptionalDouble.empty()),
+                            0.03, 1025, 9.80665, new Vec3(0, 0, 0.02), 0, OptionalDouble.empty()),
                     new Damping(
                             new Vec3(2, 20, 20),
                             new Vec3(2, 130, 130),

@@ -23,7 +23,11 @@ class BuoyancyEngineTest {
                                         .mass(50)
                                         .component(
                                                 new BuoyancyEngine(
-                                                        "Pump", 0, 1e-5, Vec3.ZERO, Optional.empty()))
+                                                        "Pump",
+                                                        0,
+                                                        1e-5,
+                                                        Vec3.ZERO,
+                                                        Optional.empty()))
                                         .build())
                         .build();
         world.object("Glider").command(BuoyancyEngine.class, "Pump", 2e-4);

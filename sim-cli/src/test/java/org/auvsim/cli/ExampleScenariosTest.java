@@ -6,13 +6,24 @@ import static org.assertj.core.api.Assertions.within;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.core.actuator.Propulsor;
+import org.auvsim.core.communication.AcousticModem;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.core.sensor.CompassReading;
+import org.auvsim.core.sensor.DepthReading;
+import org.auvsim.core.sensor.DvlReading;
+import org.auvsim.core.sensor.DvlReference;
+import org.auvsim.core.sensor.GpsReading;
+import org.auvsim.core.sensor.ImuReading;
+import org.auvsim.core.sensor.RangeReading;
+import org.auvsim.core.sensor.ThermometerReading;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldEvent;
+import org.auvsim.core.world.WorldListener;
 import org.junit.jupiter.api.Test;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -152,5 +163,76 @@ class ExampleScenariosTest {
         }
         assertThat(world.object("Surveyor").position().x()).isGreaterThan(-4);
         assertThat(world.object("Surveyor").position().z()).isBetween(-20.0, -10.0);
+    }
+
+    private static List<WorldEvent.SensorRead> readings(World world, double until) {
+        List<WorldEvent.SensorRead> heard = new ArrayList<>();
+        WorldListener listener =
+                event -> {
+                    if (event instanceof WorldEvent.SensorRead read) {
+                        heard.add(read);
+                    }
+                };
+        world.addListener(listener);
+        run(world, until);
+        world.removeListener(listener);
+        return heard;
+    }
+
+    private static <R> R last(List<WorldEvent.SensorRead> heard, long object, Class<R> kind) {
+        return heard.reversed().stream()
+                .filter(read -> read.objectId() == object)
+                .map(WorldEvent.SensorRead::reading)
+                .filter(kind::isInstance)
+                .map(kind::cast)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    @Test
+    void theSurveyorsSensorsTellWhatItDoes() throws DocumentException {
+        World world = world("survey.xml");
+        List<WorldEvent.SensorRead> heard = readings(world, 30);
+
+        Vec3 place = world.object("Surveyor").position();
+        DvlReading log = last(heard, 1, DvlReading.class);
+        assertThat(log.reference()).isEqualTo(DvlReference.BOTTOM);
+        assertThat(log.velocity().x()).isCloseTo(1.2, within(0.06));
+        assertThat(log.altitude().orElseThrow()).isCloseTo(8, within(0.25));
+        assertThat(last(heard, 1, DepthReading.class).depth()).isCloseTo(12.03, within(0.05));
+        assertThat(last(heard, 1, CompassReading.class).heading())
+                .isCloseTo(Math.PI / 2 - 0.23, within(0.05));
+        assertThat(last(heard, 1, ImuReading.class).specificForce().z())
+                .isCloseTo(9.80665, within(0.03));
+        assertThat(last(heard, 1, ThermometerReading.class).temperature()).isBetween(14.0, 16.0);
+        // the sonar is 0.9 m ahead of the origin, the wreck begins at 60 m; the last ping is 0.5 s
+        // old
+        RangeReading ahead = last(heard, 1, RangeReading.class);
+        assertThat(ahead.echo()).hasSize(5);
+        assertThat(ahead.echo().get(2).distance()).isCloseTo(60 - 0.9 - place.x(), within(0.9));
+        assertThat(heard).noneMatch(r -> r.objectId() == 1 && r.reading() instanceof GpsReading);
+        GpsReading buoy = last(heard, 2, GpsReading.class);
+        assertThat(buoy.latitude()).isCloseTo(36.6 + 30 / 111_000.0, within(1e-4));
+        assertThat(buoy.longitude()).isCloseTo(-121.9 + 20 / 89_500.0, within(1e-4));
+    }
+
+    @Test
+    void theBuoyHearsTheSurveyor() throws DocumentException {
+        World world = world("survey.xml");
+        List<WorldEvent.SignalReceived> heard = new ArrayList<>();
+        world.addListener(
+                event -> {
+                    if (event instanceof WorldEvent.SignalReceived received) {
+                        heard.add(received);
+                    }
+                });
+        for (int i = 0; i < 20; i++) {
+            world.transmit(1, AcousticModem.class, "Modem", "fix " + i);
+            run(world, world.time() + 0.1);
+        }
+
+        assertThat(heard).hasSizeBetween(12, 20);
+        double distance = Math.sqrt(20 * 20 + 30 * 30 + 12 * 12);
+        assertThat(heard.getFirst().time()).isCloseTo((distance - 0.3) / 1500, within(1e-3));
     }
 }

@@ -10,12 +10,16 @@ import org.auvsim.core.sensor.DepthReading;
 import org.auvsim.core.sensor.DepthSensor;
 import org.auvsim.core.sensor.Sampling;
 import org.auvsim.core.sensor.ScalarErrors;
+import org.auvsim.core.step.Lanes;
 import org.auvsim.core.step.SnapshotStepper;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.IntConsumer;
 
 /** When sensors measure, when their readings arrive, and that nothing else changes them. */
 class SensingTest {
@@ -222,5 +226,41 @@ class SensingTest {
                         .build();
 
         assertThat(readings(world, 20)).hasSize(30);
+    }
+
+    /** 600 bodies, more than a single lane is kept for, each with a sensor. */
+    private static World shoal(Lanes lanes) {
+        WorldBuilder world = World.builder().lanes(lanes);
+        for (int i = 0; i < 600; i++) {
+            world.add(
+                    sinking("Fish " + i)
+                            .position(2 * (i % 25), 2 * (i / 25 % 24), 0)
+                            .component(depth("depth", NOISY, new Sampling(30, 0.03, 0.1, 5)))
+                            .build());
+        }
+        return world.build();
+    }
+
+    @ParameterizedTest(name = "{0} lanes")
+    @ValueSource(ints = {2, 3})
+    void lanesReadTheSame(int count) {
+        Lanes backward =
+                new Lanes() {
+                    @Override
+                    public int count() {
+                        return count;
+                    }
+
+                    @Override
+                    public void run(IntConsumer part) {
+                        for (int i = count - 1; i >= 0; i--) {
+                            part.accept(i);
+                        }
+                    }
+                };
+
+        assertThat(readings(shoal(backward), 6))
+                .isNotEmpty()
+                .isEqualTo(readings(shoal(Lanes.ONE), 6));
     }
 }

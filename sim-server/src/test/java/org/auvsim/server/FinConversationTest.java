@@ -63,8 +63,8 @@ class FinConversationTest {
             assertThat(client.ask("1", "<get-control-surface-list-request agent-id=\"1\"/>"))
                     .isEqualTo(
                             "<auvsml request-id=\"1\"><control-surface-list-response"
-                                + " agent-id=\"1\"><control-surface name=\"Rudder\"/>"
-                                + "</control-surface-list-response></auvsml>");
+                                    + " agent-id=\"1\"><control-surface name=\"Rudder\"/>"
+                                    + "</control-surface-list-response></auvsml>");
             assertThat(client.ask("2", set("Rudder", 0.5)))
                     .contains("INVALID_VALUE")
                     .contains("the angle of fin 'Rudder' must be -0.3 to 0.3 rad, but is 0.5 rad");

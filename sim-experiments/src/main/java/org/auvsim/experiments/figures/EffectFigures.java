@@ -109,7 +109,7 @@ final class EffectFigures {
         return new Figure(
                 "added-mass",
                 "A slender body of 10 kg, thrown 10 degrees beside its axis: Munk's torque turns"
-                    + " it",
+                        + " it",
                 TIME,
                 "yaw rate (rad/s)",
                 List.of(

@@ -48,7 +48,7 @@ final class Vehicle implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         Scenario scenario = ScenarioFile.load(file, spec.commandLine().getErr());
         try {
-            VehicleSheet.of(choose(scenario.worldObject())).forEach(out::println);
+            out.print(VehicleSheet.of(choose(scenario.worldObject())));
         } catch (IllegalArgumentException e) {
             throw new UserError(file + ": " + e.getMessage(), e);
         }

@@ -79,6 +79,25 @@ class VehicleTest {
     }
 
     @Test
+    void aMatrixThatIsNotSymmetricIsRefused() throws IOException {
+        Path file =
+                auvsim.file(
+                        "a.xml",
+                        """
+                        <scenario>
+                          <world-object name="Odd" mass="10"><sphere radius="0.1"/>
+                            <added-mass><linear x="5" y="5" z="5"/><angular x="5" y="5" z="5"/>
+                              <term row="SWAY" column="YAW" value="1.0"/>
+                              <term row="YAW" column="SWAY" value="-1.0"/></added-mass>
+                          </world-object>
+                        </scenario>
+                        """);
+
+        assertThat(auvsim.run("vehicle", file)).isEqualTo(2);
+        assertThat(auvsim.err()).contains("an added mass matrix is symmetric, but YAW by SWAY is");
+    }
+
+    @Test
     void whatIsNoVehicleIsExplained() {
         Path tank = CommandLineHarness.EXAMPLES.resolve("scenarios").resolve("tank.xml");
         assertThat(auvsim.run("vehicle", tank, "--body", "Nautilus")).isEqualTo(2);

@@ -3,6 +3,7 @@ package org.auvsim.experiments.vehicle;
 import org.auvsim.core.entity.AddedMass;
 import org.auvsim.core.entity.MotionAxis;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Numbers;
 import org.auvsim.core.math.Vec3;
 
 import java.util.ArrayList;
@@ -18,7 +19,7 @@ import java.util.OptionalDouble;
  * @param ellipsoid likewise
  * @param strips likewise; empty where strip theory says nothing
  */
-record AddedMassCheck(double[] stated, double[] ellipsoid, List<OptionalDouble> strips) {
+record AddedMassCheck(Numbers stated, Numbers ellipsoid, List<OptionalDouble> strips) {
     private static final double FAR = 3;
 
     /** Shares of the greatest value of its kind below which an entry is not worth a word. */
@@ -26,23 +27,22 @@ record AddedMassCheck(double[] stated, double[] ellipsoid, List<OptionalDouble> 
 
     static AddedMassCheck of(WorldObjectDefinition vehicle, Hydrostatics at, Hull hull) {
         Vec3 none = Vec3.ZERO;
-        double[] stated =
+        Numbers stated =
                 six(
                         vehicle.addedMass().map(AddedMass::linear).orElse(none),
                         vehicle.addedMass().map(AddedMass::angular).orElse(none));
         double volume = at.displaced() > 0 ? at.displaced() / at.density() : 0;
         Ellipsoid ellipsoid = hull.ellipsoid(volume);
-        double[] estimated =
+        Numbers estimated =
                 volume > 0
                         ? six(ellipsoid.linear(at.density()), ellipsoid.angular(at.density()))
-                        : new double[6];
+                        : six(none, none);
         return new AddedMassCheck(stated, estimated, strips(hull, at.density()));
     }
 
-    private static double[] six(Vec3 linear, Vec3 angular) {
-        return new double[] {
-            linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()
-        };
+    private static Numbers six(Vec3 linear, Vec3 angular) {
+        return Numbers.of(
+                linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z());
     }
 
     private static List<OptionalDouble> strips(Hull hull, double density) {
@@ -61,15 +61,15 @@ record AddedMassCheck(double[] stated, double[] ellipsoid, List<OptionalDouble> 
         List<String> found = new ArrayList<>();
         for (MotionAxis axis : MotionAxis.values()) {
             int i = axis.index();
-            double expected = strips.get(i).orElse(ellipsoid[i]);
+            double expected = strips.get(i).orElse(ellipsoid.get(i));
             double least = SLIGHT * largest(i);
-            if (expected > least && (stated[i] > FAR * expected || stated[i] < expected / FAR)) {
+            if (expected > least && (stated.get(i) > FAR * expected || stated.get(i) < expected / FAR)) {
                 found.add(
                         String.format(
                                 Locale.ROOT,
                                 "Added mass in %s is %.3g %s, but %s says %.3g.",
                                 axis.name().toLowerCase(Locale.ROOT),
-                                stated[i],
+                                stated.get(i),
                                 i < 3 ? "kg" : "kg m^2",
                                 strips.get(i).isPresent() ? "strip theory" : "an ellipsoid",
                                 expected));
@@ -80,6 +80,7 @@ record AddedMassCheck(double[] stated, double[] ellipsoid, List<OptionalDouble> 
 
     private double largest(int i) {
         int first = i < 3 ? 0 : 3;
-        return Math.max(ellipsoid[first], Math.max(ellipsoid[first + 1], ellipsoid[first + 2]));
+        return Math.max(
+                ellipsoid.get(first), Math.max(ellipsoid.get(first + 1), ellipsoid.get(first + 2)));
     }
 }

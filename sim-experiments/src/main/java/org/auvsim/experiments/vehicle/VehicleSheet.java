@@ -5,20 +5,22 @@ import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.Component;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Mat3;
+import org.auvsim.core.math.Numbers;
 import org.auvsim.core.math.Vec3;
 
 import java.util.ArrayList;
+import java.util.Formatter;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 
-/** What the numbers of a vehicle say of it, as lines for people. */
+/** What the numbers of a vehicle say of it, as text for people. */
 public final class VehicleSheet {
     private final WorldObjectDefinition vehicle;
     private final Hydrostatics hydrostatics;
     private final Hull hull;
     private final OptionalDouble ahead;
-    private final List<String> lines = new ArrayList<>();
+    private final Formatter sheet = new Formatter(Locale.ROOT);
 
     private VehicleSheet(WorldObjectDefinition vehicle) {
         this.vehicle = vehicle;
@@ -32,7 +34,7 @@ public final class VehicleSheet {
      *
      * @throws IllegalArgumentException if it is fixed or has no end, so that it is no vehicle
      */
-    public static List<String> of(WorldObjectDefinition vehicle) {
+    public static String of(WorldObjectDefinition vehicle) {
         if (vehicle.fixed() || !vehicle.volume().isBounded()) {
             throw new IllegalArgumentException(
                     "'%s' is fixed or has no end and so is no vehicle; name another body"
@@ -41,36 +43,32 @@ public final class VehicleSheet {
         return new VehicleSheet(vehicle).write();
     }
 
-    private List<String> write() {
-        line("%s (body axes: x forward, y to port, z up)", vehicle.name());
-        line("");
+    private String write() {
+        sheet.format("%s (body axes: x forward, y to port, z up)%n", vehicle.name());
+        sheet.format("%n");
         masses();
         addedMass();
         motion();
         controls();
-        line("");
+        sheet.format("%n");
         findings();
-        return List.copyOf(lines);
-    }
-
-    private void line(String format, Object... values) {
-        lines.add(String.format(Locale.ROOT, format, values).stripTrailing());
+        return sheet.toString();
     }
 
     private void masses() {
         Mat3 inertia = vehicle.massProperties().orElseThrow().inertia();
         Hydrostatics h = hydrostatics;
-        line("Hull          %s m%s", of(hull.size()), hull.isRound() ? ", round" : "");
-        line("Mass          %.5g kg, centre at %s m", mass(), of(h.centreOfMass()));
-        line(
-                "Inertia       %.4g, %.4g, %.4g kg m^2 about it",
+        sheet.format("Hull          %s m%s%n", of(hull.size()), hull.isRound() ? ", round" : "");
+        sheet.format("Mass          %.5g kg, centre at %s m%n", mass(), of(h.centreOfMass()));
+        sheet.format(
+                "Inertia       %.4g, %.4g, %.4g kg m^2 about it%n",
                 inertia.xx(), inertia.yy(), inertia.zz());
-        line("Weight        %.5g N", h.weight());
-        line("Buoyancy      %.5g N, centre at %s m", h.buoyancy(), of(h.centreOfBuoyancy()));
+        sheet.format("Weight        %.5g N%n", h.weight());
+        sheet.format("Buoyancy      %.5g N, centre at %s m%n", h.buoyancy(), of(h.centreOfBuoyancy()));
         if (h.stiffness() > 0) {
             Vec3 added = vehicle.addedMass().map(a -> a.angular()).orElse(Vec3.ZERO);
-            line(
-                    "Righting      %.4g N m/rad, BG %.4g m; rolls in %.3g s, pitches in %.3g s",
+            sheet.format(
+                    "Righting      %.4g N m/rad, BG %.4g m; rolls in %.3g s, pitches in %.3g s%n",
                     h.stiffness(),
                     h.metacentricHeight(),
                     period(inertia.xx() + added.x()),
@@ -90,28 +88,28 @@ public final class VehicleSheet {
 
     private void addedMass() {
         AddedMassCheck check = AddedMassCheck.of(vehicle, hydrostatics, hull);
-        line("");
-        line("Added mass       surge     sway    heave     roll    pitch      yaw");
-        line("  stated     %s", row(boxed(check.stated())));
-        line("  ellipsoid  %s", row(boxed(check.ellipsoid())));
-        line("  strips     %s", row(check.strips()));
-        line("");
+        sheet.format("%n");
+        sheet.format("Added mass       surge     sway    heave     roll    pitch      yaw%n");
+        sheet.format("  stated     %s%n", row(boxed(check.stated())));
+        sheet.format("  ellipsoid  %s%n", row(boxed(check.ellipsoid())));
+        sheet.format("  strips     %s%n", row(check.strips()));
+        sheet.format("%n");
         DampingCheck water = water();
         List<OptionalDouble> against = new ArrayList<>();
         for (int axis = 0; axis < 6; axis++) {
             against.add(OptionalDouble.of(water.against(axis)));
         }
-        line("Drag at 1    %s  (N at 1 m/s, N m at 1 rad/s)", row(against));
+        sheet.format("Drag at 1    %s  (N at 1 m/s, N m at 1 rad/s)%n", row(against));
     }
 
     private DampingCheck water() {
         return new DampingCheck(vehicle, hull, hydrostatics.density());
     }
 
-    private static List<OptionalDouble> boxed(double[] values) {
+    private static List<OptionalDouble> boxed(Numbers values) {
         List<OptionalDouble> boxed = new ArrayList<>();
-        for (double value : values) {
-            boxed.add(OptionalDouble.of(value));
+        for (int i = 0; i < values.size(); i++) {
+            boxed.add(OptionalDouble.of(values.get(i)));
         }
         return boxed;
     }
@@ -128,9 +126,9 @@ public final class VehicleSheet {
     }
 
     private void motion() {
-        line("");
-        line(
-                "Full thrust   ahead %s, astern %s, to port %s, up %s, down %s (m/s)",
+        sheet.format("%n");
+        sheet.format(
+                "Full thrust   ahead %s, astern %s, to port %s, up %s, down %s (m/s)%n",
                 speed(ahead),
                 speed(TerminalSpeeds.along(vehicle, new Vec3(-1, 0, 0))),
                 speed(TerminalSpeeds.along(vehicle, new Vec3(0, 1, 0))),
@@ -138,8 +136,8 @@ public final class VehicleSheet {
                 speed(TerminalSpeeds.along(vehicle, new Vec3(0, 0, -1))));
         if (ahead.isPresent()) {
             CourseStability course = CourseStability.at(vehicle, ahead.getAsDouble());
-            line("Course        %s", course(course.sideways(), "sideways"));
-            line("              %s", course(course.vertical(), "up and down"));
+            sheet.format("Course        %s%n", course(course.sideways(), "sideways"));
+            sheet.format("              %s%n", course(course.vertical(), "up and down"));
         }
     }
 
@@ -159,8 +157,8 @@ public final class VehicleSheet {
     private void controls() {
         List<Propulsor> propulsors = all(Propulsor.class);
         ThrustAllocation allocation = ThrustAllocation.of(propulsors);
-        line(
-                "Thrusters     %d, rank %d, independent: %s",
+        sheet.format(
+                "Thrusters     %d, rank %d, independent: %s%n",
                 propulsors.size(),
                 allocation.rank(),
                 allocation.free().isEmpty()
@@ -170,7 +168,7 @@ public final class VehicleSheet {
                                 allocation.free().stream()
                                         .map(axis -> axis.name().toLowerCase(Locale.ROOT))
                                         .toList()));
-        line("Fins          %d", all(Fin.class).size());
+        sheet.format("Fins          %d%n", all(Fin.class).size());
     }
 
     private <C extends Component> List<C> all(Class<C> type) {
@@ -181,8 +179,10 @@ public final class VehicleSheet {
         List<String> found = new ArrayList<>(WeightCheck.findings(vehicle, hydrostatics));
         found.addAll(AddedMassCheck.of(vehicle, hydrostatics, hull).findings());
         found.addAll(water().findings());
-        line(found.isEmpty() ? "Nothing looks wrong." : "What looks wrong, or worth knowing:");
-        found.forEach(sentence -> line("- %s", sentence));
+        sheet.format(
+                "%s%n",
+                found.isEmpty() ? "Nothing looks wrong." : "What looks wrong, or worth knowing:");
+        found.forEach(sentence -> sheet.format("- %s%n", sentence));
     }
 
     private static String of(Vec3 v) {

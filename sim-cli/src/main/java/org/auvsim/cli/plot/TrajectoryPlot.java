@@ -110,7 +110,7 @@ public final class TrajectoryPlot implements WorldListener {
     private DoubleSummaryStatistics all(ToDoubleFunction<Course.Sample> of) {
         DoubleSummaryStatistics all = new DoubleSummaryStatistics();
         Collection<Course> drawn = courses.values();
-        drawn.forEach(course -> Arrays.stream(course.values(of)).forEach(all::accept));
+        drawn.forEach(course -> Arrays.stream(course.values(of)).forEach(all));
         return all;
     }
 

@@ -63,7 +63,8 @@ record AddedMassCheck(Numbers stated, Numbers ellipsoid, List<OptionalDouble> st
             int i = axis.index();
             double expected = strips.get(i).orElse(ellipsoid.get(i));
             double least = SLIGHT * largest(i);
-            if (expected > least && (stated.get(i) > FAR * expected || stated.get(i) < expected / FAR)) {
+            if (expected > least
+                    && (stated.get(i) > FAR * expected || stated.get(i) < expected / FAR)) {
                 found.add(
                         String.format(
                                 Locale.ROOT,

@@ -64,7 +64,8 @@ public final class VehicleSheet {
                 "Inertia       %.4g, %.4g, %.4g kg m^2 about it%n",
                 inertia.xx(), inertia.yy(), inertia.zz());
         sheet.format("Weight        %.5g N%n", h.weight());
-        sheet.format("Buoyancy      %.5g N, centre at %s m%n", h.buoyancy(), of(h.centreOfBuoyancy()));
+        sheet.format(
+                "Buoyancy      %.5g N, centre at %s m%n", h.buoyancy(), of(h.centreOfBuoyancy()));
         if (h.stiffness() > 0) {
             Vec3 added = vehicle.addedMass().map(a -> a.angular()).orElse(Vec3.ZERO);
             sheet.format(

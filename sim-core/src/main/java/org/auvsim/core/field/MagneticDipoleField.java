@@ -40,25 +40,21 @@ public record MagneticDipoleField(
     @Override
     public Vec3 valueAt(Vec3 place, double time) {
         Vec3 r = place.minus(position);
-        double d = r.norm();
-        if (d < radius) {
-            return moment.times(2 * CONSTANT / (radius * radius * radius));
-        }
-        Vec3 n = r.times(1 / d);
-        return n.times(3 * moment.dot(n)).minus(moment).times(CONSTANT / (d * d * d));
+        double d = Math.max(radius, r.norm());
+        double k = CONSTANT / (d * d * d);
+        boolean isInside = r.norm() < radius;
+        double along = isInside ? 0 : 3 * k * moment.dot(r) / (d * d);
+        return r.times(along).plus(moment.times(isInside ? 2 * k : -k));
     }
 
     /** 3 mu0/(4 pi r^4) (m n^T + n m^T + (m . n) (1 - 5 n n^T)) with n = r / |r|; zero inside. */
     @Override
     public Mat3 gradientAt(Vec3 place, double time) {
         Vec3 r = place.minus(position);
-        double d = r.norm();
-        if (d < radius) {
-            return Mat3.diagonal(0, 0, 0);
-        }
+        double d = Math.max(radius, r.norm());
         Vec3 n = r.times(1 / d);
         double along = moment.dot(n);
-        double k = 3 * CONSTANT / (d * d * d * d);
+        double k = r.norm() < radius ? 0 : 3 * CONSTANT / (d * d * d * d);
         Vec3 x = row(n, n.x(), moment.x(), along, k);
         Vec3 y = row(n, n.y(), moment.y(), along, k);
         Vec3 z = row(n, n.z(), moment.z(), along, k);

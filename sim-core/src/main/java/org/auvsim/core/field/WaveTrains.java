@@ -140,8 +140,12 @@ final class WaveTrains implements Current {
         double upByWay = 0;
         for (int n = 0; n < k.length; n++) {
             double theta = theta(n, x, y, b.time);
-            double cos = StrictMath.cos(theta);
-            double sin = StrictMath.sin(theta);
+            double quarters = Circle.quarters(theta);
+            double rest = Circle.rest(theta, quarters);
+            double restSin = StrictMath.sin(rest);
+            double restCos = StrictMath.cos(rest);
+            double sin = Circle.sine(quarters, restSin, restCos);
+            double cos = Circle.sine(quarters + 1, restSin, restCos);
             double decay = decay(n, z);
             double echo = echo(n, decay);
             double speed = amplitude[n] * omega[n] / (1 - ground[n]);

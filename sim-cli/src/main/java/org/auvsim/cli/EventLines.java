@@ -14,12 +14,14 @@ import org.auvsim.auvsml.message.session.ErrorResponse;
 import org.auvsim.auvsml.message.session.LaggingNotification;
 import org.auvsim.core.math.Mat3;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.core.sensor.SensorReading;
 
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /** Messages of a simulator as lines of a table for people. */
 final class EventLines {
@@ -64,7 +66,7 @@ final class EventLines {
                     event(
                             r.measuredAt(),
                             r.worldObjectId(),
-                            "reads %s: %s".formatted(r.sensor(), Quantities.of(r.reading())));
+                            "reads %s: %s".formatted(r.sensor(), values(r.reading())));
             case StepReportNotification s ->
                     event(
                             s.timestamp(),
@@ -84,6 +86,12 @@ final class EventLines {
             case ErrorResponse e -> Optional.of("the simulator refuses: " + e.text());
             default -> Optional.empty();
         };
+    }
+
+    private static String values(SensorReading reading) {
+        return Quantities.of(reading).entrySet().stream()
+                .map(value -> value.getKey() + " " + value.getValue())
+                .collect(Collectors.joining(", "));
     }
 
     private String name(long id) {

@@ -9,6 +9,10 @@ import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.sensing.SensorReadingMessage;
+import org.auvsim.core.sensor.Sampling;
+import org.auvsim.core.sensor.ScalarErrors;
+import org.auvsim.core.sensor.Sensor;
+import org.auvsim.core.sensor.SensorContract;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldEvent;
 import org.junit.jupiter.api.Test;
@@ -16,7 +20,12 @@ import org.junit.jupiter.api.Test;
 import java.util.ArrayList;
 import java.util.List;
 
-class InclinometerTest {
+class InclinometerTest extends SensorContract {
+    @Override
+    protected Sensor sensor(Sampling sampling) {
+        return new Inclinometer("Lean", new ScalarErrors(0.01, 0, 0.02), sampling);
+    }
+
     /** A body that turns about its own x axis by 0.5 rad/s, its nose 30 degrees down. */
     private static final String SCENARIO =
             """

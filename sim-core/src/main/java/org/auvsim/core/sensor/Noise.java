@@ -14,21 +14,28 @@ public final class Noise {
     private final long key;
     private final long sample;
     private final double rate;
+    private final Walks walks;
 
-    private Noise(long key, long sample, double rate) {
+    private Noise(long key, long sample, double rate, Walks walks) {
         this.key = key;
         this.sample = sample;
         this.rate = rate;
+        this.walks = walks;
     }
 
     /** The noise of sample {@code k} of a sensor of this name in the object of an id. */
     public static Noise of(long objectId, String sensor, Sampling sampling, long k) {
-        return new Noise(key(sampling.seed(), objectId, sensor), k, sampling.rate());
+        return new Noise(key(sampling.seed(), objectId, sensor), k, sampling.rate(), new Walks());
     }
 
     /** The noise of event {@code k} at a component of this name in the object of an id. */
     public static Noise of(long seed, long objectId, String component, long k) {
-        return new Noise(key(seed, objectId, component), k, 1);
+        return new Noise(key(seed, objectId, component), k, 1, new Walks());
+    }
+
+    /** The same as a new one for sample {@code k} of the same sensor, but faster in its walks. */
+    public Noise at(long k) {
+        return new Noise(key, k, rate, walks);
     }
 
     private static long key(long seed, long objectId, String component) {
@@ -51,7 +58,7 @@ public final class Noise {
      *
      * <p>It is found from its values at powers of two by bisection (Levy's construction), each
      * middle of two known values being their mean and a number of its own: some 2 log2 k numbers,
-     * whatever was read before.
+     * of which one or two are new where the samples before were asked for.
      */
     public double walk(int channel) {
         if (sample == 0) {
@@ -63,27 +70,52 @@ public final class Noise {
 
     /** The sum of {@code n} independent steps of variance 1. */
     private double steps(int stream, long n) {
-        long low = 1;
-        double atLow = gaussian(stream, 1);
-        while (2 * low <= n) {
-            atLow += Math.sqrt((double) low) * gaussian(stream, 2 * low);
-            low *= 2;
+        Walks.Walk walk = walks.of(stream);
+        int level = Long.SIZE - 1 - Long.numberOfLeadingZeros(n);
+        long low = 1L << level;
+        double atLow = atPower(walk, stream, level);
+        if (low == n) {
+            return atLow;
         }
-        long high = 2 * low;
-        double atHigh = low == n ? atLow : atLow + Math.sqrt((double) low) * gaussian(stream, high);
+        double atHigh = atPower(walk, stream, level + 1);
         while (low < n) {
-            long middle = (low + high) / 2;
-            double spread = Math.sqrt((high - low) * 0.25);
-            double atMiddle = (atLow + atHigh) / 2 + spread * gaussian(stream, middle);
+            level--;
+            long middle = low + (1L << level);
+            double value = atMiddle(walk, stream, level, middle, atLow, atHigh);
             if (middle <= n) {
                 low = middle;
-                atLow = atMiddle;
+                atLow = value;
             } else {
-                high = middle;
-                atHigh = atMiddle;
+                atHigh = value;
             }
         }
         return atLow;
+    }
+
+    /** The walk at 2^level. */
+    private double atPower(Walks.Walk walk, int stream, int level) {
+        double value = 0;
+        for (int j = 0; j <= level; j++) {
+            double known = walk.atPower(j);
+            double steps = j == 0 ? 1 : 1L << (j - 1);
+            value =
+                    Double.isNaN(known)
+                            ? walk.keepAtPower(
+                                    j, value + Math.sqrt(steps) * gaussian(stream, 1L << j))
+                            : known;
+        }
+        return value;
+    }
+
+    /** The walk 2^level steps from either end of an interval at whose ends it is known. */
+    private double atMiddle(
+            Walks.Walk walk, int stream, int level, long middle, double atLow, double atHigh) {
+        if (walk.knows(level, middle)) {
+            return walk.atMiddle(level);
+        }
+        double spread = Math.sqrt((1L << level) * 0.5);
+        double value = (atLow + atHigh) / 2 + spread * gaussian(stream, middle);
+        return walk.keepAtMiddle(level, middle, value);
     }
 
     /** Number {@code i} of a stream (Box and Muller 1958). */

@@ -140,14 +140,17 @@ final class Sensing {
 
     private void measure(Station station, double time) {
         Sampling sampling = station.sensor().sampling();
-        // What arrives at once, and nobody hears, need not be made.
-        boolean isWanted = sampling.delay() > 0 || !announcements.isUnheard();
         long k = sampling.firstAfter(began);
-        while (Sampling.isBy(sampling.time(k), time)) {
+        long end = sampling.firstAfter(time);
+        // What arrives at once, and nobody hears, need not be made.
+        if (k < end && sampling.delay() == 0 && announcements.isUnheard()) {
+            station.pass(course.at(station.object(), sampling.time(end - 1)));
+            return;
+        }
+        for (; k < end; k++) {
             Kinematics now = course.at(station.object(), sampling.time(k));
             SensorScene scene = new SensorScene(population, datum, course, station.object(), now);
-            station.measure(k, now, scene, isWanted).ifPresent(underWay::add);
-            k++;
+            station.measure(k, now, scene).ifPresent(underWay::add);
         }
     }
 }

@@ -4,6 +4,7 @@ import org.auvsim.core.entity.Component;
 import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObject;
+import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.sensor.Datum;
 import org.auvsim.core.sensor.Kinematics;
@@ -21,6 +22,7 @@ final class SensorScene implements Scene {
     private final Course course;
     private final WorldObject self;
     private final double time;
+    private Optional<List<Seen>> seen = Optional.empty();
 
     SensorScene(
             Population population,
@@ -60,28 +62,47 @@ final class SensorScene implements Scene {
     public Optional<Sighting> look(Vec3 from, Vec3 direction, double range, Target what) {
         Optional<Sighting> nearest = Optional.empty();
         Ray ray = new Ray(from, direction, range);
-        for (WorldObject object : population.objects()) {
-            if (object == self || (what == Target.FIXED_BODY && !object.isFixed())) {
+        for (Seen body : bodies()) {
+            if (what == Target.FIXED_BODY && !body.object.isFixed()) {
                 continue;
             }
-            double distance = distance(object, ray);
+            double distance = body.distance(ray);
             if (distance < Ray.MISS) {
-                nearest = Optional.of(new Sighting(object.id(), distance));
+                nearest = Optional.of(new Sighting(body.object.id(), distance));
                 ray = new Ray(from, direction, distance);
             }
         }
         return nearest;
     }
 
-    private double distance(WorldObject object, Ray ray) {
-        Kinematics there = course.at(object, time);
-        double radius = object.volume().boundingRadius();
-        Vec3 to = there.position().minus(ray.from());
-        double along = to.dot(ray.direction());
-        double beside = to.minus(ray.direction().times(along)).norm();
-        if (beside > radius || along + radius < 0 || along - radius > ray.range()) {
-            return Ray.MISS;
+    /** The other bodies where they are now, found once for all rays. */
+    private List<Seen> bodies() {
+        if (seen.isEmpty()) {
+            List<Seen> found = new ArrayList<>();
+            for (WorldObject object : population.objects()) {
+                if (object != self) {
+                    Kinematics there = course.at(object, time);
+                    found.add(new Seen(object, there.position(), there.orientation()));
+                }
+            }
+            seen = Optional.of(found);
         }
-        return object.volume().distance(ray.seenFrom(there.position(), there.orientation()));
+        return seen.get();
+    }
+
+    /** Another body, and where it is. */
+    private record Seen(WorldObject object, Vec3 position, Quat orientation) {
+        double distance(Ray ray) {
+            double radius = object.volume().boundingRadius();
+            Vec3 to = position.minus(ray.from());
+            double along = to.dot(ray.direction());
+            if (along + radius < 0 || along - radius > ray.range()) {
+                return Ray.MISS;
+            }
+            double beside = to.minus(ray.direction().times(along)).norm();
+            return beside > radius
+                    ? Ray.MISS
+                    : object.volume().distance(ray.seenFrom(position, orientation));
+        }
     }
 }

@@ -18,11 +18,13 @@ final class Station {
 
     private final WorldObject object;
     private final Sensor sensor;
+    private final Noise noise;
     private Kinematics last;
 
     Station(WorldObject object, Sensor sensor, Kinematics last) {
         this.object = object;
         this.sensor = sensor;
+        this.noise = Noise.of(object.id(), sensor.name(), sensor.sampling(), 0);
         this.last = last;
     }
 
@@ -44,15 +46,22 @@ final class Station {
         return sampling.time(sampling.firstAfter(time));
     }
 
-    /** It measures for sample {@code k}, and only if it is wanted is a reading made. */
-    Optional<WorldEvent.SensorRead> measure(long k, Kinematics now, Scene scene, boolean isWanted) {
+    /** It passes an instant without a reading. */
+    void pass(Kinematics now) {
+        last = now;
+    }
+
+    /**
+     * It measures for sample {@code k}; empty if there is nothing to read, or the reading is lost.
+     */
+    Optional<WorldEvent.SensorRead> measure(long k, Kinematics now, Scene scene) {
         Kinematics before = last;
         last = now;
-        Noise noise = Noise.of(object.id(), sensor.name(), sensor.sampling(), k);
-        if (!isWanted || noise.uniform(DROPOUT) < sensor.sampling().dropout()) {
+        Noise ofSample = noise.at(k);
+        if (ofSample.uniform(DROPOUT) < sensor.sampling().dropout()) {
             return Optional.empty();
         }
-        Optional<SensorReading> reading = sensor.read(new Sample(now, before, scene, noise));
+        Optional<SensorReading> reading = sensor.read(new Sample(now, before, scene, ofSample));
         double taken = sensor.sampling().time(k);
         return reading.map(
                 of ->

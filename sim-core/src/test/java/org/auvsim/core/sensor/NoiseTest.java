@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
 import java.util.stream.LongStream;
 
@@ -107,5 +108,22 @@ class NoiseTest {
         assertThat(covariance(ends, ends))
                 .isCloseTo(time, within(5 * time * Math.sqrt(2.0 / ends.length)));
         assertThat(noise(1, 0).walk(0)).isZero();
+    }
+
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = {1, 2, 3})
+    void whatIsRememberedOfTheWalkChangesNothing(long seed) {
+        Noise remembering = noise(seed, 0);
+        SplittableRandom random = new SplittableRandom(seed);
+        for (int i = 0; i < 3000; i++) {
+            long k = i < 1000 ? i : random.nextLong(-5000, 5000);
+            int channel = random.nextInt(3);
+
+            assertThat(remembering.at(k).walk(channel))
+                    .as("sample %s of channel %s", k, channel)
+                    .isEqualTo(noise(seed, k).walk(channel));
+            assertThat(remembering.at(k).gaussian(channel))
+                    .isEqualTo(noise(seed, k).gaussian(channel));
+        }
     }
 }

@@ -31,7 +31,7 @@ class EventLinesTest {
         assertThat(lines.of(new SensorReadingMessage(2.1, 9, "Sonar", 2, echoes)))
                 .contains(
                         "     2.000  #9               reads Sonar: echo.0.beam 2, echo.0.distance"
-                            + " 7.5");
+                                + " 7.5");
     }
 
     @Test

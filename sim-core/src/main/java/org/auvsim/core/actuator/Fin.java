@@ -4,6 +4,7 @@ import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.Actuator;
 import org.auvsim.core.entity.Block;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.math.Vec3;
 
 import java.util.Optional;
@@ -51,29 +52,31 @@ public record Fin(
      * @throws IllegalArgumentException naming the fin and what is outside its range
      */
     public Fin {
-        Domain domain = new Domain("fin", name);
-        domain.require(area > 0, "the area", area, "above 0 m^2", "m^2");
-        domain.require(liftSlope >= 0, "the lift slope", liftSlope, "0 or more", "per rad");
-        domain.require(
-                dragCoefficient >= 0, "the drag coefficient", dragCoefficient, "0 or more", "");
-        domain.require(inducedDrag >= 0, "the induced drag factor", inducedDrag, "0 or more", "");
-        domain.require(
+        String of = Domain.named("fin", name);
+        Domain.require(area > 0, of, "area", area, "above 0 m^2", "m^2");
+        Domain.require(liftSlope >= 0, of, "lift slope", liftSlope, "0 or more", "per rad");
+        Domain.require(
+                dragCoefficient >= 0, of, "drag coefficient", dragCoefficient, "0 or more", "");
+        Domain.require(inducedDrag >= 0, of, "induced drag factor", inducedDrag, "0 or more", "");
+        Domain.require(
                 0 < stallAngle && stallAngle <= Math.PI / 2,
-                "the stall angle",
+                of,
+                "stall angle",
                 stallAngle,
                 "above 0 and at most pi/2 rad",
                 "rad");
-        domain.require(density > 0, "the density", density, "above 0 kg/m^3", "kg/m^3");
-        domain.require(
+        Domain.require(density > 0, of, "density", density, "above 0 kg/m^3", "kg/m^3");
+        Domain.require(
                 0 <= maximumAngle && maximumAngle <= Math.PI,
-                "the maximum angle",
+                of,
+                "maximum angle",
                 maximumAngle,
                 "0 to pi rad",
                 "rad");
         String angles = "-%s to %s rad".formatted(maximumAngle, maximumAngle);
-        domain.require(Math.abs(angle) <= maximumAngle, "the angle", angle, angles, "rad");
+        Domain.require(Math.abs(angle) <= maximumAngle, of, "angle", angle, angles, "rad");
         double rate = maximumRate.orElse(1);
-        domain.require(rate > 0, "the maximum rate", rate, "above 0 rad/s", "rad/s");
+        Domain.require(rate > 0, of, "maximum rate", rate, "above 0 rad/s", "rad/s");
         if (!(chord.cross(span).norm() > 0) || !chord.isFinite() || !span.isFinite()) {
             throw new IllegalArgumentException(
                     "chord and span of fin '%s' must be across each other, but are %s and %s"

@@ -4,6 +4,7 @@ import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.Actuator;
 import org.auvsim.core.entity.Block;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.entity.Need;
 import org.auvsim.core.entity.Wrench;
 import org.auvsim.core.math.Vec3;
@@ -51,13 +52,13 @@ public record Propulsor(
      * @throws IllegalArgumentException naming the propulsor and what is outside its range
      */
     public Propulsor {
-        Domain domain = new Domain("propulsor", name);
-        domain.require(maximumThrust >= 0, "maximum thrust", maximumThrust, "0 N or more", "N");
-        domain.require(-1 <= level && level <= 1, "the level", level, "-1 to 1", "");
-        domain.require(lag >= 0, "the lag", lag, "0 s or more", "s");
-        domain.require(
-                0 <= deadZone && deadZone < 1, "the dead zone", deadZone, "0 to below 1", "");
-        domain.require(true, "the reaction torque", reactionTorque, "finite", "N m/N");
+        String of = Domain.named("propulsor", name);
+        Domain.require(maximumThrust >= 0, of, "maximum thrust", maximumThrust, "0 N or more", "N");
+        Domain.require(-1 <= level && level <= 1, of, "level", level, "-1 to 1", "");
+        Domain.require(lag >= 0, of, "lag", lag, "0 s or more", "s");
+        Domain.require(
+                0 <= deadZone && deadZone < 1, of, "dead zone", deadZone, "0 to below 1", "");
+        Domain.require(true, of, "reaction torque", reactionTorque, "finite", "N m/N");
         if (rotor.isPresent() && lag == 0) {
             throw new IllegalArgumentException(
                     "propulsor '%s' has a rotor and so needs a lag above 0 s: to spin up at once would"

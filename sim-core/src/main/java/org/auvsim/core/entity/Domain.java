@@ -1,22 +1,52 @@
 package org.auvsim.core.entity;
 
+import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 
-/** Checks of the parameters of effects and fields: one sentence says which, what, and the range. */
+/**
+ * Checks of the parameters of effects, fields and components: one sentence says which, what, and
+ * the range.
+ */
 public final class Domain {
     private Domain() {}
+
+    /** Whose parameters they are, where it has a name: "fin 'Rudder'". */
+    public static String named(String kind, String name) {
+        return kind + " '" + name + "'";
+    }
+
+    /** Nothing if a number is finite and in a range of any kind. */
+    public static void require(
+            boolean inRange,
+            String of,
+            String parameter,
+            double value,
+            String allowed,
+            String unit) {
+        if (!inRange || !Double.isFinite(value)) {
+            throw refusal(of, parameter, allowed, value, unit);
+        }
+    }
+
+    /** An orientation, scaled to length 1; refused unless finite and not zero. */
+    public static Quat unit(String of, String parameter, Quat orientation) {
+        if (!orientation.isFinite() || !(orientation.norm() > 0)) {
+            throw refusal(of, parameter, "finite and not zero", orientation, "");
+        }
+        return Math.abs(orientation.norm() - 1) > 1e-15 ? orientation.normalized() : orientation;
+    }
 
     /** Nothing if a number is finite and not negative. */
     public static void atLeast0(String of, String parameter, double value, String unit) {
         if (!(value >= 0) || Double.isInfinite(value)) {
-            throw refusal(of, parameter, "0 " + unit + " or more and finite", value, unit);
+            throw refusal(of, parameter, quantity("0", unit) + " or more and finite", value, unit);
         }
     }
 
     /** Nothing if a number is finite and positive. */
     public static void above0(String of, String parameter, double value, String unit) {
         if (!(value > 0) || Double.isInfinite(value)) {
-            throw refusal(of, parameter, "above 0 " + unit + " and finite", value, unit);
+            throw refusal(of, parameter, quantity("above 0", unit) + " and finite", value, unit);
         }
     }
 
@@ -38,8 +68,12 @@ public final class Domain {
     public static void within(
             String of, String parameter, double least, double most, double value, String unit) {
         if (!(value >= least && value <= most)) {
-            throw refusal(of, parameter, least + " to " + most + " " + unit, value, unit);
+            throw refusal(of, parameter, quantity(least + " to " + most, unit), value, unit);
         }
+    }
+
+    private static String quantity(String number, String unit) {
+        return (number + " " + unit).strip();
     }
 
     private static IllegalArgumentException refusal(

@@ -206,7 +206,7 @@ class CompoundTest {
                 .isThrownBy(() -> at(new HalfSpace(), 0, 0, 0))
                 .withMessage(
                         "a part of a compound must be a sphere, a capsule or a box, but is a"
-                                + " HalfSpace");
+                                + " half-space");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> at(new Sphere(1), 0, Double.NaN, 0))
                 .withMessage(

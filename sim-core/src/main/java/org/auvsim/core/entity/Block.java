@@ -165,15 +165,8 @@ public final class Block {
     private @Nullable SpatialBlock spatialBlock;
     private final int[] subSteps;
     private boolean hasSubSteps;
-    private final int[] slots;
-    private boolean neighbours = true;
+    private final BlockSlots slots;
     private double[][][] work = new double[0][][];
-
-    /** For {@link #indexOf}: where each slot may be, to be believed if it is there. */
-    private int[] places = new int[0];
-
-    private boolean hasPlaces;
-    private int[][] found = new int[0][];
 
     /** A block of the usual size. */
     public Block() {
@@ -231,33 +224,27 @@ public final class Block {
         inertia = new @Nullable SpatialInertia[capacity];
         applied = new double[AppliedForces.COLUMNS][capacity];
         subSteps = new int[capacity];
-        slots = new int[capacity];
+        slots = new BlockSlots(capacity);
     }
 
     /** Takes {@code count} bodies, from a slot on. */
     public void take(int firstSlot, int count) {
-        this.count = count;
-        hasContactForces = false;
-        hasContactTorques = false;
-        hasSubSteps = false;
-        hasInertia = false;
-        hasPlaces = false;
-        neighbours = true;
-        for (int i = 0; i < count; i++) {
-            slots[i] = firstSlot + i;
-        }
+        slots.take(firstSlot, count);
+        begin(count);
     }
 
     /** Takes the bodies in the first {@code count} of these slots. */
     public void take(int[] ofSlots, int count) {
-        this.count = count;
+        slots.take(ofSlots, count);
+        begin(count);
+    }
+
+    private void begin(int newCount) {
+        count = newCount;
         hasContactForces = false;
         hasContactTorques = false;
         hasSubSteps = false;
         hasInertia = false;
-        hasPlaces = false;
-        neighbours = false;
-        System.arraycopy(ofSlots, 0, slots, 0, count);
     }
 
     /**
@@ -302,65 +289,27 @@ public final class Block {
 
     /** Slot of body {@code i}. */
     public int slot(int i) {
-        return slots[i];
+        return slots.get(i);
     }
 
     /** Where in the block the body in a slot is; -1 if it is not there. */
     public int indexOf(int slot) {
-        if (!hasPlaces) {
-            notePlaces();
-        }
-        int i = slot < places.length ? places[slot] : count;
-        return i < count && slots[i] == slot ? i : -1;
-    }
-
-    private void notePlaces() {
-        for (int i = 0; i < count; i++) {
-            if (slots[i] >= places.length) {
-                places = Arrays.copyOf(places, 2 * slots[i] + 1);
-            }
-            places[slots[i]] = i;
-        }
-        hasPlaces = true;
+        return slots.indexOf(slot);
     }
 
     /** Where the bodies in these slots are; an empty array if one of them is missing. */
     int[] find(int[] ofSlots) {
-        int size = ofSlots.length;
-        if (found.length <= size) {
-            found = new int[size + 1][];
-            Arrays.setAll(found, k -> new int[k]);
-        }
-        for (int k = 0; k < size; k++) {
-            int i = indexOf(ofSlots[k]);
-            if (i < 0) {
-                return found[0];
-            }
-            found[size][k] = i;
-        }
-        return found[size];
+        return slots.find(ofSlots);
     }
 
     /** Copies a quantity of the block's bodies out of an array with a place for each slot. */
     public void gather(double[] bySlot, double[] to) {
-        if (neighbours) {
-            System.arraycopy(bySlot, slots[0], to, 0, count);
-            return;
-        }
-        for (int i = 0; i < count; i++) {
-            to[i] = bySlot[slots[i]];
-        }
+        slots.gather(bySlot, to);
     }
 
     /** Copies a quantity of the block's bodies into an array with a place for each slot. */
     public void scatter(double[] from, double[] bySlot) {
-        if (neighbours) {
-            System.arraycopy(from, 0, bySlot, slots[0], count);
-            return;
-        }
-        for (int i = 0; i < count; i++) {
-            bySlot[slots[i]] = from[i];
-        }
+        slots.scatter(from, bySlot);
     }
 
     /** Scratch copies of the state for an integrator, kept from call to call. */
@@ -397,23 +346,6 @@ public final class Block {
     }
 
     /**
-     * The acceleration (m/s^2, world) of the water that passes the origin of body {@code i}: Du/Dt.
-     */
-    public Vec3 waterAcceleration(int i) {
-        return hasFlow
-                ? new Vec3(flow[0][i], flow[1][i], flow[2][i]).plus(along(i, waterVelocity(i)))
-                : Vec3.ZERO;
-    }
-
-    /** How the water's velocity at the origin of body {@code i} changes along a way (world). */
-    Vec3 along(int i, Vec3 way) {
-        return new Vec3(
-                flow[3][i] * way.x() + flow[4][i] * way.y() + flow[5][i] * way.z(),
-                flow[6][i] * way.x() + flow[7][i] * way.y() + flow[8][i] * way.z(),
-                flow[9][i] * way.x() + flow[10][i] * way.y() + flow[11][i] * way.z());
-    }
-
-    /**
      * Velocities of the origins relative to the water, in the bodies' axes (m/s): three arrays,
      * computed when they are first asked for in an evaluation.
      */
@@ -422,9 +354,9 @@ public final class Block {
             if (hasSpatial && spatial().areAllHere()) {
                 spatial().relative(count, hasWater, relative);
             } else {
-                subtract(relative[3], vx, ux);
-                subtract(relative[4], vy, uy);
-                subtract(relative[5], vz, uz);
+                Loops.subtract(count, relative[3], vx, ux);
+                Loops.subtract(count, relative[4], vy, uy);
+                Loops.subtract(count, relative[5], vz, uz);
                 toBody(
                         relative[0],
                         relative[1],
@@ -436,12 +368,6 @@ public final class Block {
             hasRelative = true;
         }
         return relative;
-    }
-
-    private void subtract(double[] to, double[] from, double[] what) {
-        for (int i = 0; i < count; i++) {
-            to[i] = from[i] - what[i];
-        }
     }
 
     /** States that velocities have changed. */
@@ -492,67 +418,35 @@ public final class Block {
 
     /** Adds the forces and torques of contacts to the others. */
     public void addContactForces() {
-        add(fx, contactFx);
-        add(fy, contactFy);
-        add(fz, contactFz);
-        add(tx, contactTx);
-        add(ty, contactTy);
-        add(tz, contactTz);
-    }
-
-    private void add(double[] to, double[] what) {
-        for (int i = 0; i < count; i++) {
-            to[i] += what[i];
-        }
+        Loops.add(count, fx, contactFx);
+        Loops.add(count, fy, contactFy);
+        Loops.add(count, fz, contactFz);
+        Loops.add(count, tx, contactTx);
+        Loops.add(count, ty, contactTy);
+        Loops.add(count, tz, contactTz);
     }
 
     /** Turns vectors, one a body, from the world's axes into the bodies', in other arrays. */
     public void toBody(
             double[] toX, double[] toY, double[] toZ, double[] x, double[] y, double[] z) {
-        turn(toX, rxx, x, ryx, y, rzx, z);
-        turn(toY, rxy, x, ryy, y, rzy, z);
-        turn(toZ, rxz, x, ryz, y, rzz, z);
+        Loops.turn(count, toX, rxx, x, ryx, y, rzx, z);
+        Loops.turn(count, toY, rxy, x, ryy, y, rzy, z);
+        Loops.turn(count, toZ, rxz, x, ryz, y, rzz, z);
     }
 
     /** Turns vectors, one a body, from the bodies' axes into the world's, in other arrays. */
     public void toWorld(
             double[] toX, double[] toY, double[] toZ, double[] x, double[] y, double[] z) {
-        turn(toX, rxx, x, rxy, y, rxz, z);
-        turn(toY, ryx, x, ryy, y, ryz, z);
-        turn(toZ, rzx, x, rzy, y, rzz, z);
+        Loops.turn(count, toX, rxx, x, rxy, y, rxz, z);
+        Loops.turn(count, toY, ryx, x, ryy, y, ryz, z);
+        Loops.turn(count, toZ, rzx, x, rzy, y, rzz, z);
     }
 
     /** Turns vectors, one a body, from the bodies' axes into the world's and adds them. */
     public void addToWorld(
             double[] toX, double[] toY, double[] toZ, double[] x, double[] y, double[] z) {
-        addTurned(toX, rxx, x, rxy, y, rxz, z);
-        addTurned(toY, ryx, x, ryy, y, ryz, z);
-        addTurned(toZ, rzx, x, rzy, y, rzz, z);
-    }
-
-    private void turn(
-            double[] to,
-            double[] rx,
-            double[] x,
-            double[] ry,
-            double[] y,
-            double[] rz,
-            double[] z) {
-        for (int i = 0; i < count; i++) {
-            to[i] = rx[i] * x[i] + ry[i] * y[i] + rz[i] * z[i];
-        }
-    }
-
-    private void addTurned(
-            double[] to,
-            double[] rx,
-            double[] x,
-            double[] ry,
-            double[] y,
-            double[] rz,
-            double[] z) {
-        for (int i = 0; i < count; i++) {
-            to[i] += rx[i] * x[i] + ry[i] * y[i] + rz[i] * z[i];
-        }
+        Loops.addTurned(count, toX, rxx, x, rxy, y, rxz, z);
+        Loops.addTurned(count, toY, ryx, x, ryy, y, ryz, z);
+        Loops.addTurned(count, toZ, rzx, x, rzy, y, rzz, z);
     }
 }

@@ -10,13 +10,11 @@ import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.entity.Wrench;
 import org.auvsim.core.sensor.Datum;
-import org.auvsim.core.step.Collision;
 import org.auvsim.core.step.Motion;
 import org.auvsim.core.step.Overlap;
 import org.auvsim.core.step.StepException;
 import org.auvsim.core.step.StepResult;
 import org.auvsim.core.step.StepStatistics;
-import org.auvsim.core.step.StepTally;
 import org.auvsim.core.step.Stepper;
 
 import java.util.ArrayList;
@@ -31,9 +29,6 @@ import java.util.Optional;
  * equal, bit for bit.
  */
 public final class World {
-    /** So many steps in a row that do not move time mean that a collision never ends. */
-    private static final int MOST_STEPS_AT_ONE_INSTANT = 10_000;
-
     private final Stepper stepper;
     private final double timeStep;
     private final Clock clock;
@@ -43,8 +38,8 @@ public final class World {
     private final Announcements announcements = new Announcements();
     private final Sensing sensing;
     private final Optional<Datum> datum;
-    private final StepTally atStart = new StepTally();
-    private int stepsAtOneInstant;
+    private final StepNews news;
+    private final Standstill standstill;
 
     World(WorldBuilder builder) {
         stepper = builder.stepper;
@@ -56,6 +51,8 @@ public final class World {
         consequences = new Consequences(this, population, mechanics, announcements);
         datum = builder.datum;
         sensing = new Sensing(population, datum, announcements);
+        news = new StepNews(population, mechanics.tally(), announcements);
+        standstill = new Standstill();
     }
 
     private World(World original) {
@@ -67,7 +64,8 @@ public final class World {
         consequences = new Consequences(this, population, mechanics, announcements);
         datum = original.datum;
         sensing = new Sensing(original.sensing, population, announcements);
-        stepsAtOneInstant = original.stepsAtOneInstant;
+        news = new StepNews(population, mechanics.tally(), announcements);
+        standstill = new Standstill(original.standstill);
     }
 
     /** Starts to build a world. */
@@ -299,7 +297,7 @@ public final class World {
     }
 
     private double step(double wanted) {
-        atStart.set(mechanics.tally());
+        news.stepBegins();
         double elapsed = 0;
         boolean goesOn = true;
         while (goesOn) {
@@ -307,11 +305,7 @@ public final class World {
             elapsed += result.elapsed();
             goesOn = result.isInterrupted() && elapsed < wanted;
         }
-        if (!announcements.isUnheard()) {
-            publishMovements();
-            publishReport();
-            announcements.announce(new WorldEvent.StepAdvanced(time(), elapsed));
-        }
+        news.stepDone(time(), elapsed);
         return elapsed;
     }
 
@@ -322,9 +316,8 @@ public final class World {
         sensing.begin(time(), wanted);
         StepResult result = stepper.advance(path, wanted);
         moveTime(result.elapsed());
-        population.bodies().state().setTime(time());
-        guardAgainstStandstill(result);
-        publishCollisions(result);
+        standstill.guard(time(), result);
+        news.collisions(result);
         sensing.measureUntil(time());
         // By index here and below: iterators would be garbage in each step.
         for (int k = 0; k < result.changes().size(); k++) {
@@ -351,25 +344,6 @@ public final class World {
         }
     }
 
-    private void guardAgainstStandstill(StepResult result) {
-        stepsAtOneInstant = result.elapsed() > 0 ? 0 : stepsAtOneInstant + 1;
-        if (stepsAtOneInstant > MOST_STEPS_AT_ONE_INSTANT) {
-            String who =
-                    result.collisions().stream()
-                            .findFirst()
-                            .map(
-                                    c ->
-                                            c.contact().self().name()
-                                                    + " and "
-                                                    + c.contact().other().name())
-                            .orElse("bodies");
-            throw new WorldException(
-                    "the world stands still at %s s: %s collide again and again; check their"
-                                    .formatted(time(), who)
-                            + " collision responses");
-        }
-    }
-
     private void removeWhatIsOver() {
         if (population.others().isEmpty()) {
             return;
@@ -381,42 +355,6 @@ public final class World {
             }
         }
         over.forEach(this::remove);
-    }
-
-    private void publishCollisions(StepResult result) {
-        for (int k = 0; k < result.collisions().size(); k++) {
-            Collision collision = result.collisions().get(k);
-            announcements.announce(new WorldEvent.Collided(collision.contact().time(), collision));
-        }
-    }
-
-    private void publishMovements() {
-        for (WorldObject object : objects()) {
-            if (!object.isFixed()) {
-                announcements.announce(
-                        new WorldEvent.Moved(time(), object.id(), object.movementState()));
-            }
-        }
-    }
-
-    private void publishReport() {
-        StepStatistics step = mechanics.tally().since(atStart);
-        if (step.subSteps() > 0
-                || step.heldPairs() > 0
-                || step.quickHits() > 0
-                || step.crowdedHits() > 0
-                || step.loweredHits() > 0
-                || step.unsolvedIslands() > 0) {
-            announcements.announce(
-                    new WorldEvent.StepReport(
-                            time(),
-                            step.subSteps(),
-                            step.heldPairs(),
-                            step.quickHits(),
-                            step.crowdedHits(),
-                            step.loweredHits(),
-                            step.unsolvedIslands()));
-        }
     }
 
     /**

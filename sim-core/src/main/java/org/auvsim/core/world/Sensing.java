@@ -93,6 +93,9 @@ final class Sensing {
         list(time);
         began = time;
         course.begin(time);
+        if (stations.isEmpty()) {
+            return; // no garbage in worlds without sensors, not even an iterator
+        }
         for (Station station : stations) {
             if (station.next(time) < time + wanted) {
                 course.keep(station.object());

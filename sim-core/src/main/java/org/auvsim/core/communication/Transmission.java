@@ -116,21 +116,19 @@ public record Transmission(Transceiver sender, TextMessage message, ExpandingSph
 
     @Override
     public boolean meets(Collidable other) {
-        return front.meets(other)
-                && other instanceof WorldObject object
-                && receiver(object)
-                        .filter(r -> r.worksAt(placeOf(object, r)))
-                        .filter(r -> !r.loses(object.id(), id()))
-                        .isPresent();
+        return front.meets(other) && other instanceof WorldObject object && isHeardBy(object);
     }
 
-    private Optional<Transceiver> receiver(WorldObject object) {
+    /** Whether any transceiver of an object receives it. */
+    private boolean isHeardBy(WorldObject object) {
         for (Transceiver transceiver : object.components(Transceiver.class)) {
-            if (transceiver.understands(sender)) {
-                return Optional.of(transceiver);
+            if (transceiver.understands(sender)
+                    && transceiver.worksAt(placeOf(object, transceiver))
+                    && !transceiver.loses(object.id(), id())) {
+                return true;
             }
         }
-        return Optional.empty();
+        return false;
     }
 
     @Override

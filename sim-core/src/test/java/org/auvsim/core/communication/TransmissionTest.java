@@ -196,6 +196,40 @@ class TransmissionTest {
     }
 
     @Test
+    void anyAntennaThatIsDryHears() {
+        Radio low = new Radio("low", new Vec3(0, 0, -0.4), "1", 1, 0, 0, 0, 0);
+        Radio mast = new Radio("mast", new Vec3(0, 0, 0.4), "1", 1, 0, 0, 0, 0);
+        World world =
+                sea(
+                                vehicle("A", BALL, 0, 0, radio(5000)),
+                                vehicle("B", BALL, 30, 0, low, mast),
+                                vehicle("C", BALL, 60, 0, mast, low),
+                                vehicle("diver", BALL, 90, -3, low, mast))
+                        .build();
+        send(world, Radio.class, "ahoy");
+
+        assertThat(heard(world, 1))
+                .extracting(WorldEvent.SignalReceived::objectId)
+                .containsExactly(2L, 3L);
+    }
+
+    @Test
+    void whatOneTransceiverLosesAnotherMayHear() {
+        AcousticModem deaf = new AcousticModem("deaf", Vec3.ZERO, "1", 9, 1500, 1, 7);
+        World world =
+                sea(
+                                vehicle("A", BALL, 0, 0, modem("1", 100, 0)),
+                                vehicle("B", BALL, 10, 0, deaf, modem("1", 9, 0)),
+                                vehicle("C", BALL, 20, 0, deaf))
+                        .build();
+        send(world, AcousticModem.class, "hello");
+
+        assertThat(heard(world, 1))
+                .extracting(WorldEvent.SignalReceived::objectId)
+                .containsExactly(2L);
+    }
+
+    @Test
     void theShareOfLossesIsLostAndTheSameOnesEachTime() {
         int messages = 400;
         List<String> heard = texts(messages);
@@ -262,8 +296,8 @@ class TransmissionTest {
         assertThatThrownBy(() -> modem("1", 0, 0))
                 .hasMessage(
                         "the range of acoustic-modem 'modem' must be above 0 m and finite, but is"
-                                + " 0.0");
+                                + " 0.0 m");
         assertThatThrownBy(() -> modem("1", 1, 2))
-                .hasMessage("the loss of acoustic-modem 'modem' must be 0 to 1, but is 2.0");
+                .hasMessage("the loss of acoustic-modem 'modem' must be 0.0 to 1.0, but is 2.0");
     }
 }

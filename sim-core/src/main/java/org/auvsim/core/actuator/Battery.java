@@ -2,6 +2,7 @@ package org.auvsim.core.actuator;
 
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.Behavior;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.entity.WorldObject;
 
 import java.util.List;
@@ -22,16 +23,15 @@ public record Battery(String name, @Unit("J") double capacity, @Unit("J") double
      *     outside 0 to the capacity
      */
     public Battery {
-        if (!(capacity > 0) || Double.isInfinite(capacity)) {
-            throw new IllegalArgumentException(
-                    "the capacity of battery '%s' must be above 0 J and finite, but is %s J"
-                            .formatted(name, capacity));
-        }
-        if (!(charge >= 0 && charge <= capacity)) {
-            throw new IllegalArgumentException(
-                    "the charge of battery '%s' must be 0 to its capacity of %s J, but is %s J"
-                            .formatted(name, capacity, charge));
-        }
+        String of = Domain.named("battery", name);
+        Domain.above0(of, "capacity", capacity, "J");
+        Domain.require(
+                0 <= charge && charge <= capacity,
+                of,
+                "charge",
+                charge,
+                "0 to its capacity of " + capacity + " J",
+                "J");
     }
 
     /** Whether nothing is left in it. */

@@ -53,11 +53,11 @@ public record Fin(
      */
     public Fin {
         String of = Domain.named("fin", name);
-        Domain.require(area > 0, of, "area", area, "above 0 m^2", "m^2");
-        Domain.require(liftSlope >= 0, of, "lift slope", liftSlope, "0 or more", "per rad");
-        Domain.require(
-                dragCoefficient >= 0, of, "drag coefficient", dragCoefficient, "0 or more", "");
-        Domain.require(inducedDrag >= 0, of, "induced drag factor", inducedDrag, "0 or more", "");
+        Domain.above0(of, "area", area, "m^2");
+        Domain.finite(of, "position", position, "m");
+        Domain.atLeast0(of, "lift slope", liftSlope, "per rad");
+        Domain.atLeast0(of, "drag coefficient", dragCoefficient, "");
+        Domain.atLeast0(of, "induced drag factor", inducedDrag, "");
         Domain.require(
                 0 < stallAngle && stallAngle <= Math.PI / 2,
                 of,
@@ -65,7 +65,7 @@ public record Fin(
                 stallAngle,
                 "above 0 and at most pi/2 rad",
                 "rad");
-        Domain.require(density > 0, of, "density", density, "above 0 kg/m^3", "kg/m^3");
+        Domain.above0(of, "density", density, "kg/m^3");
         Domain.require(
                 0 <= maximumAngle && maximumAngle <= Math.PI,
                 of,
@@ -75,19 +75,16 @@ public record Fin(
                 "rad");
         String angles = "-%s to %s rad".formatted(maximumAngle, maximumAngle);
         Domain.require(Math.abs(angle) <= maximumAngle, of, "angle", angle, angles, "rad");
-        double rate = maximumRate.orElse(1);
-        Domain.require(rate > 0, of, "maximum rate", rate, "above 0 rad/s", "rad/s");
-        if (!(chord.cross(span).norm() > 0) || !chord.isFinite() || !span.isFinite()) {
+        maximumRate.ifPresent(rate -> Domain.above0(of, "maximum rate", rate, "rad/s"));
+        Vec3 along = Domain.unit(of, "chord", chord);
+        Vec3 about = Domain.unit(of, "span", span);
+        if (!(chord.cross(span).norm() > 0)) {
             throw new IllegalArgumentException(
                     "chord and span of fin '%s' must be across each other, but are %s and %s"
                             .formatted(name, chord, span));
         }
-        span = unit(span);
-        chord = unit(chord);
-    }
-
-    private static Vec3 unit(Vec3 v) {
-        return Math.abs(v.dot(v) - 1) > 1e-15 ? v.normalized() : v;
+        chord = along;
+        span = about;
     }
 
     @Override

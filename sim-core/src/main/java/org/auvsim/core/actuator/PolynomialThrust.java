@@ -1,6 +1,7 @@
 package org.auvsim.core.actuator;
 
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.math.Numbers;
 
 /**
@@ -21,11 +22,8 @@ public record PolynomialThrust(@Unit("N") Numbers coefficients) implements Thrus
                     "a polynomial thrust needs at least one coefficient, that of the level");
         }
         for (int i = 0; i < coefficients.size(); i++) {
-            if (!Double.isFinite(coefficients.get(i))) {
-                throw new IllegalArgumentException(
-                        "coefficient %d of a polynomial thrust must be finite, but is %s N"
-                                .formatted(i + 1, coefficients.get(i)));
-            }
+            Domain.finite(
+                    "a polynomial thrust", "coefficient " + (i + 1), coefficients.get(i), "N");
         }
     }
 

@@ -2,6 +2,7 @@ package org.auvsim.core.actuator;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 
 /**
  * What a propulsor draws from a battery: its maximum power times the cube of its level, as thrust
@@ -23,16 +24,9 @@ public record PowerDraw(
      * @throws IllegalArgumentException if power or energy is negative or not finite
      */
     public PowerDraw {
-        if (!(maximumPower >= 0) || Double.isInfinite(maximumPower)) {
-            throw new IllegalArgumentException(
-                    "maximum power drawn from battery '%s' must be 0 W or more, but is %s W"
-                            .formatted(battery, maximumPower));
-        }
-        if (!(used >= 0) || Double.isInfinite(used)) {
-            throw new IllegalArgumentException(
-                    "energy drawn from battery '%s' must be 0 J or more, but is %s J"
-                            .formatted(battery, used));
-        }
+        String of = "what is drawn from battery '" + battery + "'";
+        Domain.atLeast0(of, "maximum power", maximumPower, "W");
+        Domain.atLeast0(of, "used energy", used, "J");
     }
 
     PowerDraw plus(double energy) {

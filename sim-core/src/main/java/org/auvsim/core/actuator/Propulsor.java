@@ -53,21 +53,20 @@ public record Propulsor(
      */
     public Propulsor {
         String of = Domain.named("propulsor", name);
-        Domain.require(maximumThrust >= 0, of, "maximum thrust", maximumThrust, "0 N or more", "N");
+        Domain.atLeast0(of, "maximum thrust", maximumThrust, "N");
+        Domain.finite(of, "position", position, "m");
         Domain.require(-1 <= level && level <= 1, of, "level", level, "-1 to 1", "");
-        Domain.require(lag >= 0, of, "lag", lag, "0 s or more", "s");
+        Domain.atLeast0(of, "lag", lag, "s");
         Domain.require(
                 0 <= deadZone && deadZone < 1, of, "dead zone", deadZone, "0 to below 1", "");
-        Domain.require(true, of, "reaction torque", reactionTorque, "finite", "N m/N");
+        Domain.finite(of, "reaction torque", reactionTorque, "N m/N");
         if (rotor.isPresent() && lag == 0) {
             throw new IllegalArgumentException(
                     "propulsor '%s' has a rotor and so needs a lag above 0 s: to spin up at once would"
                                     .formatted(name)
                             + " take a torque without end");
         }
-        if (Math.abs(direction.dot(direction) - 1) > 1e-15) {
-            direction = direction.normalized();
-        }
+        direction = Domain.unit(of, "direction", direction);
     }
 
     /** One that pushes in proportion to its level, at once. */

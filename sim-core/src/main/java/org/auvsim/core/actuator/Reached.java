@@ -1,6 +1,7 @@
 package org.auvsim.core.actuator;
 
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 
 /**
  * How far an actuator had come when it last heard a command: from there it goes on towards what it
@@ -16,10 +17,7 @@ public record Reached(double value, @Unit("s") double at) {
      * @throws IllegalArgumentException if a number is not finite
      */
     public Reached {
-        if (!Double.isFinite(value) || !Double.isFinite(at)) {
-            throw new IllegalArgumentException(
-                    "what an actuator has reached must be finite, but is %s at %s s"
-                            .formatted(value, at));
-        }
+        Domain.finite("what an actuator has reached", "value", value, "");
+        Domain.finite("what an actuator has reached", "time", at, "s");
     }
 }

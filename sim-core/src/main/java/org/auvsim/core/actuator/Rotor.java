@@ -1,6 +1,7 @@
 package org.auvsim.core.actuator;
 
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 
 /**
  * What spins in a propulsor, about its direction: its angular momentum turns with the body (a
@@ -17,11 +18,8 @@ public record Rotor(@Unit("kg m^2") double inertia, @Unit("rad/s") double speed)
      * @throws IllegalArgumentException if the inertia is negative, or a number is not finite
      */
     public Rotor {
-        if (!(inertia >= 0) || Double.isInfinite(inertia) || !Double.isFinite(speed)) {
-            throw new IllegalArgumentException(
-                    "a rotor needs an inertia of 0 kg m^2 or more and a finite speed, but has"
-                            + " %s kg m^2 and %s rad/s".formatted(inertia, speed));
-        }
+        Domain.atLeast0("a rotor", "inertia", inertia, "kg m^2");
+        Domain.finite("a rotor", "speed", speed, "rad/s");
     }
 
     /** Angular momentum (kg m^2/s) about its axis at a level. */

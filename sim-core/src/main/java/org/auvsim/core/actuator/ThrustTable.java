@@ -1,6 +1,7 @@
 package org.auvsim.core.actuator;
 
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 
 import java.util.List;
 
@@ -15,27 +16,13 @@ public record ThrustTable(List<ThrustPoint> thrustPoint) implements ThrustCurve 
     private static final double MOST_AT_REST = 1e-9;
 
     /** At {@code level}, -1 to 1, the propulsor pushes with {@code thrust} (N). */
-    public record ThrustPoint(double level, @Unit("N") double thrust) {
-        /**
-         * A checked point.
-         *
-         * @throws IllegalArgumentException if the level is outside [-1, 1] or the thrust not finite
-         */
-        public ThrustPoint {
-            if (!(level >= -1 && level <= 1) || !Double.isFinite(thrust)) {
-                throw new IllegalArgumentException(
-                        "a point of a thrust table needs a level of -1 to 1 and a finite thrust,"
-                                + " but has"
-                                + " level %s and thrust %s N".formatted(level, thrust));
-            }
-        }
-    }
+    public record ThrustPoint(double level, @Unit("N") double thrust) {}
 
     /**
      * A checked table.
      *
-     * @throws IllegalArgumentException if it has fewer than two points, a level is not above that
-     *     of the point before, or it pushes at level 0
+     * @throws IllegalArgumentException if it has fewer than two points, a level is outside [-1, 1]
+     *     or not above that of the point before, a thrust is not finite, or it pushes at level 0
      */
     public ThrustTable {
         thrustPoint = List.copyOf(thrustPoint);
@@ -45,6 +32,9 @@ public record ThrustTable(List<ThrustPoint> thrustPoint) implements ThrustCurve 
         }
         double greatest = 0;
         for (int i = 0; i < thrustPoint.size(); i++) {
+            String of = "point " + (i + 1) + " of a thrust table";
+            Domain.within(of, "level", -1, 1, thrustPoint.get(i).level, "");
+            Domain.finite(of, "thrust", thrustPoint.get(i).thrust, "N");
             greatest = Math.max(greatest, Math.abs(thrustPoint.get(i).thrust));
             if (i > 0 && !(thrustPoint.get(i).level > thrustPoint.get(i - 1).level)) {
                 throw new IllegalArgumentException(

@@ -2,6 +2,7 @@ package org.auvsim.core.communication;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.math.Vec3;
 
 /**
@@ -30,7 +31,10 @@ public record AcousticModem(
      *     or a number not finite
      */
     public AcousticModem {
-        Reach.require("acoustic-modem", name, position, range, loss);
-        Reach.above0("speed", "acoustic-modem", name, speed, "m/s");
+        String of = Domain.named("acoustic-modem", name);
+        Domain.finite(of, "position", position, "m");
+        Domain.above0(of, "range", range, "m");
+        Domain.above0(of, "speed", speed, "m/s");
+        Domain.within(of, "loss", 0, 1, loss, "");
     }
 }

@@ -2,6 +2,7 @@ package org.auvsim.core.communication;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.math.Vec3;
 
 /**
@@ -34,12 +35,12 @@ public record Radio(
      *     outside [0, 1], or a number not finite
      */
     public Radio {
-        Reach.require("radio", name, position, range, loss);
-        if (!Double.isFinite(surface) || !(maximumDepth >= 0) || Double.isInfinite(maximumDepth)) {
-            throw new IllegalArgumentException(
-                    "radio '%s' needs a finite surface and a maximum-depth of 0 m or more, but has %s m and %s m"
-                            .formatted(name, surface, maximumDepth));
-        }
+        String of = Domain.named("radio", name);
+        Domain.finite(of, "position", position, "m");
+        Domain.above0(of, "range", range, "m");
+        Domain.finite(of, "surface", surface, "m");
+        Domain.atLeast0(of, "maximum-depth", maximumDepth, "m");
+        Domain.within(of, "loss", 0, 1, loss, "");
     }
 
     @Override

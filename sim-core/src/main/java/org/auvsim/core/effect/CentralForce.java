@@ -3,6 +3,7 @@ package org.auvsim.core.effect;
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.BlockEffect;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.Surroundings;
 import org.auvsim.core.math.Vec3;
@@ -30,15 +31,9 @@ public record CentralForce(
      * @throws IllegalArgumentException if force or radius is negative, or a number is not finite
      */
     public CentralForce {
-        if (!(force >= 0 && restRadius >= 0) || !Double.isFinite(force + restRadius)) {
-            throw new IllegalArgumentException(
-                    "a central force and its rest radius must be 0 or more, but are %s N and %s m"
-                            .formatted(force, restRadius));
-        }
-        if (!target.isFinite()) {
-            throw new IllegalArgumentException(
-                    "the target of a central force must be finite, but is " + target);
-        }
+        Domain.atLeast0("a central force", "force", force, "N");
+        Domain.atLeast0("a central force", "rest radius", restRadius, "m");
+        Domain.finite("a central force", "target", target, "m");
     }
 
     /** Potential energy (J) of a body at a place (m, world). */

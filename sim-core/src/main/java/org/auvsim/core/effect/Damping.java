@@ -1,9 +1,18 @@
 package org.auvsim.core.effect;
 
+import static org.auvsim.core.entity.MotionAxis.HEAVE;
+import static org.auvsim.core.entity.MotionAxis.PITCH;
+import static org.auvsim.core.entity.MotionAxis.ROLL;
+import static org.auvsim.core.entity.MotionAxis.SURGE;
+import static org.auvsim.core.entity.MotionAxis.SWAY;
+import static org.auvsim.core.entity.MotionAxis.YAW;
+
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.BlockEffect;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.entity.Effect;
+import org.auvsim.core.entity.MotionAxis;
 import org.auvsim.core.entity.Surroundings;
 import org.auvsim.core.math.Vec3;
 
@@ -35,10 +44,10 @@ public record Damping(
      */
     public Damping {
         term = List.copyOf(term);
-        requireDissipative("linear", linear);
-        requireDissipative("quadratic", quadratic);
-        requireDissipative("angular linear", angularLinear);
-        requireDissipative("angular quadratic", angularQuadratic);
+        requireDissipative("linear", linear, "N s/m", SURGE, SWAY, HEAVE);
+        requireDissipative("quadratic", quadratic, "N s^2/m^2", SURGE, SWAY, HEAVE);
+        requireDissipative("linear", angularLinear, "N m s/rad", ROLL, PITCH, YAW);
+        requireDissipative("quadratic", angularQuadratic, "N m s^2/rad^2", ROLL, PITCH, YAW);
         DampingMatrix a = new DampingMatrix("linear", linear, angularLinear);
         DampingMatrix b = new DampingMatrix("quadratic", quadratic, angularQuadratic);
         for (DampingTerm t : term) {
@@ -54,11 +63,11 @@ public record Damping(
         this(linear, quadratic, angularLinear, angularQuadratic, List.of());
     }
 
-    private static void requireDissipative(String which, Vec3 k) {
-        if (!k.isFinite() || !(k.x() >= 0 && k.y() >= 0 && k.z() >= 0)) {
-            throw new IllegalArgumentException(
-                    "the " + which + " damping coefficients must be 0 or more, but are " + k);
-        }
+    private static void requireDissipative(
+            String kind, Vec3 k, String unit, MotionAxis x, MotionAxis y, MotionAxis z) {
+        Domain.atLeast0("damping", kind + " coefficient of " + x, k.x(), unit);
+        Domain.atLeast0("damping", kind + " coefficient of " + y, k.y(), unit);
+        Domain.atLeast0("damping", kind + " coefficient of " + z, k.z(), unit);
     }
 
     @Override

@@ -1,6 +1,7 @@
 package org.auvsim.core.effect;
 
 import org.auvsim.core.description.Default;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.entity.MotionAxis;
 
 /**
@@ -27,10 +28,8 @@ public record DampingTerm(
                                     + " forms, not to a term")
                             .formatted(row));
         }
-        if (!Double.isFinite(linear) || !Double.isFinite(quadratic)) {
-            throw new IllegalArgumentException(
-                    "the damping of %s by %s must be finite, but is %s and %s"
-                            .formatted(row, column, linear, quadratic));
-        }
+        String of = "damping of %s by %s".formatted(row, column);
+        Domain.finite(of, "linear coefficient", linear, "");
+        Domain.finite(of, "quadratic coefficient", quadratic, "");
     }
 }

@@ -18,7 +18,10 @@ public record Derivative(String name, double value) {
     private static final Pattern NAME =
             Pattern.compile("([XYZKMN])([uvwpqr])(?:([uvwpqr])|\\|([uvwpqr])\\|)?");
 
-    /** The term without its coefficient: force or torque, first velocity, second one or size. */
+    /**
+     * The term without its coefficient: force or torque, first velocity, second one or size. Of a
+     * product of two velocities the first is that of the lower axis, as u v is v u.
+     */
     record Form(int force, int first, Second kind, int second) {
         /** The number -1 where the axes y, z of the reference are turned over, else 1. */
         int signIn(ReferenceAxes axes) {
@@ -67,7 +70,8 @@ public record Derivative(String name, double value) {
         int force = FORCES.indexOf(match.group(1));
         int first = VELOCITIES.indexOf(match.group(2));
         if (match.group(3) != null) {
-            return new Form(force, first, Second.SIGNED, VELOCITIES.indexOf(match.group(3)));
+            int second = VELOCITIES.indexOf(match.group(3));
+            return new Form(force, Math.min(first, second), Second.SIGNED, Math.max(first, second));
         }
         if (match.group(4) != null) {
             return new Form(force, first, Second.SIZE, VELOCITIES.indexOf(match.group(4)));

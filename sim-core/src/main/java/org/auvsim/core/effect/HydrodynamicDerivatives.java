@@ -20,19 +20,23 @@ public record HydrodynamicDerivatives(
     /**
      * Checked derivatives.
      *
-     * @throws IllegalArgumentException if one is stated twice
+     * @throws IllegalArgumentException if there is none, or two are the same term
      */
     public HydrodynamicDerivatives {
         derivative = List.copyOf(derivative);
+        if (derivative.isEmpty()) {
+            throw new IllegalArgumentException(
+                    "the list of hydrodynamic derivatives must have at least one, but has 0");
+        }
         for (int i = 0; i < derivative.size(); i++) {
             for (Derivative other : derivative.subList(0, i)) {
-                if (other.name().equals(derivative.get(i).name())) {
+                Derivative own = derivative.get(i);
+                if (other.form().equals(own.form())) {
                     throw new IllegalArgumentException(
-                            "the hydrodynamic derivative %s is stated twice, as %s and %s"
+                            ("the hydrodynamic derivatives %s (%s) and %s (%s) are one term that"
+                                            + " is stated twice; leave one of them")
                                     .formatted(
-                                            other.name(),
-                                            other.value(),
-                                            derivative.get(i).value()));
+                                            other.name(), other.value(), own.name(), own.value()));
                 }
             }
         }

@@ -87,7 +87,8 @@ public record AddedMass(
     private static double mean(AddedMassTerm term, double mirror) {
         double largest = Math.max(Math.abs(term.value()), Math.abs(mirror));
         if (Math.abs(term.value() - mirror) > MOST_ASYMMETRY * largest) {
-            throw new IllegalArgumentException(difference(term, mirror));
+            throw new IllegalArgumentException(
+                    difference(term, mirror) + "; they may differ by 1e-3 of the larger at most");
         }
         return term.value() / 2 + mirror / 2;
     }

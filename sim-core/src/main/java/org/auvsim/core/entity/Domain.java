@@ -36,6 +36,15 @@ public final class Domain {
         return Math.abs(orientation.norm() - 1) > 1e-15 ? orientation.normalized() : orientation;
     }
 
+    /** A direction, scaled to length 1; refused unless finite and not zero. */
+    public static Vec3 unit(String of, String parameter, Vec3 direction) {
+        double square = direction.dot(direction);
+        if (!direction.isFinite() || !(square > 0) || Double.isInfinite(square)) {
+            throw refusal(of, parameter, "finite and not zero", direction, "");
+        }
+        return Math.abs(square - 1) > 1e-15 ? direction.normalized() : direction;
+    }
+
     /** Nothing if a number is finite and not negative. */
     public static void atLeast0(String of, String parameter, double value, String unit) {
         if (!(value >= 0) || Double.isInfinite(value)) {

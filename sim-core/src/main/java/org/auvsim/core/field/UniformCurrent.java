@@ -3,6 +3,7 @@ package org.auvsim.core.field;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.Current;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.math.Vec3;
 
 /** Water that moves everywhere and always with the same velocity (m/s, world frame). */
@@ -13,10 +14,7 @@ public record UniformCurrent(long id, String name, @Unit("m/s") Vec3 velocity) i
      * @throws IllegalArgumentException if a component of the velocity is not finite
      */
     public UniformCurrent {
-        if (!velocity.isFinite()) {
-            throw new IllegalArgumentException(
-                    "the velocity of current '" + name + "' must be finite, but is " + velocity);
-        }
+        Domain.finite(Domain.named("current", name), "velocity", velocity, "m/s");
     }
 
     @Override

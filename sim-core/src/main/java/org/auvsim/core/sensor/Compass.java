@@ -2,6 +2,7 @@ package org.auvsim.core.sensor;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 
@@ -31,8 +32,9 @@ public record Compass(
      * @throws IllegalArgumentException if a number is not finite
      */
     public Compass {
-        orientation = Check.axes("compass", name, orientation);
-        Check.finite("compass", name, "declination", declination, "rad");
+        String of = Domain.named("compass", name);
+        orientation = Domain.unit(of, "orientation", orientation);
+        Domain.finite(of, "declination", declination, "rad");
     }
 
     @Override

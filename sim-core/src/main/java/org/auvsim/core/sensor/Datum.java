@@ -2,6 +2,7 @@ package org.auvsim.core.sensor;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.math.Mat3;
 import org.auvsim.core.math.Vec3;
 
@@ -23,18 +24,9 @@ public record Datum(
      * @throws IllegalArgumentException if an angle is outside its range or the altitude not finite
      */
     public Datum {
-        if (!(latitude >= -90 && latitude <= 90)) {
-            throw new IllegalArgumentException(
-                    "the latitude of a datum must be -90 to 90 degrees, but is " + latitude);
-        }
-        if (!(longitude >= -180 && longitude <= 180)) {
-            throw new IllegalArgumentException(
-                    "the longitude of a datum must be -180 to 180 degrees, but is " + longitude);
-        }
-        if (!Double.isFinite(altitude)) {
-            throw new IllegalArgumentException(
-                    "the altitude of a datum must be a finite number (m), but is " + altitude);
-        }
+        Domain.within("a datum", "latitude", -90, 90, latitude, "degrees");
+        Domain.within("a datum", "longitude", -180, 180, longitude, "degrees");
+        Domain.finite("a datum", "altitude", altitude, "m");
     }
 
     /** The place of a point of the world (m, x east, y north, z up at the datum). */

@@ -2,6 +2,7 @@ package org.auvsim.core.sensor;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 
@@ -33,10 +34,11 @@ public record DepthSensor(
      * @throws IllegalArgumentException if a number is not finite or a density not positive
      */
     public DepthSensor {
-        Check.place("depth-sensor", name, position);
-        Check.finite("depth-sensor", name, "surface", surface, "m");
-        Check.above0("depth-sensor", name, "density", density, "kg/m^3");
-        Check.above0("depth-sensor", name, "calibration-density", calibrationDensity, "kg/m^3");
+        String of = Domain.named("depth-sensor", name);
+        Domain.finite(of, "position", position, "m");
+        Domain.finite(of, "surface", surface, "m");
+        Domain.above0(of, "density", density, "kg/m^3");
+        Domain.above0(of, "calibration-density", calibrationDensity, "kg/m^3");
     }
 
     @Override

@@ -2,6 +2,7 @@ package org.auvsim.core.sensor;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 
@@ -44,11 +45,12 @@ public record Dvl(
      *     or range or scale not positive
      */
     public Dvl {
-        Check.place("dvl", name, position);
-        orientation = Check.axes("dvl", name, orientation);
-        Check.within("dvl", name, "beam-angle", beamAngle, 0, STEEPEST, "rad");
-        Check.above0("dvl", name, "range", range, "m");
-        Check.above0("dvl", name, "scale", scale, "");
+        String of = Domain.named("dvl", name);
+        Domain.finite(of, "position", position, "m");
+        orientation = Domain.unit(of, "orientation", orientation);
+        Domain.within(of, "beam-angle", 0, STEEPEST, beamAngle, "rad");
+        Domain.above0(of, "range", range, "m");
+        Domain.above0(of, "scale", scale, "");
     }
 
     @Override

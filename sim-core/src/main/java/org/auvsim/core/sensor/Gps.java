@@ -2,6 +2,7 @@ package org.auvsim.core.sensor;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 
@@ -30,9 +31,10 @@ public record Gps(
      * @throws IllegalArgumentException if a number is not finite, or the depth negative
      */
     public Gps {
-        Check.place("gps", name, position);
-        Check.finite("gps", name, "surface", surface, "m");
-        Check.atLeast0("gps", name, "maximum-depth", maximumDepth, "m");
+        String of = Domain.named("gps", name);
+        Domain.finite(of, "position", position, "m");
+        Domain.finite(of, "surface", surface, "m");
+        Domain.atLeast0(of, "maximum-depth", maximumDepth, "m");
     }
 
     @Override

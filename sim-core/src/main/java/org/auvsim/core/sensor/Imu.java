@@ -2,6 +2,7 @@ package org.auvsim.core.sensor;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 
@@ -37,9 +38,10 @@ public record Imu(
      * @throws IllegalArgumentException if a number is not finite, or gravity negative
      */
     public Imu {
-        Check.place("imu", name, position);
-        orientation = Check.axes("imu", name, orientation);
-        Check.atLeast0("imu", name, "gravity", gravity, "m/s^2");
+        String of = Domain.named("imu", name);
+        Domain.finite(of, "position", position, "m");
+        orientation = Domain.unit(of, "orientation", orientation);
+        Domain.atLeast0(of, "gravity", gravity, "m/s^2");
     }
 
     @Override

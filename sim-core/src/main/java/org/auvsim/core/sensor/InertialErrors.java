@@ -1,6 +1,7 @@
 package org.auvsim.core.sensor;
 
 import org.auvsim.core.description.Default;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.math.Vec3;
 
 /**
@@ -28,7 +29,7 @@ public record InertialErrors(
     public InertialErrors {
         VectorErrors.requireSpread("noise-density", noiseDensity);
         VectorErrors.requireSpread("drift", drift);
-        VectorErrors.requireBias(bias);
+        Domain.finite("a sensor", "bias", bias, "");
     }
 
     /** The errors of means over 1 / rate (s). */

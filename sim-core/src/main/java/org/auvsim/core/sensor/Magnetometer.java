@@ -2,6 +2,7 @@ package org.auvsim.core.sensor;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.entity.MagneticField;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
@@ -28,8 +29,9 @@ public record Magnetometer(
      * @throws IllegalArgumentException if a number is not finite
      */
     public Magnetometer {
-        Check.place("magnetometer", name, position);
-        orientation = Check.axes("magnetometer", name, orientation);
+        String of = Domain.named("magnetometer", name);
+        Domain.finite(of, "position", position, "m");
+        orientation = Domain.unit(of, "orientation", orientation);
     }
 
     @Override

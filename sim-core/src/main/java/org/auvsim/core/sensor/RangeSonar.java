@@ -2,6 +2,7 @@ package org.auvsim.core.sensor;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 
@@ -40,12 +41,13 @@ public record RangeSonar(
      * @throws IllegalArgumentException if a number is not finite or outside of what is said above
      */
     public RangeSonar {
-        Check.place("range-sonar", name, position);
-        orientation = Check.axes("range-sonar", name, orientation);
-        Check.within("range-sonar", name, "beams", beams, 1, MOST_BEAMS, "");
-        Check.within("range-sonar", name, "fan", fan, 0, Math.PI, "rad");
-        Check.above0("range-sonar", name, "maximum-range", maximumRange, "m");
-        Check.within("range-sonar", name, "minimum-range", minimumRange, 0, maximumRange, "m");
+        String of = Domain.named("range-sonar", name);
+        Domain.finite(of, "position", position, "m");
+        orientation = Domain.unit(of, "orientation", orientation);
+        Domain.within(of, "beams", 1, MOST_BEAMS, beams, "");
+        Domain.require(0 <= fan && fan < Math.PI, of, "fan", fan, "0 to below pi rad", "rad");
+        Domain.above0(of, "maximum-range", maximumRange, "m");
+        Domain.within(of, "minimum-range", 0, maximumRange, minimumRange, "m");
     }
 
     @Override

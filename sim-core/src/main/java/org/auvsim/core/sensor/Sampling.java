@@ -2,6 +2,7 @@ package org.auvsim.core.sensor;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 
 /**
  * When a sensor measures, and what becomes of its readings on their way.
@@ -28,18 +29,10 @@ public record Sampling(
      *     negative or not finite, or the dropout outside [0, 1]
      */
     public Sampling {
-        if (!(rate > 0 && rate <= FASTEST)) {
-            throw new IllegalArgumentException(
-                    "the rate of a sensor must be above 0 and at most 100000 Hz, but is " + rate);
-        }
-        if (!(delay >= 0) || Double.isInfinite(delay)) {
-            throw new IllegalArgumentException(
-                    "the delay of a sensor must be 0 s or more and finite, but is " + delay);
-        }
-        if (!(dropout >= 0 && dropout <= 1)) {
-            throw new IllegalArgumentException(
-                    "the dropout of a sensor must be 0 to 1, but is " + dropout);
-        }
+        boolean isInRange = rate > 0 && rate <= FASTEST;
+        Domain.require(isInRange, "a sensor", "rate", rate, "above 0 and at most 100000 Hz", "Hz");
+        Domain.atLeast0("a sensor", "delay", delay, "s");
+        Domain.within("a sensor", "dropout", 0, 1, dropout, "");
     }
 
     /** Readings at a rate (Hz) that arrive at once, and all of them. */

@@ -1,6 +1,7 @@
 package org.auvsim.core.sensor;
 
 import org.auvsim.core.description.Default;
+import org.auvsim.core.entity.Domain;
 
 /**
  * How a measured number differs from the true one, in its unit: {@code true + bias + drift W(t) +
@@ -24,12 +25,9 @@ public record ScalarErrors(
      * @throws IllegalArgumentException if deviation or drift is negative, or a number not finite
      */
     public ScalarErrors {
-        VectorErrors.requireSpread("deviation", deviation);
-        VectorErrors.requireSpread("drift", drift);
-        if (!Double.isFinite(bias)) {
-            throw new IllegalArgumentException(
-                    "the bias of a sensor must be finite, but is " + bias);
-        }
+        Domain.atLeast0("a sensor", "deviation", deviation, "");
+        Domain.atLeast0("a sensor", "drift", drift, "");
+        Domain.finite("a sensor", "bias", bias, "");
     }
 
     /** What is measured of a value; each channel of a sensor has its own noise. */

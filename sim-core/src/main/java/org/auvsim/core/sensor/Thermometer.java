@@ -2,6 +2,7 @@ package org.auvsim.core.sensor;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.entity.TemperatureField;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
@@ -28,7 +29,8 @@ public record Thermometer(
      * @throws IllegalArgumentException if a number is not finite
      */
     public Thermometer {
-        Check.place("thermometer", name, position);
+        String of = Domain.named("thermometer", name);
+        Domain.finite(of, "position", position, "m");
     }
 
     @Override

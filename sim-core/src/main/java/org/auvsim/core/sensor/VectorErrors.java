@@ -1,6 +1,7 @@
 package org.auvsim.core.sensor;
 
 import org.auvsim.core.description.Default;
+import org.auvsim.core.entity.Domain;
 import org.auvsim.core.math.Vec3;
 
 /**
@@ -25,28 +26,13 @@ public record VectorErrors(
     public VectorErrors {
         requireSpread("deviation", deviation);
         requireSpread("drift", drift);
-        requireBias(bias);
-    }
-
-    static void requireBias(Vec3 bias) {
-        if (!bias.isFinite()) {
-            throw new IllegalArgumentException(
-                    "the bias of a sensor must be finite, but is " + bias);
-        }
+        Domain.finite("a sensor", "bias", bias, "");
     }
 
     static void requireSpread(String what, Vec3 spread) {
-        requireSpread(what + " along x", spread.x());
-        requireSpread(what + " along y", spread.y());
-        requireSpread(what + " along z", spread.z());
-    }
-
-    static void requireSpread(String what, double spread) {
-        if (!(spread >= 0) || Double.isInfinite(spread)) {
-            throw new IllegalArgumentException(
-                    "the %s of a sensor must be 0 or more and finite, but is %s"
-                            .formatted(what, spread));
-        }
+        Domain.atLeast0("a sensor", what + " along x", spread.x(), "");
+        Domain.atLeast0("a sensor", what + " along y", spread.y(), "");
+        Domain.atLeast0("a sensor", what + " along z", spread.z(), "");
     }
 
     /** What is measured of a value; takes three channels from one on. */

@@ -234,7 +234,9 @@ class FinTest {
     void aFinOutsideItsDomainIsRefused() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> fin(Vec3.ZERO, UP, 0, -0.1, 0))
-                .withMessage("the drag coefficient of fin 'rudder' must be 0 or more, but is -0.1");
+                .withMessage(
+                        "the drag coefficient of fin 'rudder' must be 0 or more and finite, but is"
+                            + " -0.1");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> fin(Vec3.ZERO, new Vec3(2, 0, 0), 0, 0, 0))
                 .withMessage(

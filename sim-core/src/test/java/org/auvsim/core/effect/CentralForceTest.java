@@ -1,7 +1,6 @@
 package org.auvsim.core.effect;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 import static org.auvsim.core.math.Near.assertNear;
 
@@ -141,25 +140,5 @@ class CentralForceTest {
     void itsEnergyIsThatOfTheWayToTheRestRadius() {
         assertThat(FORCE.potentialEnergy(TARGET.plus(new Vec3(0, 4, 3)))).isEqualTo(50);
         assertThat(FORCE.potentialEnergy(TARGET)).isEqualTo(1);
-    }
-
-    @ParameterizedTest
-    @CsvSource({"-1, 0.1", "1, -0.1", "NaN, 1", "1, Infinity"})
-    void numbersThatMeanNothingAreRefused(double force, double radius) {
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> new CentralForce(force, radius, TARGET))
-                .withMessage(
-                        "a central force and its rest radius must be 0 or more, but are "
-                                + force
-                                + " N and "
-                                + radius
-                                + " m");
-    }
-
-    @Test
-    void aTargetMustBeSomewhere() {
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> new CentralForce(1, 1, new Vec3(0, Double.NaN, 0)))
-                .withMessageContaining("must be finite");
     }
 }

@@ -186,7 +186,9 @@ class DampingTest {
                 .withMessageContaining("the damping of YAW by itself");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new DampingTerm(MotionAxis.YAW, MotionAxis.SWAY, Double.NaN, 0))
-                .withMessage("the damping of YAW by SWAY must be finite, but is NaN and 0.0");
+                .withMessage(
+                        "the linear coefficient of damping of YAW by SWAY must be finite, but is"
+                            + " NaN");
         DampingTerm term = new DampingTerm(MotionAxis.SWAY, MotionAxis.YAW, 0.1, 0);
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Damping(ONES, ONES, ONES, ONES, List.of(term, term)))

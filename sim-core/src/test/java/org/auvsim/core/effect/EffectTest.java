@@ -1,7 +1,6 @@
 package org.auvsim.core.effect;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.auvsim.core.math.Near.assertNear;
 
 import org.auvsim.core.dynamics.DrawnBodies;
@@ -122,15 +121,5 @@ class EffectTest {
         DAMPING.layOut(bySlot, new Bodies().surroundings()).add(none);
         assertThat(none.fx[9]).isEqualTo(-5);
         assertThat(Arrays.copyOf(none.fx, 9)).containsOnly(0);
-    }
-
-    @ParameterizedTest
-    @ValueSource(doubles = {-1, Double.NaN, Double.POSITIVE_INFINITY})
-    void dampingThatWouldDriveIsRefused(double coefficient) {
-        Vec3 bad = new Vec3(0, coefficient, 0);
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> new Damping(Vec3.ZERO, bad, Vec3.ZERO, Vec3.ZERO))
-                .withMessage(
-                        "the quadratic damping coefficients must be 0 or more, but are " + bad);
     }
 }

@@ -140,6 +140,36 @@ class HydrodynamicDerivativesTest {
     }
 
     @Test
+    void productsAreTheSameInEitherOrder() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(
+                        () ->
+                                new HydrodynamicDerivatives(
+                                        ReferenceAxes.FLU,
+                                        List.of(
+                                                new Derivative("Nuv", 1),
+                                                new Derivative("Nvu", 2))))
+                .withMessage(
+                        "the hydrodynamic derivatives Nuv (1.0) and Nvu (2.0) are one term that"
+                                + " is stated twice; leave one of them");
+        List<Derivative> different =
+                List.of(
+                        new Derivative("Nu|v|", 1),
+                        new Derivative("Nv|u|", 1),
+                        new Derivative("Nuv", 1));
+        assertThat(new HydrodynamicDerivatives(ReferenceAxes.FLU, different).derivative())
+                .hasSize(3);
+    }
+
+    @Test
+    void thereMustBeSome() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new HydrodynamicDerivatives(ReferenceAxes.FLU, List.of()))
+                .withMessage(
+                        "the list of hydrodynamic derivatives must have at least one, but has 0");
+    }
+
+    @Test
     void aDerivativeIsFiniteAndStatedOnce() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Derivative("Yv", Double.NaN))
@@ -150,6 +180,8 @@ class HydrodynamicDerivativesTest {
                                 new HydrodynamicDerivatives(
                                         ReferenceAxes.FLU,
                                         List.of(new Derivative("Yv", 1), new Derivative("Yv", 2))))
-                .withMessage("the hydrodynamic derivative Yv is stated twice, as 1.0 and 2.0");
+                .withMessage(
+                        "the hydrodynamic derivatives Yv (1.0) and Yv (2.0) are one term that is"
+                            + " stated twice; leave one of them");
     }
 }

@@ -92,9 +92,9 @@ class DepthSensorTest {
         assertThatThrownBy(() -> sensor(Vec3.ZERO, 0, ScalarErrors.NONE))
                 .hasMessage(
                         "the calibration-density of depth-sensor 'depth' must be above 0 kg/m^3 and"
-                                + " finite, but is 0.0");
+                                + " finite, but is 0.0 kg/m^3");
         assertThatThrownBy(() -> sensor(new Vec3(0, 0, Double.NaN), 1, ScalarErrors.NONE))
-                .hasMessageContaining("position of depth-sensor 'depth' must be finite numbers");
+                .hasMessageContaining("position of depth-sensor 'depth' must be finite, but");
         assertThatThrownBy(() -> new ScalarErrors(-1, 0, 0))
                 .hasMessage("the deviation of a sensor must be 0 or more and finite, but is -1.0");
         assertThatThrownBy(() -> new ScalarErrors(0, Double.NaN, 0))

@@ -150,6 +150,6 @@ class DvlTest {
     @Test
     void whatMakesNoSenseIsRefused() {
         assertThatThrownBy(() -> exact(0))
-                .hasMessage("the range of dvl 'dvl' must be above 0 m and finite, but is 0.0");
+                .hasMessage("the range of dvl 'dvl' must be above 0 m and finite, but is 0.0 m");
     }
 }

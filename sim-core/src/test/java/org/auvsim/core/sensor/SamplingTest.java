@@ -28,11 +28,12 @@ class SamplingTest {
     void whatMakesNoSenseIsRefused() {
         assertThatThrownBy(() -> Sampling.at(0))
                 .hasMessage(
-                        "the rate of a sensor must be above 0 and at most 100000 Hz, but is 0.0");
+                        "the rate of a sensor must be above 0 and at most 100000 Hz, but is 0.0"
+                            + " Hz");
         assertThatThrownBy(() -> Sampling.at(1e6)).hasMessageContaining("1000000.0");
         assertThatThrownBy(() -> new Sampling(1, -1, 0, 0))
-                .hasMessage("the delay of a sensor must be 0 s or more and finite, but is -1.0");
+                .hasMessage("the delay of a sensor must be 0 s or more and finite, but is -1.0 s");
         assertThatThrownBy(() -> new Sampling(1, 0, 1.5, 0))
-                .hasMessage("the dropout of a sensor must be 0 to 1, but is 1.5");
+                .hasMessage("the dropout of a sensor must be 0.0 to 1.0, but is 1.5");
     }
 }

@@ -58,12 +58,28 @@ final class GridFile {
     }
 
     private void requireColumns(List<String> header) throws GridFileException {
-        List<String> sorted = header.stream().map(String::strip).sorted().toList();
-        if (!sorted.equals(COLUMNS.stream().sorted().toList())) {
-            throw new GridFileException(
-                    "%s:1: expected the columns x, y, z, u, v, w, but found %s"
-                            .formatted(file, String.join(", ", header)));
+        List<String> found = header.stream().map(String::strip).toList();
+        for (int c = 0; c < found.size(); c++) {
+            String column = found.get(c);
+            if (!COLUMNS.contains(column)) {
+                throw wrongColumns("column %d, '%s', is none of them".formatted(c + 1, column));
+            }
+            if (found.indexOf(column) < c) {
+                throw wrongColumns(
+                        "column %d, '%s', is column %d again"
+                                .formatted(c + 1, column, found.indexOf(column) + 1));
+            }
         }
+        for (String column : COLUMNS) {
+            if (!found.contains(column)) {
+                throw wrongColumns("there is no column '%s'".formatted(column));
+            }
+        }
+    }
+
+    private GridFileException wrongColumns(String what) {
+        return new GridFileException(
+                "%s:1: expected the columns x, y, z, u, v, w, but %s".formatted(file, what));
     }
 
     private GridRow row(NamedCsvRecord line) throws GridFileException {

@@ -62,6 +62,6 @@ public record Buoyancy(
 
     @Override
     public BlockEffect layOut(List<List<Effect>> bySlot, Surroundings around) {
-        return new BuoyancyBlock(bySlot);
+        return Layers.of(bySlot, BuoyancyBlock::new);
     }
 }

@@ -80,7 +80,7 @@ final class DampingBlock implements BlockEffect {
 
     @Override
     public void add(Block b) {
-        if (!touches(b)) {
+        if (!ThroughWater.isAnyOf(b, damped)) {
             return;
         }
         ThroughWater.measure(b);
@@ -88,15 +88,6 @@ final class DampingBlock implements BlockEffect {
             damp(b, elements.get(e), e < AXES);
         }
         ThroughWater.push(b);
-    }
-
-    private boolean touches(Block b) {
-        for (int i = 0; i < b.count; i++) {
-            if (damped[b.slot(i)]) {
-                return true;
-            }
-        }
-        return false;
     }
 
     private static void damp(Block b, Element element, boolean first) {

@@ -53,7 +53,7 @@ final class DerivativesBlock implements BlockEffect {
 
     @Override
     public void add(Block b) {
-        if (!touches(b)) {
+        if (!ThroughWater.isAnyOf(b, has)) {
             return;
         }
         ThroughWater.measure(b);
@@ -64,15 +64,6 @@ final class DerivativesBlock implements BlockEffect {
             add(b, terms.get(t));
         }
         ThroughWater.push(b);
-    }
-
-    private boolean touches(Block b) {
-        for (int i = 0; i < b.count; i++) {
-            if (has[b.slot(i)]) {
-                return true;
-            }
-        }
-        return false;
     }
 
     private static void add(Block b, Term term) {

@@ -16,6 +16,16 @@ final class ThroughWater {
 
     private ThroughWater() {}
 
+    /** Whether a body of the block is one of these, by slot. */
+    static boolean isAnyOf(Block b, boolean[] these) {
+        for (int i = 0; i < b.count; i++) {
+            if (these[b.slot(i)]) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /**
      * Fills the velocities: that of the origin relative to the water (m/s), that of turning
      * (rad/s).

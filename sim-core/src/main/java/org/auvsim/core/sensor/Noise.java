@@ -1,12 +1,13 @@
 package org.auvsim.core.sensor;
 
+import org.auvsim.core.math.SplitMix64;
+
 /**
  * The random numbers of one sample of one sensor. Each is a function of seed, object, sensor,
  * channel and sample number, and of nothing that came before: a counter-based generator (Salmon et
  * al., SC 2011) with the output function of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014).
  */
 public final class Noise {
-    private static final long GOLDEN = 0x9E3779B97F4A7C15L;
     private static final int WALKS = 1 << 16;
     private static final int WALKS_BACK = 1 << 17;
     private static final int COINS = 1 << 18;
@@ -39,7 +40,9 @@ public final class Noise {
     }
 
     private static long key(long seed, long objectId, String component) {
-        return mix(mix(mix(seed + GOLDEN) + objectId) + component.hashCode());
+        return SplitMix64.mix(
+                SplitMix64.mix(SplitMix64.mix(seed + SplitMix64.STEP) + objectId)
+                        + component.hashCode());
     }
 
     /** A number with normal distribution, mean 0 and variance 1; one for each channel. */
@@ -49,7 +52,7 @@ public final class Noise {
 
     /** A number with uniform distribution in [0, 1); one for each channel. */
     public double uniform(int channel) {
-        return unit(bits(COINS + channel, sample));
+        return SplitMix64.unit(bits(COINS + channel, sample));
     }
 
     /**
@@ -120,23 +123,14 @@ public final class Noise {
 
     /** Number {@code i} of a stream (Box and Muller 1958). */
     private double gaussian(int stream, long i) {
-        double u = 1 - unit(bits(stream, 2 * i));
-        double angle = 2 * Math.PI * unit(bits(stream, 2 * i + 1));
+        double u = 1 - SplitMix64.unit(bits(stream, 2 * i));
+        double angle = 2 * Math.PI * SplitMix64.unit(bits(stream, 2 * i + 1));
         return Math.sqrt(-2 * StrictMath.log(u)) * StrictMath.cos(angle);
-    }
-
-    private static double unit(long bits) {
-        return (bits >>> 11) * 0x1p-53;
     }
 
     /** Output {@code i} of SplitMix64 whose state began at the stream's key. */
     private long bits(int stream, long i) {
-        return mix(mix(key + stream * GOLDEN) + (i + 1) * GOLDEN);
-    }
-
-    private static long mix(long z) {
-        long a = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;
-        long b = (a ^ (a >>> 27)) * 0x94D049BB133111EBL;
-        return b ^ (b >>> 31);
+        return SplitMix64.mix(
+                SplitMix64.mix(key + stream * SplitMix64.STEP) + (i + 1) * SplitMix64.STEP);
     }
 }

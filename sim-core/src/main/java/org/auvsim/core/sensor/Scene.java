@@ -1,6 +1,7 @@
 package org.auvsim.core.sensor;
 
 import org.auvsim.core.entity.Component;
+import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.math.Vec3;
 
@@ -14,6 +15,9 @@ public interface Scene {
 
     /** All fields of a type, in order of id. */
     <F extends Field<?>> List<F> fields(Class<F> type);
+
+    /** All currents, in order of id, ready to be evaluated ({@link Current#prepared}). */
+    List<Current> currents();
 
     /** The components of a type that the sensor's own object has, as they are after the step. */
     <C extends Component> List<C> components(Class<C> type);

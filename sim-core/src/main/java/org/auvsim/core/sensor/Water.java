@@ -10,7 +10,7 @@ final class Water {
     /** Its velocity (m/s, world) at a place (m, world), at the time of a sample. */
     static Vec3 velocity(Sample sample, Vec3 place) {
         Vec3 sum = Vec3.ZERO;
-        for (Current current : sample.scene().fields(Current.class)) {
+        for (Current current : sample.scene().currents()) {
             sum = sum.plus(current.valueAt(place, sample.now().time()));
         }
         return sum;
@@ -19,7 +19,7 @@ final class Water {
     /** How deep (m) a place is below its surface, which waves raise over the still one. */
     static double depth(Sample sample, Vec3 place, double stillSurface) {
         double surface = stillSurface;
-        for (Current current : sample.scene().fields(Current.class)) {
+        for (Current current : sample.scene().currents()) {
             surface += current.elevation(place.x(), place.y(), sample.now().time());
         }
         return surface - place.z();

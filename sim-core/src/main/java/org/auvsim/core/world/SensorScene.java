@@ -1,6 +1,7 @@
 package org.auvsim.core.world;
 
 import org.auvsim.core.entity.Component;
+import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObject;
@@ -51,6 +52,11 @@ final class SensorScene implements Scene {
             }
         }
         return found;
+    }
+
+    @Override
+    public List<Current> currents() {
+        return population.bodies().state().currents();
     }
 
     @Override

@@ -2,6 +2,7 @@ package org.auvsim.core.world;
 
 import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.entity.WorldObject;
+import org.auvsim.core.math.SplitMix64;
 
 import java.util.List;
 
@@ -13,7 +14,7 @@ final class StateHash {
     private StateHash() {}
 
     static long of(double time, List<WorldObject> objects, BodyState state) {
-        long hash = mix(0x9E3779B97F4A7C15L, Double.doubleToRawLongBits(time));
+        long hash = mix(SplitMix64.STEP, Double.doubleToRawLongBits(time));
         for (WorldObject object : objects) {
             hash = mix(hash, object.id());
             for (int c = 0; c < BodyState.COLUMNS; c++) {
@@ -23,11 +24,7 @@ final class StateHash {
         return hash;
     }
 
-    /** The finalizer of SplitMix64 (Steele, Lea &amp; Flood, OOPSLA 2014) over the running sum. */
     private static long mix(long hash, long value) {
-        long z = hash + 0x9E3779B97F4A7C15L + value;
-        z = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;
-        z = (z ^ (z >>> 27)) * 0x94D049BB133111EBL;
-        return z ^ (z >>> 31);
+        return SplitMix64.mix(hash + SplitMix64.STEP + value);
     }
 }

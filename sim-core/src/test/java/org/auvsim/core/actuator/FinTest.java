@@ -236,7 +236,7 @@ class FinTest {
                 .isThrownBy(() -> fin(Vec3.ZERO, UP, 0, -0.1, 0))
                 .withMessage(
                         "the drag coefficient of fin 'rudder' must be 0 or more and finite, but is"
-                            + " -0.1");
+                                + " -0.1");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> fin(Vec3.ZERO, new Vec3(2, 0, 0), 0, 0, 0))
                 .withMessage(

@@ -14,12 +14,21 @@ import org.auvsim.core.entity.Mobility;
 import org.auvsim.core.entity.Mount;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.Pinned;
+import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.field.OscillatingCurrent;
+import org.auvsim.core.field.VortexCurrent;
+import org.auvsim.core.field.VortexProfile;
+import org.auvsim.core.math.Draws;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Box;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 
 class MountTest {
@@ -128,6 +137,44 @@ class MountTest {
         flight.advance(new Rk4(), 0.001, 5000);
         assertThat(flight.kineticEnergy() / energy).isCloseTo(1, within(1e-9));
         assertThat(flight.body().position().z()).isZero();
+    }
+
+    /** A mount that holds nothing: the equations of one mounted body and those of whole blocks. */
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = {1, 2, 3})
+    void aBodyOnAMountThatHoldsNothingMovesAsAFreeOne(long seed) {
+        Mount holdsNothing = new Held(false, false, false, false, false, false);
+        List<WorldObjectDefinition> pairs = new ArrayList<>();
+        for (int k = 0; k < 5; k++) {
+            pairs.add(drawn(seed + 10L * k).build());
+            pairs.add(drawn(seed + 10L * k).mount(holdsNothing).build());
+        }
+        Flight flight =
+                Flight.of(pairs)
+                        .in(new VortexCurrent(1, "eddy", 4, 1, 6, 2, VortexProfile.LAMB_OSEEN))
+                        .in(new OscillatingCurrent(2, "tide", PUSH, new Vec3(1, 0.5, 0.2), 3, 0));
+        flight.advance(new Rk4(), 0.001, 1);
+        for (int k = 0; k < pairs.size(); k += 2) {
+            WorldObject free = flight.body(k);
+            WorldObject held = flight.body(k + 1);
+            assertThat(free.position().distance(pairs.get(k).position())).isPositive();
+            assertNear(held.position(), free.position(), 1e-12);
+            assertNear(held.linearMomentum(), free.linearMomentum(), 1e-12);
+            assertNear(held.angularMomentum(), free.angularMomentum(), 1e-12);
+            assertNear(held.velocity(), free.velocity(), 1e-12);
+            assertNear(held.angularVelocity(), free.angularVelocity(), 1e-12);
+        }
+    }
+
+    private static WorldObjectDefinition.Builder drawn(long seed) {
+        Draws draws = new Draws(seed);
+        Vec3 v = draws.vector(1);
+        Vec3 w = draws.vector(0.5);
+        return FullMassTest.vehicle()
+                .position(draws.vector(3))
+                .orientation(draws.orientation())
+                .velocity(v.x(), v.y(), v.z())
+                .angularVelocity(w.x(), w.y(), w.z());
     }
 
     @Test

@@ -188,7 +188,7 @@ class DampingTest {
                 .isThrownBy(() -> new DampingTerm(MotionAxis.YAW, MotionAxis.SWAY, Double.NaN, 0))
                 .withMessage(
                         "the linear coefficient of damping of YAW by SWAY must be finite, but is"
-                            + " NaN");
+                                + " NaN");
         DampingTerm term = new DampingTerm(MotionAxis.SWAY, MotionAxis.YAW, 0.1, 0);
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Damping(ONES, ONES, ONES, ONES, List.of(term, term)))

@@ -182,6 +182,6 @@ class HydrodynamicDerivativesTest {
                                         List.of(new Derivative("Yv", 1), new Derivative("Yv", 2))))
                 .withMessage(
                         "the hydrodynamic derivatives Yv (1.0) and Yv (2.0) are one term that is"
-                            + " stated twice; leave one of them");
+                                + " stated twice; leave one of them");
     }
 }

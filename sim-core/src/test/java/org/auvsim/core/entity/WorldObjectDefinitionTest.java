@@ -123,7 +123,7 @@ class WorldObjectDefinitionTest {
                 .isThrownBy(() -> new Propulsor("screw", -1, 0, Vec3.ZERO, new Vec3(1, 0, 0)))
                 .withMessage(
                         "the maximum thrust of propulsor 'screw' must be 0 N or more and finite,"
-                            + " but is -1.0 N");
+                                + " but is -1.0 N");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Propulsor("screw", 1, 0, Vec3.ZERO, Vec3.ZERO));
         Propulsor astern = new Propulsor("screw", 10, -0.5, Vec3.ZERO, new Vec3(0, 3, 4));

@@ -73,6 +73,25 @@ class BatteryGaugeTest {
     }
 
     @Test
+    void itsErrorsAreAsStated() {
+        ScalarErrors errors = new ScalarErrors(3, 8, 0);
+        BatteryGauge gauge = new BatteryGauge("gauge", "cells", errors, Sampling.at(20));
+        World world =
+                World.builder()
+                        .add(Bench.ball(new Battery("cells", 200, 100), gauge).build())
+                        .build();
+
+        List<BatteryReading> readings = Bench.readings(world, BatteryReading.class, 250);
+
+        int n = readings.size();
+        assertThat(n).isEqualTo(5000);
+        assertThat(Bench.variance(readings, BatteryReading::charge) / 9)
+                .isCloseTo(1, within(5 * Math.sqrt(2.0 / n)));
+        assertThat(Bench.mean(readings, BatteryReading::charge))
+                .isCloseTo(108, within(5 * 3 / Math.sqrt(n)));
+    }
+
+    @Test
     void aGaugeWithoutItsBatteryIsRefused() {
         assertThatIllegalArgumentException()
                 .isThrownBy(

@@ -78,7 +78,7 @@ class DatumTest {
         assertThatThrownBy(() -> new Datum(91, 0, 0))
                 .hasMessage(
                         "the latitude of a datum must be -90.0 to 90.0 degrees, but is 91.0"
-                            + " degrees");
+                                + " degrees");
         assertThatThrownBy(() -> new Datum(0, 181, 0)).hasMessageContaining("181.0");
         assertThatThrownBy(() -> new Datum(0, 0, Double.NaN)).hasMessageContaining("NaN");
     }

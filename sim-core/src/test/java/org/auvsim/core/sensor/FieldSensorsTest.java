@@ -91,6 +91,24 @@ class FieldSensorsTest {
     }
 
     @Test
+    void aThermometersErrorsAreAsStated() {
+        ScalarErrors errors = new ScalarErrors(0.02, -0.3, 0);
+        World world =
+                world(new Thermometer("t", Vec3.ZERO, errors, Sampling.at(20)))
+                        .add(new Layer(5, "Winter", 6, 0))
+                        .build();
+
+        List<ThermometerReading> readings = Bench.readings(world, ThermometerReading.class, 250);
+
+        int n = readings.size();
+        assertThat(n).isEqualTo(5000);
+        assertThat(Bench.variance(readings, ThermometerReading::temperature) / 4e-4)
+                .isCloseTo(1, within(5 * Math.sqrt(2.0 / n)));
+        assertThat(Bench.mean(readings, ThermometerReading::temperature))
+                .isCloseTo(6 - 0.3, within(5 * 0.02 / Math.sqrt(n)));
+    }
+
+    @Test
     void whereThereIsNoTemperatureAThermometerReadsNothing() {
         Thermometer thermometer =
                 new Thermometer("t", Vec3.ZERO, ScalarErrors.NONE, Sampling.at(20));

@@ -51,6 +51,31 @@ class GpsTest {
         assertThat(reading.latitude()).isCloseTo(36.6 + 0.018022, within(5e-6));
     }
 
+    /** Cannot be asked before it is prepared. */
+    private record Unprepared(long id, String name) implements Current {
+        @Override
+        public Current prepared() {
+            return new Swell(id, name);
+        }
+
+        @Override
+        public Vec3 valueAt(Vec3 position, double time) {
+            throw new IllegalStateException("not prepared");
+        }
+
+        @Override
+        public double elevation(double x, double y, double time) {
+            throw new IllegalStateException("not prepared");
+        }
+    }
+
+    @Test
+    void sensorsMeetCurrentsAsTheWorldPreparedThem() {
+        World world = at(-0.25, gps(VectorErrors.NONE)).add(new Unprepared(5, "Sea")).build();
+
+        assertThat(Bench.readings(world, GpsReading.class, 1)).hasSize(20);
+    }
+
     @Test
     void belowTheSurfaceItReadsNothing() {
         assertThat(readings(at(-0.55, gps(VectorErrors.NONE)))).hasSize(20);

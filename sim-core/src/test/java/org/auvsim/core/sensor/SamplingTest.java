@@ -29,7 +29,7 @@ class SamplingTest {
         assertThatThrownBy(() -> Sampling.at(0))
                 .hasMessage(
                         "the rate of a sensor must be above 0 and at most 100000 Hz, but is 0.0"
-                            + " Hz");
+                                + " Hz");
         assertThatThrownBy(() -> Sampling.at(1e6)).hasMessageContaining("1000000.0");
         assertThatThrownBy(() -> new Sampling(1, -1, 0, 0))
                 .hasMessage("the delay of a sensor must be 0 s or more and finite, but is -1.0 s");

@@ -1,6 +1,7 @@
 package org.auvsim.core.sensor;
 
 import org.auvsim.core.entity.Component;
+import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.math.Vec3;
 
@@ -16,6 +17,11 @@ final class StillScene implements Scene {
 
     @Override
     public <F extends Field<?>> List<F> fields(Class<F> type) {
+        return List.of();
+    }
+
+    @Override
+    public List<Current> currents() {
         return List.of();
     }
 

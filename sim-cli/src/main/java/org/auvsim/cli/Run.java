@@ -20,6 +20,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.io.Writer;
@@ -70,7 +71,9 @@ final class Run implements Callable<Integer> {
     @Option(
             names = "--readings",
             paramLabel = "FILE",
-            description = "Writes what sensors read as CSV, a row for each value.")
+            description =
+                    "Writes what sensors read as CSV, a row for each value; '-' is the standard"
+                            + " output.")
     private Optional<Path> readings = Optional.empty();
 
     @Option(
@@ -128,6 +131,11 @@ final class Run implements Callable<Integer> {
                     "--plot draws PNG, so the file's name must end in .png, but is %s."
                             .formatted(plot.get()));
         }
+        if (isOnOutput(out) && isOnOutput(readings)) {
+            throw new UserError(
+                    "--out and --readings cannot both go to the standard output; name a file for"
+                            + " one of them.");
+        }
         // Ctrl-C waits until all of this is closed, so that the CSV is whole.
         try (Interruption interruption = new Interruption(() -> {})) {
             if (plot.isPresent()) {
@@ -140,11 +148,13 @@ final class Run implements Callable<Integer> {
     }
 
     private void draw(World world, Path target, Interruption interruption) {
-        TrajectoryPlot picture = new TrajectoryPlot(world);
-        world.addListener(picture);
-        runWithReadings(world, interruption);
-        try {
-            Files.write(target, picture.png());
+        try (OutputStream to = Files.newOutputStream(target)) {
+            TrajectoryPlot picture = new TrajectoryPlot(world);
+            world.addListener(picture);
+            // Graphics cannot be begun with once Ctrl-C has come: they end with the program, too.
+            picture.png();
+            runWithReadings(world, interruption);
+            to.write(picture.png());
             tell("picture written to " + target);
         } catch (IOException e) {
             throw FileTrouble.writing(target, e);
@@ -160,11 +170,11 @@ final class Run implements Callable<Integer> {
     }
 
     private void recordReadings(World world, Path target, Interruption interruption) {
-        try (Writer writer = Files.newBufferedWriter(target, UTF_8);
+        try (Writer writer = open(target);
                 ReadingsCsv csv = new ReadingsCsv(world, writer)) {
             world.addListener(csv);
             runRecorded(world, interruption);
-            tell("%d values read written to %s".formatted(csv.rows(), target));
+            tell("%d values read written to %s".formatted(csv.rows(), Rows.place(target)));
         } catch (IOException e) {
             throw FileTrouble.writing(target, e);
         }
@@ -205,8 +215,12 @@ final class Run implements Callable<Integer> {
         tell(run.summary());
     }
 
+    private static boolean isOnOutput(Optional<Path> target) {
+        return target.equals(Optional.of(STANDARD_OUTPUT));
+    }
+
     private void tell(String line) {
-        boolean csvOnOut = out.equals(Optional.of(STANDARD_OUTPUT));
+        boolean csvOnOut = isOnOutput(out) || isOnOutput(readings);
         PrintWriter to = csvOnOut ? spec.commandLine().getErr() : spec.commandLine().getOut();
         to.println(line);
         to.flush();

@@ -81,6 +81,18 @@ class RunTest {
         assertThat(auvsim.out()).contains("picture written to " + picture);
         assertThat(auvsim.run("run", scenario, "--plot", folder.resolve("run.svg"))).isEqualTo(2);
         assertThat(auvsim.err()).contains("--plot draws PNG, so the file's name must end in .png");
+        assertThat(auvsim.run("run", scenario, "--plot", folder.resolve("none/run.png")))
+                .isEqualTo(2);
+        assertThat(auvsim.out()).containsOnlyOnce(" steps: ");
+    }
+
+    @Test
+    void onlyOneTableGoesToTheStandardOutput() {
+        Path scenario = SCENARIOS.resolve("tank.xml");
+        assertThat(auvsim.run("run", scenario, "--until", 0.1, "--readings", "-")).isZero();
+        assertThat(auvsim.err()).contains("0 values read written to the standard output");
+        assertThat(auvsim.run("run", scenario, "--out", "-", "--readings", "-")).isEqualTo(2);
+        assertThat(auvsim.err()).contains("cannot both go to the standard output");
     }
 
     @Test

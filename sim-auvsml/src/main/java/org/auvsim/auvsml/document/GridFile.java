@@ -9,6 +9,8 @@ import de.siegmar.fastcsv.reader.NamedCsvRecord;
 import org.auvsim.core.field.GriddedCurrent;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -33,6 +35,9 @@ final class GridFile {
      * @throws GridFileException if it cannot be read, or what it has is no grid
      */
     GriddedCurrent read(GriddedCurrent current) throws GridFileException {
+        if (Files.isDirectory(file)) {
+            throw new GridFileException(file + " is a folder; expected a CSV file");
+        }
         List<GridRow> rows = new ArrayList<>();
         try (CsvReader<NamedCsvRecord> csv =
                 CsvReader.builder().detectBomHeader(true).ofNamedCsvRecord(file)) {
@@ -46,7 +51,7 @@ final class GridFile {
             throw new GridFileException("%s is not CSV: %s".formatted(file, e.getMessage()));
         } catch (NoSuchFileException _) {
             throw new GridFileException("there is no file " + file);
-        } catch (IOException e) {
+        } catch (IOException | UncheckedIOException e) {
             throw new GridFileException("%s cannot be read: %s".formatted(file, e.getMessage()));
         }
         if (rows.isEmpty()) {

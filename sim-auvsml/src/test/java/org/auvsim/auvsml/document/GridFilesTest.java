@@ -112,4 +112,13 @@ class GridFilesTest {
                 .isThrownBy(() -> loader.parse(SCENARIO.getBytes(StandardCharsets.UTF_8)))
                 .withMessageContaining("current 'bay' has not read its file bay.csv");
     }
+
+    @Test
+    void aFolderIsNoGrid() throws Exception {
+        Path file = Files.writeString(folder.resolve("bay.xml"), SCENARIO);
+        Files.createDirectory(folder.resolve("bay.csv"));
+        assertThatExceptionOfType(DocumentException.class)
+                .isThrownBy(() -> loader.load(file))
+                .withMessageContaining("bay.csv is a folder; expected a CSV file");
+    }
 }

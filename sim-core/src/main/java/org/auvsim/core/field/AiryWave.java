@@ -56,7 +56,7 @@ public record AiryWave(
     }
 
     /** The amplitude (m) from which on it breaks: Miche's limit. */
-    private static double highest(double period, OptionalDouble depth) {
+    static double highest(double period, OptionalDouble depth) {
         double h = depth.orElse(Double.POSITIVE_INFINITY);
         double k = Dispersion.wavenumber(2 * Math.PI / period, h);
         return STEEPEST * Math.PI / k * StrictMath.tanh(k * h);

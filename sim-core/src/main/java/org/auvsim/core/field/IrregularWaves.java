@@ -51,6 +51,12 @@ public record IrregularWaves(
         Domain.within(waves, "number of components", 1, MOST, components, "");
         depth.ifPresent(d -> Domain.above0(waves, "depth", d, "m"));
         Domain.finite(waves, "surface", surface, "m");
+        double highest = 2 * AiryWave.highest(peakPeriod, depth);
+        if (significantHeight > highest) {
+            throw new IllegalArgumentException(
+                    "the significant height of %s must be %s m at most, as a wave of the peak period that is steeper breaks, but is %s m"
+                            .formatted(waves, highest, significantHeight));
+        }
     }
 
     @Override

@@ -174,5 +174,12 @@ class WavesTest {
                 .isThrownBy(() -> sea(1, 0))
                 .withMessageContaining(
                         "the number of components of waves 'sea' must be 1.0 to 1000.0");
+        assertThatIllegalArgumentException()
+                .isThrownBy(
+                        () ->
+                                new IrregularWaves(
+                                        1, "sea", 50, 6, 1, 0, 10, 7, OptionalDouble.empty(), 0))
+                .withMessageContaining("the significant height of waves 'sea' must be 7.9")
+                .withMessageContaining("but is 50.0 m");
     }
 }

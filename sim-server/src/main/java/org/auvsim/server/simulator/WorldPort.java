@@ -10,6 +10,7 @@ import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.field.GriddedCurrent;
 import org.auvsim.core.sensor.Sensor;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldException;
@@ -18,6 +19,9 @@ import java.util.List;
 
 /** The world as commands reach it. */
 record WorldPort(World world) implements WorldControl {
+    /** Grids of more points than this are not told: no client could take the message. */
+    private static final int MOST_GRID_POINTS = 20_000;
+
     /**
      * The world object with an id.
      *
@@ -60,6 +64,16 @@ record WorldPort(World world) implements WorldControl {
 
     @Override
     public List<Field<?>> fields() {
+        long numbers = 0;
+        for (Field<?> field : world.fields()) {
+            numbers += field instanceof GriddedCurrent grid ? grid.u().size() : 0;
+        }
+        if (numbers > MOST_GRID_POINTS) {
+            throw new RefusedException(
+                    ErrorCode.REFUSED,
+                    "the grids of the world's currents have %d points, too many for a message (%d)"
+                            .formatted(numbers, MOST_GRID_POINTS));
+        }
         return world.fields();
     }
 

@@ -42,6 +42,11 @@ public record CentralForce(
     }
 
     @Override
+    public boolean dependsOnPlace() {
+        return true;
+    }
+
+    @Override
     public BlockEffect layOut(List<List<Effect>> bySlot, Surroundings around) {
         return Layers.of(bySlot, CentralForceBlock::new);
     }

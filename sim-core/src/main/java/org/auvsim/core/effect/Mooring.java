@@ -39,6 +39,11 @@ public record Mooring(
     }
 
     @Override
+    public boolean dependsOnPlace() {
+        return true;
+    }
+
+    @Override
     public void add(Block block, int i) {
         Vec3 arm = block.toWorld(i, point);
         Vec3 way = anchor.minus(block.position(i).plus(arm));

@@ -25,6 +25,11 @@ public interface CoupledEffect extends Effect {
     void add(Block block, int i, int[] partners);
 
     @Override
+    default boolean dependsOnPlace() {
+        return true;
+    }
+
+    @Override
     default BlockEffect layOut(List<List<Effect>> bySlot, Surroundings around) {
         return new CoupledBlock(bySlot, around);
     }

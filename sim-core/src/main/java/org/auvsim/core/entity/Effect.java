@@ -17,4 +17,12 @@ public interface Effect {
      * @param around the world's fields and who is where; a layout is made anew when they change
      */
     BlockEffect layOut(List<List<Effect>> bySlot, Surroundings around);
+
+    /**
+     * Whether it ties the body to a place of the world or to other bodies, and so is no property of
+     * the body alone: who tries a body elsewhere leaves it out.
+     */
+    default boolean dependsOnPlace() {
+        return false;
+    }
 }

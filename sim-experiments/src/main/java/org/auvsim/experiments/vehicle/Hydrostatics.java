@@ -52,9 +52,17 @@ record Hydrostatics(
                 density);
     }
 
-    /** Torque about the origin that rights it, for each radian of roll or pitch (N m/rad). */
+    /**
+     * Torque about the centre of mass that rights it, for each radian of roll or pitch (N m/rad):
+     * about any other point it depends on the point where weight and buoyancy differ.
+     */
     double stiffness() {
-        return buoyancy * centreOfBuoyancy.z() - weight * centreOfMass.z();
+        return buoyancy * metacentricHeight();
+    }
+
+    /** By how much buoyancy is more than weight, as a share of it; infinite without weight. */
+    double excess() {
+        return buoyancy / weight - 1;
     }
 
     /** Height of the centre of buoyancy above that of mass (m). */

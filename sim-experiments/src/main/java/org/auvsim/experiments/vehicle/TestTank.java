@@ -4,7 +4,6 @@ import org.auvsim.core.actuator.Fin;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.Actuator;
 import org.auvsim.core.entity.Component;
-import org.auvsim.core.entity.CoupledEffect;
 import org.auvsim.core.entity.Mount;
 import org.auvsim.core.entity.Twist;
 import org.auvsim.core.entity.WorldObject;
@@ -19,7 +18,7 @@ import java.util.function.ToDoubleFunction;
 
 /**
  * Still, deep water in which a vehicle is tried, its fins amidships, without its behaviors and what
- * ties it to other bodies.
+ * ties it to places and other bodies.
  */
 final class TestTank {
     private static final double DEEP = -1000;
@@ -46,7 +45,7 @@ final class TestTank {
         vehicle.addedMass().ifPresent(body::addedMass);
         mount.ifPresent(body::mount);
         vehicle.effect().stream()
-                .filter(effect -> !(effect instanceof CoupledEffect))
+                .filter(effect -> !effect.dependsOnPlace())
                 .forEach(body::effect);
         for (Component component : vehicle.component()) {
             actuator(component, levels).ifPresent(body::component);

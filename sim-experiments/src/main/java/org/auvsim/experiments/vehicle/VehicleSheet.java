@@ -16,6 +16,12 @@ import java.util.OptionalDouble;
 
 /** What the numbers of a vehicle say of it, as text for people. */
 public final class VehicleSheet {
+    /** Share of the weight. */
+    private static final double FAR_FROM_NEUTRAL = 0.05;
+
+    /** Growth (1/s) too slow to tell from rounding and to matter: a minute to twice the size. */
+    private static final double NEUTRAL = Math.log(2) / 60;
+
     private final WorldObjectDefinition vehicle;
     private final Hydrostatics hydrostatics;
     private final Hull hull;
@@ -67,13 +73,9 @@ public final class VehicleSheet {
         sheet.format(
                 "Buoyancy      %.5g N, centre at %s m%n", h.buoyancy(), of(h.centreOfBuoyancy()));
         if (h.stiffness() > 0) {
-            Vec3 added = vehicle.addedMass().map(a -> a.angular()).orElse(Vec3.ZERO);
             sheet.format(
-                    "Righting      %.4g N m/rad, BG %.4g m; rolls in %.3g s, pitches in %.3g s%n",
-                    h.stiffness(),
-                    h.metacentricHeight(),
-                    period(inertia.xx() + added.x()),
-                    period(inertia.yy() + added.y()));
+                    "Righting      %.4g N m/rad, BG %.4g m%s%n",
+                    h.stiffness(), h.metacentricHeight(), swings());
         }
     }
 
@@ -81,10 +83,15 @@ public final class VehicleSheet {
         return vehicle.mass().orElseThrow();
     }
 
-    /** Period (s) of small swings, undamped; the inertia is about the centre of mass. */
-    private double period(double inertia) {
-        double arm = hydrostatics.centreOfMass().z();
-        return 2 * Math.PI * Math.sqrt((inertia + mass() * arm * arm) / hydrostatics.stiffness());
+    /** Nothing where weight and buoyancy differ much: it then moves off rather than swings. */
+    private String swings() {
+        if (Math.abs(hydrostatics.excess()) > FAR_FROM_NEUTRAL) {
+            return "";
+        }
+        return "; rolls in %s s, pitches in %s s"
+                .formatted(
+                        figure(SmallSwings.period(vehicle, new Vec3(1, 0, 0))),
+                        figure(SmallSwings.period(vehicle, new Vec3(0, 1, 0))));
     }
 
     private void addedMass() {
@@ -130,11 +137,11 @@ public final class VehicleSheet {
         sheet.format("%n");
         sheet.format(
                 "Full thrust   ahead %s, astern %s, to port %s, up %s, down %s (m/s)%n",
-                speed(ahead),
-                speed(TerminalSpeeds.along(vehicle, new Vec3(-1, 0, 0))),
-                speed(TerminalSpeeds.along(vehicle, new Vec3(0, 1, 0))),
-                speed(TerminalSpeeds.along(vehicle, new Vec3(0, 0, 1))),
-                speed(TerminalSpeeds.along(vehicle, new Vec3(0, 0, -1))));
+                figure(ahead),
+                figure(TerminalSpeeds.along(vehicle, new Vec3(-1, 0, 0))),
+                figure(TerminalSpeeds.along(vehicle, new Vec3(0, 1, 0))),
+                figure(TerminalSpeeds.along(vehicle, new Vec3(0, 0, 1))),
+                figure(TerminalSpeeds.along(vehicle, new Vec3(0, 0, -1))));
         if (ahead.isPresent()) {
             CourseStability course = CourseStability.at(vehicle, ahead.getAsDouble());
             sheet.format("Course        %s%n", course(course.sideways(), "sideways"));
@@ -142,11 +149,15 @@ public final class VehicleSheet {
         }
     }
 
-    private static String speed(OptionalDouble speed) {
-        return speed.isPresent() ? String.format(Locale.ROOT, "%.3g", speed.getAsDouble()) : "-";
+    private static String figure(OptionalDouble value) {
+        return value.isPresent() ? String.format(Locale.ROOT, "%.3g", value.getAsDouble()) : "-";
     }
 
-    private static String course(double growth, String plane) {
+    /** Package-private for its test: no published vehicle is neutral. */
+    static String course(double growth, String plane) {
+        if (Math.abs(growth) < NEUTRAL) {
+            return "neutral %s: neither halves nor doubles within a minute".formatted(plane);
+        }
         double time = Math.log(2) / Math.abs(growth);
         return String.format(
                 Locale.ROOT,

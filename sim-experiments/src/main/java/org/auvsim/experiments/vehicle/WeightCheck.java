@@ -45,20 +45,20 @@ final class WeightCheck {
 
     private static void balance(Hydrostatics at, List<String> found) {
         double excess = at.buoyancy() - at.weight();
-        if (Math.abs(excess) > UNBALANCED * at.weight()) {
+        if (Math.abs(at.excess()) > UNBALANCED) {
             found.add(
                     String.format(
                             Locale.ROOT,
                             "Buoyancy is %.1f N %s than weight (%.1f %%): it %s.",
                             Math.abs(excess),
                             excess > 0 ? "more" : "less",
-                            100 * Math.abs(excess) / at.weight(),
+                            100 * Math.abs(at.excess()),
                             excess > 0 ? "rises" : "sinks"));
         }
     }
 
     private static void centres(Hydrostatics at, List<String> found) {
-        if (at.stiffness() <= 0) {
+        if (at.metacentricHeight() <= 0) {
             found.add(
                     String.format(
                             Locale.ROOT,

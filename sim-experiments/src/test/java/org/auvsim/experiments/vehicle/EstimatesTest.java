@@ -59,6 +59,14 @@ class EstimatesTest {
     }
 
     @Test
+    void aCourseMayBeNeutral() {
+        assertThat(VehicleSheet.course(0, "sideways")).startsWith("neutral sideways");
+        assertThat(VehicleSheet.course(-1e-9, "sideways")).startsWith("neutral sideways");
+        assertThat(VehicleSheet.course(1, "sideways")).contains("unstable", "doubles in 0.693 s");
+        assertThat(VehicleSheet.course(-1, "sideways")).startsWith("stable sideways: halves in");
+    }
+
+    @Test
     void twoThrustersAbreastPushAndTurnAndDoNothingElse() {
         Vec3 ahead = new Vec3(1, 0, 0);
         ThrustAllocation pair =

@@ -132,7 +132,9 @@ class VehicleTest {
 
     private String sheet(String scenario) throws IOException {
         CommandLineHarness alone = new CommandLineHarness(folder);
-        assertThat(alone.run("vehicle", auvsim.file("sled.xml", scenario))).as(alone.err()).isZero();
+        assertThat(alone.run("vehicle", auvsim.file("sled.xml", scenario)))
+                .as(alone.err())
+                .isZero();
         return alone.out();
     }
 

@@ -43,7 +43,9 @@ class GeneratedFilesTest {
         for (Path listing : listings()) {
             read(listing).forEach(m -> examples.put(m.getClass(), m));
         }
-        GeneratedFile.check(DOCS.resolve("auvsml.md"), MessageReference.write(catalogue, examples));
+        String reference = MessageReference.write(catalogue, examples);
+        assertThat(reference).as("tags of comments are turned into Markdown").doesNotContain("{@");
+        GeneratedFile.check(DOCS.resolve("auvsml.md"), reference);
     }
 
     /** The appendix' listings after those of the conversation, whose place they take. */

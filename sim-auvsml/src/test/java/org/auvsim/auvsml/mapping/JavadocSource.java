@@ -1,5 +1,7 @@
 package org.auvsim.auvsml.mapping;
 
+import org.auvsim.core.description.ElementName;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,6 +14,10 @@ import java.util.stream.Collectors;
 /** The comment of a type, read from its source: what documentation says of it is written once. */
 record JavadocSource(String description, Map<String, String> parameters) {
     private static final Path SOURCES = Path.of("src", "main", "java");
+
+    /** To another message: all are on one page, under the names of their elements. */
+    private static final Pattern LINK = Pattern.compile("\\{@link\\s+(\\w+)}");
+
     private static final Pattern PARAMETER = Pattern.compile("^(\\w+)\\s+(.*)$", Pattern.DOTALL);
 
     /** The comment above a top-level type of this module. */
@@ -49,7 +55,8 @@ record JavadocSource(String description, Map<String, String> parameters) {
     }
 
     private static String markdown(String javadoc) {
-        return javadoc.replaceAll("\\{@code ([^}]*)}", "`$1`")
+        return LINK.matcher(javadoc.replaceAll("\\{@code ([^}]*)}", "`$1`"))
+                .replaceAll(link -> "[%1$s](#%1$s)".formatted(ElementName.of(link.group(1))))
                 .replaceAll("\\s+", " ")
                 .replaceAll("</?p>", "")
                 .strip();

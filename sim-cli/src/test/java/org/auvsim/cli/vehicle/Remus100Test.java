@@ -53,6 +53,31 @@ class Remus100Test {
         double rate = Math.toDegrees(world.objects().getFirst().angularVelocity().z());
         assertThat(rate).isCloseTo(9.1, within(0.3));
         assertThat(rate).isCloseTo(-Math.toDegrees(printed.state[PrintedRemus.R]), within(0.15));
+        double faster = speedAhead(world.objects().getFirst()) / printed.state[PrintedRemus.U] - 1;
+        assertThat(faster).isCloseTo(0.013, within(0.001));
+    }
+
+    private static double speedAhead(WorldObject body) {
+        return body.orientation().rotateInverse(body.velocity()).x();
+    }
+
+    /** With fixed planes it is unstable, so that small differences grow. */
+    @ParameterizedTest
+    @ValueSource(doubles = {-8, -4, 4})
+    void laterItPartsFromThePrintedSet(double degrees) throws Exception {
+        double stern = Math.toRadians(degrees);
+        World world = trial(remus(), Optional.empty(), 1.54, fin -> isPlane(fin) ? stern : 0);
+        PrintedRemus printed = new PrintedRemus(0, stern, false);
+        advanceTo(world, 20);
+        for (int i = 0; i < 4000; i++) {
+            printed.advance(0.005);
+        }
+        WorldObject body = world.objects().getFirst();
+        double pitch = Math.asin(body.orientation().rotate(new Vec3(1, 0, 0)).z());
+        double apart = Math.abs(Math.toDegrees(pitch - printed.state[PrintedRemus.PITCH]));
+        double faster = speedAhead(body) / printed.state[PrintedRemus.U] - 1;
+        assertThat(apart).isBetween(1.0, 5.0);
+        assertThat(faster).isBetween(0.04, 0.15);
     }
 
     /** Free in all six directions; the planes go to their angle at once. */

@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static org.auvsim.cli.vehicle.Vehicles.advanceTo;
 
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Vec3;
 import org.auvsim.core.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -43,6 +45,25 @@ class VehicleScenariosTest {
         advanceTo(world, 120);
         assertThat(Math.toDegrees(torpedo.angularVelocity().z())).isCloseTo(-9.27, within(0.1));
         assertThat(torpedo.position().z()).isEqualTo(-20);
+    }
+
+    /** Its horizontal thrusters push below its centre of mass, which lifts the bow. */
+    @Test
+    void theRovTurnsOverBackwardByItsHorizontalThrustersAlone() throws Exception {
+        World world = Vehicles.scenario("bluerov2-heavy.xml").world();
+        WorldObject rov = world.objects().getFirst();
+        for (Propulsor propulsor : rov.components(Propulsor.class)) {
+            rov.command(Propulsor.class, propulsor.name(), Math.signum(propulsor.direction().x()));
+        }
+        double highest = 0;
+        Vec3 up = new Vec3(0, 0, 1);
+        while (world.time() < 5 && up.z() > -0.9) {
+            world.advanceTimestep();
+            highest = Math.max(highest, rov.orientation().rotate(new Vec3(1, 0, 0)).z());
+            up = rov.orientation().rotate(new Vec3(0, 0, 1));
+        }
+        assertThat(highest).as("the bow went over the top").isGreaterThan(0.9);
+        assertThat(up.z()).isLessThan(-0.9);
     }
 
     @Test

@@ -44,9 +44,7 @@ final class TestTank {
         vehicle.centreOfMass().ifPresent(body::centreOfMass);
         vehicle.addedMass().ifPresent(body::addedMass);
         mount.ifPresent(body::mount);
-        vehicle.effect().stream()
-                .filter(effect -> !effect.dependsOnPlace())
-                .forEach(body::effect);
+        vehicle.effect().stream().filter(effect -> !effect.dependsOnPlace()).forEach(body::effect);
         for (Component component : vehicle.component()) {
             actuator(component, levels).ifPresent(body::component);
         }

@@ -25,7 +25,7 @@ class DocumentedExamplesTest {
     @TempDir private Path folder;
 
     /** What stands between fences, and where. */
-    private record Example(String file, int line, String text) {
+    record Example(String file, int line, String text) {
         boolean isOfScenario() {
             return !text.startsWith("<auvsml>");
         }

@@ -11,14 +11,19 @@ import org.auvsim.core.effect.MagnusForce;
 import org.auvsim.core.effect.Mooring;
 import org.auvsim.core.effect.PivotFriction;
 import org.auvsim.core.effect.ReferenceAxes;
+import org.auvsim.core.effect.Tether;
 import org.auvsim.core.entity.AddedMass;
+import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.Inertia;
+import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.Pinned;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.field.UniformMagneticField;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Box;
+import org.auvsim.core.volume.HalfSpace;
+import org.auvsim.core.volume.Sphere;
 
 import java.util.List;
 import java.util.Optional;
@@ -40,7 +45,9 @@ final class EffectFigures {
                 derivatives(),
                 magnus(),
                 pivotFriction(),
+                contactFriction(),
                 mooring(),
+                tether(),
                 centralForce(),
                 magneticDipole());
     }
@@ -212,6 +219,63 @@ final class EffectFigures {
                                 .velocity(1, 0, 0))
                 .lasting(15)
                 .overTime(name, b -> b.position().norm());
+    }
+
+    private static Figure tether() {
+        return new Figure(
+                "tether",
+                "A tug of 10 kg that 10 N drive picks up a barge of 20 kg on a line of 2 m",
+                TIME,
+                "speed of the tug (m/s)",
+                List.of(towed("no damping", 0), towed("25 N s/m", 25)));
+    }
+
+    private static Series towed(String name, double damping) {
+        WorldObjectDefinition barge =
+                WorldObjectDefinition.named("barge")
+                        .id(7)
+                        .volume(new Sphere(0.3))
+                        .mass(20)
+                        .position(-1, 0, 0)
+                        .effect(linear(10))
+                        .build();
+        return Trial.of(
+                        Trial.ball(new Tether(7, NONE, NONE, 2, 60, damping), linear(5))
+                                .force(new NamedForce("drive", Frame.WORLD, ahead(10), NONE)))
+                .with(barge)
+                .lasting(20)
+                .overTime(name, tug -> tug.velocity().x());
+    }
+
+    private static Figure contactFriction() {
+        return new Figure(
+                "contact-friction",
+                "A box that slides on the floor from 3 m/s until it sticks",
+                TIME,
+                "speed (m/s)",
+                List.of(
+                        sliding("friction 0.5", 0.5),
+                        sliding("friction 0.2", 0.2),
+                        Series.of("v - 0.2 g t", 0, 2, t -> Math.max(0, 3 - 0.2 * 9.80665 * t))));
+    }
+
+    private static Series sliding(String name, double friction) {
+        WorldObjectDefinition floor =
+                WorldObjectDefinition.named("floor")
+                        .volume(new HalfSpace())
+                        .fixed()
+                        .friction(friction)
+                        .build();
+        WorldObjectDefinition.Builder box =
+                Trial.body()
+                        .volume(new Box(new Vec3(1, 1, 0.4)))
+                        .mass(10)
+                        .position(0, 0, 0.2)
+                        .velocity(3, 0, 0)
+                        .restitution(0)
+                        .friction(friction)
+                        .effect(new Gravity(9.80665));
+        return Trial.of(box).with(floor).lasting(2).overTime(name, b -> b.velocity().norm());
     }
 
     private static Figure centralForce() {

@@ -13,7 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 
-/** A run of a world with one body, from which a line of a figure is taken. */
+/** A run of a world, of whose body a line of a figure tells. */
 final class Trial {
     private static final String BODY = "body";
     private static final double STEP = 0.01;
@@ -47,6 +47,12 @@ final class Trial {
 
     Trial in(Entity field) {
         world.add(field);
+        return this;
+    }
+
+    /** With another body beside it. */
+    Trial with(WorldObjectDefinition other) {
+        world.add(other);
         return this;
     }
 

@@ -69,11 +69,6 @@ final class GridFile {
             if (!COLUMNS.contains(column)) {
                 throw wrongColumns("column %d, '%s', is none of them".formatted(c + 1, column));
             }
-            if (found.indexOf(column) < c) {
-                throw wrongColumns(
-                        "column %d, '%s', is column %d again"
-                                .formatted(c + 1, column, found.indexOf(column) + 1));
-            }
         }
         for (String column : COLUMNS) {
             if (!found.contains(column)) {

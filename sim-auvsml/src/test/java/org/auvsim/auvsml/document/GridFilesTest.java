@@ -74,8 +74,8 @@ class GridFilesTest {
                         + " no column 'w'",
                 "x,y,depth,u,v,w;0,0,0,1,1,1|bay.csv:1: expected the columns x, y, z, u, v, w, but"
                         + " column 3, 'depth', is none of them",
-                "x,y,z,u,v,w,u;0,0,0,1,1,1,1|bay.csv:1: expected the columns x, y, z, u, v, w, but"
-                        + " column 7, 'u', is column 4 again",
+                "x,y,z,u,v,w,u;0,0,0,1,1,1,1|bay.csv is not CSV: Header contains"
+                        + " duplicate fields: [u]",
                 "x,y,z,u,v,w;0,0,0,1,1,1;0,1,0,fast,1,1|bay.csv:3: column 4, 'u': expected a finite"
                         + " number, but found 'fast'",
                 "x,y,z,u,v,w;0,0,0,1,1,NaN|bay.csv:2: column 6, 'w': expected a finite number, but"

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 
 class VehicleTest {
     private static final Path VEHICLES = CommandLineHarness.EXAMPLES.resolve("vehicles");
@@ -63,6 +64,15 @@ class VehicleTest {
                         "Thrusters     8, rank 6, independent: surge, sway, heave, roll, pitch,"
                                 + " yaw")
                 .contains("- Buoyancy is 1.0 N less than weight (0.7 %): it sinks.");
+    }
+
+    /** What is left of weights that are taken off is not taken for a drive. */
+    @Test
+    void aBodyOnWhichWaterHasNoHoldGetsNoEnergyFromIt() {
+        for (String scenario : List.of("demo.xml", "stack.xml", "slope.xml")) {
+            auvsim.run("vehicle", VEHICLES.resolve("../scenarios/" + scenario));
+        }
+        assertThat(auvsim.out()).doesNotContain("gives it energy");
     }
 
     @Test

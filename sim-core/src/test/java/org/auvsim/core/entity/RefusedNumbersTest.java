@@ -111,7 +111,7 @@ class RefusedNumbersTest {
                         "current 'x'",
                         new VortexCurrent(1, "x", 0, 0, 1, 1, VortexProfile.RANKINE)),
                 arguments("wave 'x'", new AiryWave(1, "x", 0.01, 9, 0, 0, ONE, 0)),
-                arguments("waves 'x'", new IrregularWaves(1, "x", 1, 9, 1, 0, 9, 1, ONE, 0)),
+                arguments("waves 'x'", new IrregularWaves(1, "x", 0.1, 9, 1, 0, 9, 1, ONE, 0)),
                 arguments(
                         "temperature field 'x'", new LayeredTemperature(1, "x", 1, 1, 1, 1, 1, 1)),
                 arguments("magnetic field 'x'", new UniformMagneticField(1, "x", X)),

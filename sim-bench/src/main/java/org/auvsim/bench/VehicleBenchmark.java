@@ -117,7 +117,7 @@ public class VehicleBenchmark {
                         .volume(new Box(new Vec3(1.3, 0.2, 0.2)))
                         .mass(30.5)
                         .addedMass(WATER)
-                        .position(20.0 * (i % 10), 20.0 * (i / 10), -20)
+                        .position(20.0 * (i % 10), 20.0 * Math.floorDiv(i, 10), -20)
                         .velocity(1, 0, 0)
                         .component(propeller());
         EFFECTS.forEach(vehicle::effect);

@@ -14,7 +14,6 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
@@ -25,7 +24,7 @@ import java.util.Set;
 public final class CorrectedStep {
     private final World world;
     private final FeedbackAudience audience;
-    private final Map<Long, PendingFeedback> pending;
+    private final List<PendingFeedback> pending;
     private final double start;
     private final double wanted;
     private final Set<String> answered = new HashSet<>();
@@ -38,7 +37,7 @@ public final class CorrectedStep {
     /** A correction whose effect is seen when the step is made. */
     private record Pushed(PendingFeedback feedback, Vec3 target, double errorBefore) {}
 
-    CorrectedStep(World world, FeedbackAudience audience, Map<Long, PendingFeedback> pending) {
+    CorrectedStep(World world, FeedbackAudience audience, List<PendingFeedback> pending) {
         this.world = world;
         this.audience = audience;
         this.pending = pending;
@@ -51,7 +50,7 @@ public final class CorrectedStep {
      */
     private double wanted() {
         double wanted = world.timeStep();
-        for (PendingFeedback feedback : pending.values()) {
+        for (PendingFeedback feedback : pending) {
             double ahead = feedback.message().timestamp() - world.time();
             if (ahead > CorrectiveFeedbackSystem.SAME_TIME) {
                 wanted = Math.min(wanted, ahead);
@@ -93,17 +92,18 @@ public final class CorrectedStep {
     }
 
     /**
-     * Lets the processors of a phase use the feedback that is there. What is true only later than
-     * the world's time, since a collision ended the step early, waits for a later step.
+     * Lets the processors of a phase use the feedback that is there: object by object, in order of
+     * their timestamps, then as it arrived. What is true only later than the world's time, since a
+     * collision ended the step early, waits for a later step.
      */
     public void process(Phase phase) {
-        for (PendingFeedback feedback : List.copyOf(pending.values())) {
+        for (PendingFeedback feedback : pending.stream().sorted(PendingFeedback.ORDER).toList()) {
             boolean isDue =
                     phase == Phase.BEFORE_STEP
                             || feedback.message().timestamp()
                                     <= world.time() + CorrectiveFeedbackSystem.SAME_TIME;
             if (feedback.processor().phase() == phase && isDue) {
-                pending.remove(feedback.message().worldObjectId());
+                pending.remove(feedback);
                 process(feedback);
             }
         }

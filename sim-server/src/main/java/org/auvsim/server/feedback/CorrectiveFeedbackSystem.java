@@ -6,9 +6,9 @@ import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.core.world.World;
 
-import java.util.Map;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
-import java.util.TreeMap;
 
 /**
  * Makes the steps of a world and brings the feedback of clients into them (thesis, section 7.2).
@@ -22,7 +22,7 @@ public final class CorrectiveFeedbackSystem {
     private final FeedbackTimestepper timestepper;
     private final FeedbackProcessors processors;
     private final FeedbackAudience audience;
-    private final Map<Long, PendingFeedback> pending = new TreeMap<>();
+    private final List<PendingFeedback> pending = new ArrayList<>();
     private Optional<CorrectedStep> step = Optional.empty();
 
     /** For a world that makes its steps in this way. */
@@ -63,7 +63,7 @@ public final class CorrectiveFeedbackSystem {
     }
 
     /**
-     * Takes a feedback, in place of an earlier one for the same object.
+     * Takes a feedback; several for one object are used in order of their timestamps.
      *
      * @throws RefusedException if it cannot be used, with the reason
      */
@@ -76,7 +76,7 @@ public final class CorrectiveFeedbackSystem {
         }
         FeedbackProcessor processor = processors.named(message.handlerName());
         requireTime(message.timestamp());
-        pending.put(message.worldObjectId(), new PendingFeedback(sender, position, processor));
+        pending.add(new PendingFeedback(sender, position, processor));
         step.ifPresent(s -> s.answered(sender.name()));
     }
 

@@ -88,15 +88,21 @@ class CorrectedStepTest {
     }
 
     @Test
-    void onlyTheLastFeedbackForAnObjectCounts() {
+    void feedbackForOneObjectIsUsedInOrderOfTimestampThenOfArrival() {
         StepRecord step = new StepRecord(world, waiting());
         step.robot(
                 p -> {
                     step.send(1, p.time(), DIRECT, new Vec3(0, 3, 0));
                     step.send(1, p.time(), DIRECT, new Vec3(0, 4, 0));
+                    step.send(1, p.time() - 1e-7, DIRECT, new Vec3(0, 9, 0));
                 });
         step.advanceTimestep();
-        assertThat(step.applied).hasSize(1);
+        assertThat(step.applied)
+                .extracting(AppliedFeedback::errorBefore)
+                .satisfiesExactly(
+                        first -> assertThat(first).isCloseTo(9, within(1e-3)),
+                        second -> assertThat(second).isEqualTo(6),
+                        third -> assertThat(third).isEqualTo(1));
         assertThat(world.object(1).position()).isEqualTo(new Vec3(0, 4, 0));
     }
 

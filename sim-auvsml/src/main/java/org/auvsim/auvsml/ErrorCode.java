@@ -24,6 +24,8 @@ public enum ErrorCode {
     INVALID_VALUE,
     /** An id or name that the world does not have. */
     UNKNOWN_ENTITY,
+    /** The client's role does not allow it. */
+    NOT_ALLOWED,
     /** Somebody else controls the world object. */
     NOT_IN_CONTROL,
     /** The world could not make a step and stands still. */

@@ -24,9 +24,9 @@ import java.util.concurrent.Callable;
         name = "demo",
         description = {
             "Flies a robot that the model gets wrong, and corrects the model by its feedback.",
-            "Starts a server on a free loopback port and connects two clients over TCP: one flies"
-                    + " the vehicle by commands, one is the physical robot, which really moves"
-                    + " differently and sends the positions that it measures."
+            "Starts a server on a free loopback port and connects a physical robot over TCP:"
+                    + " it flies its simulated self by the commands that it gets itself, really"
+                    + " moves differently, and sends the positions that it measures."
         })
 final class Demo implements Callable<Integer> {
     @Spec private CommandSpec spec;

@@ -18,7 +18,6 @@ import picocli.CommandLine.Spec;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -37,21 +36,7 @@ final class Serve implements Callable<Integer> {
     @Parameters(paramLabel = "FILE", description = "A scenario.")
     private Path file;
 
-    @Option(
-            names = "--port",
-            paramLabel = "PORT",
-            defaultValue = "" + Address.STANDARD_PORT,
-            description = "Port to listen at, 0 for any free one; by default ${DEFAULT-VALUE}.")
-    private int port;
-
-    @Option(
-            names = "--bind",
-            paramLabel = "ADDRESS",
-            defaultValue = "127.0.0.1",
-            description =
-                    "Address to listen at; by default ${DEFAULT-VALUE}, which only this machine"
-                            + " reaches. Whoever reaches it may do everything.")
-    private String bind = "";
+    @Mixin private final Admission admission = new Admission();
 
     @Option(
             names = "--rate",
@@ -81,12 +66,12 @@ final class Serve implements Callable<Integer> {
     public Integer call() throws DocumentException, IOException {
         Scenario scenario = ScenarioFile.load(file, spec.commandLine().getErr());
         requireUntilAfter(scenario.startTime());
-        TcpTransport transport = new TcpTransport(address());
+        TcpTransport transport = new TcpTransport(admission.address());
         try (ThreadLanes lanes = laneCount.open();
                 Simulator simulator = start(scenario, lanes, transport);
                 Interruption _ = new Interruption(simulator::close)) {
             PrintWriter out = spec.commandLine().getOut();
-            out.printf("serving %s at %s:%d%n", file, bind, transport.port());
+            out.printf("serving %s at %s:%d%n", file, admission.address().getHostString(), transport.port());
             out.flush();
             simulator.await();
         } catch (TransportException e) {
@@ -100,21 +85,11 @@ final class Serve implements Callable<Integer> {
         SimulatorBuilder simulator =
                 ServedScenario.simulator(scenario, lanes, file)
                         .transport(transport)
+                        .role(admission.role())
                         .rate(rate.factor())
                         .until(until.map(OptionalDouble::of).orElseGet(OptionalDouble::empty))
                         .serverName(new Version().getVersion()[0]);
         return (paused ? simulator.paused() : simulator).start();
-    }
-
-    private InetSocketAddress address() {
-        if (port < 0 || port > 65535) {
-            throw new UserError("--port must be 0 to 65535, but is %d.".formatted(port));
-        }
-        InetSocketAddress address = new InetSocketAddress(bind, port);
-        if (address.isUnresolved()) {
-            throw new UserError("--bind: there is no address '%s' here.".formatted(bind));
-        }
-        return address;
     }
 
     private void requireUntilAfter(double start) {

@@ -148,14 +148,14 @@ class FeedTest {
     }
 
     @Test
-    void aPilotMayFlyTheObjectThatIsFed() throws Exception {
+    void anObjectThatAnotherControlsIsNotFed() throws Exception {
         try (ServerProcess server =
                         serve("<simple-fixed-time-feedback-timestepper wait=\"0.1\"/>");
                 var pilot = AuvsmlClient.connect("127.0.0.1", server.port())) {
             Question.ask(pilot, new TakeControlCommand(5));
-            assertThat(feed(server)).isZero();
+            assertThat(feed(server)).isEqualTo(2);
         }
-        assertThat(auvsim.err()).isEmpty();
+        assertThat(auvsim.err()).contains("controls 'ship' (id 5); wait until it lets go");
     }
 
     @Test

@@ -7,11 +7,14 @@ import org.auvsim.auvsml.message.command.Command;
 import org.auvsim.auvsml.message.command.ListedWorldObject;
 import org.auvsim.auvsml.message.command.ListenedObject;
 import org.auvsim.auvsml.message.command.Listener;
+import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.command.SessionControl;
 import org.auvsim.auvsml.message.command.SimulatorControl;
 import org.auvsim.auvsml.message.command.SimulatorState;
+import org.auvsim.auvsml.message.command.SimulatorView;
 import org.auvsim.auvsml.message.command.WorldControl;
 import org.auvsim.auvsml.message.command.WorldObjectControl;
+import org.auvsim.auvsml.message.command.WorldView;
 import org.auvsim.auvsml.message.control.ApplyDirectForceCommand;
 import org.auvsim.auvsml.message.control.ApplyForceCommand;
 import org.auvsim.auvsml.message.control.GetSimulatorStateRequest;
@@ -123,7 +126,7 @@ class CommandsTest {
     void theStateIsAnswered() {
         SimulatorState state = new SimulatorState(1.5, true, OptionalDouble.empty(), 30, 2);
 
-        assertThat(new GetSimulatorStateRequest().execute(port(SimulatorControl.class, state)))
+        assertThat(new GetSimulatorStateRequest().execute(port(SimulatorView.class, state)))
                 .contains(new SimulatorStateResponse(1.5, true, "max", 30, 2));
     }
 
@@ -134,29 +137,31 @@ class CommandsTest {
         WorldObjectDefinition rock =
                 WorldObjectDefinition.named("Rock").fixed().volume(new Sphere(1)).build();
 
-        assertThat(new GetWorldObjectListCommand().execute(port(WorldControl.class, objects)))
+        assertThat(new GetWorldObjectListCommand().execute(port(WorldView.class, objects)))
                 .contains(new WorldObjectListResponse(objects));
         assertThat(
                         new GetPropulsorListRequest(47)
-                                .execute(port(WorldControl.class, List.of("Rudder"))))
+                                .execute(port(WorldView.class, List.of("Rudder"))))
                 .contains(new PropulsorListResponse(47, List.of(new ListedPropulsor("Rudder"))));
         assertThat(
                         new GetControlSurfaceListRequest(47)
-                                .execute(port(WorldControl.class, List.of("Top Fin"))))
+                                .execute(port(WorldView.class, List.of("Top Fin"))))
                 .contains(
                         new ControlSurfaceListResponse(
                                 47, List.of(new ListedControlSurface("Top Fin"))));
         assertThat(new AddWorldObjectCommand(rock).execute(port(WorldControl.class, 48L)))
                 .contains(new AddWorldObjectResponse(48));
         silent(WorldControl.class, new RemoveEntityCommand(48));
-        assertThat(new GetEffectListRequest(47).execute(port(WorldControl.class, List.of(WEIGHT))))
+        assertThat(new GetEffectListRequest(47).execute(port(WorldView.class, List.of(WEIGHT))))
                 .contains(new EffectListResponse(47, List.of(WEIGHT)));
-        assertThat(new GetFieldListRequest().execute(port(WorldControl.class, List.of(TIDE))))
+        assertThat(new GetFieldListRequest().execute(port(WorldView.class, List.of(TIDE))))
                 .contains(new FieldListResponse(List.of(TIDE)));
         silent(WorldControl.class, new AddFieldCommand(TIDE));
+        silent(WorldControl.class, new AddEffectCommand(47, WEIGHT));
+        silent(WorldControl.class, new RemoveEffectCommand(47, WEIGHT));
         Sensor sensor =
                 new DepthSensor("Keller", UP, 0, 1025, 1025, ScalarErrors.NONE, Sampling.at(10));
-        assertThat(new GetSensorListRequest(47).execute(port(WorldControl.class, List.of(sensor))))
+        assertThat(new GetSensorListRequest(47).execute(port(WorldView.class, List.of(sensor))))
                 .contains(
                         new SensorListResponse(
                                 47, List.of(new ListedSensor("Keller", "DepthSensor", 10))));
@@ -171,6 +176,8 @@ class CommandsTest {
                         "effects[47]",
                         "fields[]",
                         "add" + List.of(TIDE),
+                        "addEffect" + List.of(47L, WEIGHT),
+                        "removeEffect" + List.of(47L, WEIGHT),
                         "sensors[47]");
     }
 
@@ -184,8 +191,6 @@ class CommandsTest {
         silent(WorldObjectControl.class, new SetPropulsorCommand(1, "Rudder", -1));
         silent(WorldObjectControl.class, new SendAcousticMessageCommand(1, "Modem", "hello"));
         silent(WorldObjectControl.class, new SendRadioMessageCommand(1, "VHF", "ahoy"));
-        silent(WorldObjectControl.class, new AddEffectCommand(1, WEIGHT));
-        silent(WorldObjectControl.class, new RemoveEffectCommand(1, WEIGHT));
         silent(WorldObjectControl.class, new SetControlSurfaceCommand(1, "Top Fin", 0.1));
 
         assertThat(calls)
@@ -196,9 +201,19 @@ class CommandsTest {
                         "setPropulsorLevel[Rudder, -1.0]",
                         "transmit[" + AcousticModem.class + ", Modem, hello]",
                         "transmit[" + Radio.class + ", VHF, ahoy]",
-                        "addEffect" + List.of(WEIGHT),
-                        "removeEffect" + List.of(WEIGHT),
                         "setControlSurface[Top Fin, 0.1]");
+    }
+
+    @Test
+    void theKindDecidesWhoMaySendIt() {
+        assertThat(new GetWorldObjectListCommand().role()).isEqualTo(Role.VIEWER);
+        assertThat(new GetSimulatorStateRequest().role()).isEqualTo(Role.VIEWER);
+        assertThat(new DisconnectCommand().role()).isEqualTo(Role.VIEWER);
+        assertThat(new TakeControlCommand(47).role()).isEqualTo(Role.CONTROLLER);
+        assertThat(new ReleaseControlCommand(47).role()).isEqualTo(Role.CONTROLLER);
+        assertThat(new RemoveForceCommand(47, "a").role()).isEqualTo(Role.CONTROLLER);
+        assertThat(new AddEffectCommand(47, WEIGHT).role()).isEqualTo(Role.ADMIN);
+        assertThat(new PauseSimulatorCommand().role()).isEqualTo(Role.ADMIN);
     }
 
     @Test

@@ -1,7 +1,6 @@
 package org.auvsim.cli.demo;
 
 import org.auvsim.auvsml.client.AuvsmlClient;
-import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.message.control.ShutdownSimulatorCommand;
 import org.auvsim.server.net.TcpTransport;
@@ -11,10 +10,8 @@ import org.auvsim.server.simulator.Simulator;
 import java.io.IOException;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
 
-/** One flight: a server on a free loopback port, the pilot and the physical robot. */
+/** One flight: a server on a free loopback port, and the physical robot as its client. */
 final class Flight {
     private final Scenario scenario;
     private final Optional<String> handler;
@@ -54,33 +51,19 @@ final class Flight {
     int fly() throws IOException, TransportException {
         TcpTransport transport = TcpTransport.onLoopback(0);
         try (Simulator _ = serve(transport);
-                AuvsmlClient pilotLink = AuvsmlClient.connect("127.0.0.1", transport.port());
-                AuvsmlClient robotLink = AuvsmlClient.connect("127.0.0.1", transport.port())) {
-            Pilot pilot = new Pilot(pilotLink, plan);
+                AuvsmlClient link = AuvsmlClient.connect("127.0.0.1", transport.port())) {
             PhysicalRobot robot =
-                    new PhysicalRobot(robotLink, new TrueRobot(plan), handler, track, table);
+                    new PhysicalRobot(
+                            link,
+                            new Pilot(link, plan),
+                            new TrueRobot(plan),
+                            handler,
+                            track,
+                            table);
             robot.prepare();
-            pilot.prepare();
-            FutureTask<Integer> flying = new FutureTask<>(pilot::fly);
-            Thread.startVirtualThread(flying);
             robot.live(duration);
-            robotLink.send(new ShutdownSimulatorCommand());
-            requireFlown(flying);
+            link.send(new ShutdownSimulatorCommand());
             return robot.refused();
-        }
-    }
-
-    private static void requireFlown(FutureTask<Integer> flying) throws ConnectionException {
-        try {
-            flying.get();
-        } catch (ExecutionException e) {
-            if (e.getCause() instanceof ConnectionException lost) {
-                throw lost;
-            }
-            throw new IllegalStateException("the pilot failed", e.getCause());
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new IllegalStateException("interrupted while the pilot landed", e);
         }
     }
 }

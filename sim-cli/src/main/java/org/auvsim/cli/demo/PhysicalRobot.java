@@ -19,14 +19,16 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 
 /**
- * The client that is the physical robot: it moves as a {@link TrueRobot} does and, when it is told
- * where the model will have it, answers every so many steps where it measures itself to be.
+ * The client that is the physical robot: it moves as a {@link TrueRobot} does, its {@link Pilot}
+ * commands its simulated self as well and, when it is told where the model will have it, it answers
+ * every so many steps where it measures itself to be.
  */
 final class PhysicalRobot {
     private static final int FEEDBACK_EVERY = 10;
     private static final double SENSOR_NOISE = 0.005;
 
     private final AuvsmlClient link;
+    private final Pilot pilot;
     private final TrueRobot body;
     private final Optional<String> handler;
     private final Track track;
@@ -45,11 +47,13 @@ final class PhysicalRobot {
      */
     PhysicalRobot(
             AuvsmlClient link,
+            Pilot pilot,
             TrueRobot body,
             Optional<String> handler,
             Track track,
             LiveTable table) {
         this.link = link;
+        this.pilot = pilot;
         this.body = body;
         this.handler = handler;
         this.track = track;
@@ -69,6 +73,7 @@ final class PhysicalRobot {
     /** Moves and answers until a world time (s). */
     void live(double until) throws IOException {
         double time = 0;
+        pilot.stepFrom(time);
         while (time < until) {
             Received received = link.next().orElseThrow(PhysicalRobot::gone);
             for (Message message : received.messages()) {
@@ -95,6 +100,7 @@ final class PhysicalRobot {
             case ErrorResponse _ -> refused++;
             case TimestepAdvancedNotification done when done.stateType() == StateType.ACTUAL -> {
                 record(done.timestamp());
+                pilot.stepFrom(done.timestamp());
                 return done.timestamp();
             }
             default -> {

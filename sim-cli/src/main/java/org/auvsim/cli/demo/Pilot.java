@@ -14,8 +14,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The client that flies the vehicle: it sends each setting of the plan when its time has come, and
- * asks for one step after the other, so that every flight gets the same commands at the same times.
+ * The part of the robot's computer that flies the vehicle: it sends each setting of the plan when
+ * its time has come, and asks for one step after the other, so that every flight gets the same
+ * commands at the same times.
  */
 final class Pilot {
     private final AuvsmlClient link;
@@ -27,29 +28,8 @@ final class Pilot {
         this.plan = plan;
     }
 
-    /** Asks to be told of each step. */
-    void prepare() throws ConnectionException {
-        link.send(Demonstration.register(EventType.TIMESTEP_ADVANCED));
-    }
-
-    /** Flies until the simulator ends the connection; returns how many settings were sent. */
-    int fly() throws ConnectionException {
-        stepFrom(0);
-        Optional<Received> received = link.next();
-        while (received.isPresent()) {
-            for (Message message : received.get().messages()) {
-                if (message instanceof TimestepAdvancedNotification step
-                        && step.stateType() == StateType.ACTUAL) {
-                    stepFrom(step.timestamp());
-                }
-            }
-            received = link.next();
-        }
-        return sent;
-    }
-
     /** Sends the settings whose time has come, and then asks for a step. */
-    private void stepFrom(double time) throws ConnectionException {
+    void stepFrom(double time) throws ConnectionException {
         List<FlightPlan.Setting> settings = plan.settings();
         while (sent < settings.size() && settings.get(sent).at() <= time + 1e-9) {
             FlightPlan.Setting setting = settings.get(sent++);

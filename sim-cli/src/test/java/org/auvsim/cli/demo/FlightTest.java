@@ -13,7 +13,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** The whole way: a server, two clients over real sockets, feedback, the picture. */
+/** The whole way: a server, a robot over a real socket, feedback, the picture. */
 class FlightTest {
     private static final double DURATION = 6;
 

@@ -3,6 +3,7 @@ package org.auvsim.server.net;
 import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.ListenedObject;
+import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.session.DisconnectedNotification;
 import org.auvsim.auvsml.message.session.LaggingNotification;
 import org.auvsim.auvsml.message.session.LaggingSide;
@@ -22,6 +23,7 @@ public final class ClientSession {
 
     private final long id;
     private final String peer;
+    private final Role role;
     private final AuvsmlWriter writer;
     private final Outbox outbox =
             new Outbox(MOST_STATES, MOST_CONTROL, (long) MOST_CONTROL_MIB << 20);
@@ -33,10 +35,12 @@ public final class ClientSession {
      *
      * @param id unique among all sessions of a simulator
      * @param peer where the client is, as {@code 127.0.0.1:51234}
+     * @param role what the client may do
      */
-    public ClientSession(long id, String peer, AuvsmlWriter writer) {
+    public ClientSession(long id, String peer, Role role, AuvsmlWriter writer) {
         this.id = id;
         this.peer = peer;
+        this.role = role;
         this.writer = writer;
     }
 
@@ -52,7 +56,7 @@ public final class ClientSession {
 
     /** What it may do. */
     public Role role() {
-        return Role.ADMIN;
+        return role;
     }
 
     /** What others may call the client, as {@code client 3}. */

@@ -4,6 +4,7 @@ import org.auvsim.auvsml.framing.AuvsmlReader;
 import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.framing.Incoming;
 import org.auvsim.auvsml.framing.RootDecoder;
+import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.auvsml.message.session.DisconnectedNotification;
 import org.auvsim.auvsml.xml.Limits;
@@ -23,6 +24,7 @@ final class Clients implements Reception {
     private final RootDecoder decoder;
     private final AuvsmlWriter writer;
     private final Limits limits;
+    private final Role role;
     private final AtomicLong lastId = new AtomicLong();
     private final Map<Long, ClientSession> open = new ConcurrentHashMap<>();
 
@@ -31,12 +33,14 @@ final class Clients implements Reception {
             Requests requests,
             RootDecoder decoder,
             AuvsmlWriter writer,
-            Limits limits) {
+            Limits limits,
+            Role role) {
         this.mailbox = mailbox;
         this.requests = requests;
         this.decoder = decoder;
         this.writer = writer;
         this.limits = limits;
+        this.role = role;
     }
 
     @Override
@@ -46,7 +50,7 @@ final class Clients implements Reception {
 
     @Override
     public Optional<ClientSession> admit(String peer) throws InterruptedException {
-        ClientSession session = new ClientSession(lastId.incrementAndGet(), peer, writer);
+        ClientSession session = new ClientSession(lastId.incrementAndGet(), peer, role, writer);
         open.put(session.id(), session);
         if (mailbox.postRequest(() -> requests.begin(session))) {
             return Optional.of(session);

@@ -11,25 +11,14 @@ import org.auvsim.server.net.ClientSession;
 import java.util.HashMap;
 import java.util.Map;
 
-/**
- * Which client holds which world object, the first that does something to it.
- *
- * <p>There are two of these: one for those who command, one for those who send feedback. So a pilot
- * and the robot that feels where it really is can share a vehicle.
- */
+/** Which client controls which world object: the first that commands it or corrects it. */
 final class ControlledObjects implements WorldListener {
     private final World world;
-    private final String verb;
     private final Map<Long, ClientSession> holders = new HashMap<>();
 
-    /**
-     * Nobody holds anything.
-     *
-     * @param verb what a holder does to the object, as "controls" or "corrects"
-     */
-    ControlledObjects(World world, String verb) {
+    /** Nobody controls anything. */
+    ControlledObjects(World world) {
         this.world = world;
-        this.verb = verb;
     }
 
     /**
@@ -44,8 +33,8 @@ final class ControlledObjects implements WorldListener {
         if (holder != null && holder != client) {
             throw new RefusedException(
                     ErrorCode.NOT_IN_CONTROL,
-                    "%s %s '%s' (id %d); wait until it lets go"
-                            .formatted(holder, verb, object.name(), objectId));
+                    "%s controls '%s' (id %d); wait until it lets go"
+                            .formatted(holder, object.name(), objectId));
         }
         return holder == null;
     }

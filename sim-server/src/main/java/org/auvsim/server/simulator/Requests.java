@@ -6,14 +6,18 @@ import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.ClientCommand;
 import org.auvsim.auvsml.message.command.Command;
 import org.auvsim.auvsml.message.command.RefusedException;
+import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.command.SimulatorCommand;
 import org.auvsim.auvsml.message.command.SimulatorControl;
+import org.auvsim.auvsml.message.command.SimulatorQuery;
 import org.auvsim.auvsml.message.command.WorldCommand;
 import org.auvsim.auvsml.message.command.WorldObjectCommand;
+import org.auvsim.auvsml.message.command.WorldQuery;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.auvsml.message.session.CommandDoneResponse;
 import org.auvsim.auvsml.message.session.ErrorResponse;
 import org.auvsim.auvsml.message.session.WelcomeMessage;
+import org.auvsim.core.description.ElementName;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldException;
 import org.auvsim.server.feedback.CorrectiveFeedbackSystem;
@@ -38,7 +42,6 @@ final class Requests {
     private final World world;
     private final Notifications notifications;
     private final ControlledObjects controlled;
-    private final ControlledObjects corrected;
     private final CorrectiveFeedbackSystem feedback;
     private final SimulatorControl simulator;
     private final String serverName;
@@ -50,14 +53,12 @@ final class Requests {
             World world,
             Notifications notifications,
             ControlledObjects controlled,
-            ControlledObjects corrected,
             CorrectiveFeedbackSystem feedback,
             SimulatorControl simulator,
             String serverName) {
         this.world = world;
         this.notifications = notifications;
         this.controlled = controlled;
-        this.corrected = corrected;
         this.feedback = feedback;
         this.simulator = simulator;
         this.serverName = serverName;
@@ -78,7 +79,6 @@ final class Requests {
             LOG.info("{} has gone", session);
         }
         controlled.releaseAll(session);
-        corrected.releaseAll(session);
         session.close();
         notifications.remove(session);
     }
@@ -135,16 +135,14 @@ final class Requests {
 
     private Optional<Message> execute(ClientSession session, Message message) {
         return switch (message) {
-            case Command<?> command -> execute(session, command);
-            case FeedbackMessage measured ->
-                    holding(
-                            corrected,
-                            session,
-                            measured.worldObjectId(),
-                            () -> {
-                                feedback.take(new SessionSender(session), measured);
-                                return Optional.empty();
-                            });
+            case Command<?> command -> {
+                requireRole(session, command.role(), command);
+                yield execute(session, command);
+            }
+            case FeedbackMessage measured -> {
+                requireRole(session, Role.CONTROLLER, measured);
+                yield holding(session, measured.worldObjectId(), () -> take(session, measured));
+            }
             default ->
                     throw new RefusedException(
                             ErrorCode.REFUSED,
@@ -153,21 +151,36 @@ final class Requests {
         };
     }
 
+    private static void requireRole(ClientSession session, Role needed, Message message) {
+        if (!session.role().allows(needed)) {
+            throw new RefusedException(
+                    ErrorCode.NOT_ALLOWED,
+                    "%s needs the role %s, but %s is a %s"
+                            .formatted(
+                                    ElementName.of(message.getClass()),
+                                    needed.roleName(),
+                                    session.name(),
+                                    session.role().roleName()));
+        }
+    }
+
+    private Optional<Message> take(ClientSession session, FeedbackMessage measured) {
+        feedback.take(new SessionSender(session), measured);
+        return Optional.empty();
+    }
+
     private Optional<Message> execute(ClientSession session, Command<?> command) {
         return switch (command) {
             case ClientCommand c ->
                     c.execute(
                             new SessionPort(
-                                    session,
-                                    world,
-                                    controlled,
-                                    corrected,
-                                    () -> leaving.add(session)));
+                                    session, world, controlled, () -> leaving.add(session)));
+            case SimulatorQuery q -> q.execute(simulator);
             case SimulatorCommand c -> c.execute(simulator);
+            case WorldQuery q -> q.execute(new WorldPort(world));
             case WorldCommand c -> c.execute(new WorldPort(world));
             case WorldObjectCommand c ->
                     holding(
-                            controlled,
                             session,
                             c.worldObjectId(),
                             () ->
@@ -179,11 +192,8 @@ final class Requests {
 
     /** Does something to an object that the client holds or, if it succeeds, gets hold of. */
     private Optional<Message> holding(
-            ControlledObjects held,
-            ClientSession session,
-            long objectId,
-            Supplier<Optional<Message>> action) {
-        boolean isNew = held.take(session, objectId);
+            ClientSession session, long objectId, Supplier<Optional<Message>> action) {
+        boolean isNew = controlled.take(session, objectId);
         boolean done = false;
         try {
             Optional<Message> response = action.get();
@@ -191,7 +201,7 @@ final class Requests {
             return response;
         } finally {
             if (isNew && !done) {
-                held.release(session, objectId);
+                controlled.release(session, objectId);
             }
         }
     }

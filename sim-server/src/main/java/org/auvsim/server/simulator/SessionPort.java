@@ -16,7 +16,6 @@ record SessionPort(
         ClientSession session,
         World world,
         ControlledObjects controlled,
-        ControlledObjects corrected,
         Runnable end)
         implements SessionControl {
     @Override
@@ -65,9 +64,7 @@ record SessionPort(
 
     @Override
     public void releaseControl(long worldObjectId) {
-        boolean commanded = controlled.release(session, worldObjectId);
-        boolean measured = corrected.release(session, worldObjectId);
-        if (!commanded && !measured) {
+        if (!controlled.release(session, worldObjectId)) {
             throw new RefusedException(
                     ErrorCode.NOT_IN_CONTROL,
                     "%s does not control '%s' (id %d)"

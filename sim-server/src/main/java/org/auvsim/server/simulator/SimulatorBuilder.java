@@ -4,6 +4,7 @@ import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.framing.RootDecoder;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.command.RefusedException;
+import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.xml.Limits;
 import org.auvsim.core.world.World;
 import org.auvsim.server.feedback.CorrectiveFeedbackSystem;
@@ -34,6 +35,7 @@ public final class SimulatorBuilder {
     private OptionalDouble until = OptionalDouble.empty();
     private Optional<String> override = Optional.empty();
     private boolean running = true;
+    private Role role = Role.ADMIN;
     private Optional<MessageCatalogue> catalogue = Optional.empty();
     private Limits limits = Limits.MESSAGE;
     private String serverName = "auvsim";
@@ -85,6 +87,12 @@ public final class SimulatorBuilder {
         return this;
     }
 
+    /** What those who connect may do; by default everything: they do not prove who they are. */
+    public SimulatorBuilder role(Role role) {
+        this.role = role;
+        return this;
+    }
+
     /** The messages that clients may send; by default those that provider files name. */
     public SimulatorBuilder catalogue(MessageCatalogue catalogue) {
         this.catalogue = Optional.of(catalogue);
@@ -132,18 +140,16 @@ public final class SimulatorBuilder {
                         timestepper,
                         processors,
                         new StepAudience(news, notifications, mailbox, pace));
-        ControlledObjects controlled = new ControlledObjects(world, "controls");
-        ControlledObjects corrected = new ControlledObjects(world, "corrects");
+        ControlledObjects controlled = new ControlledObjects(world);
         world.addListener(news);
         world.addListener(controlled);
-        world.addListener(corrected);
         SimulationLoop loop =
                 new SimulationLoop(world, mailbox, notifications, pace, feedback, running, until);
         Requests requests =
                 new Requests(
-                        world, notifications, controlled, corrected, feedback, loop, serverName);
+                        world, notifications, controlled, feedback, loop, serverName);
         RootDecoder decoder = RootDecoder.strict(messages, limits);
-        Clients clients = new Clients(mailbox, requests, decoder, writer, limits);
+        Clients clients = new Clients(mailbox, requests, decoder, writer, limits, role);
         return new Simulator(world, loop, mailbox, clients, transports).start();
     }
 

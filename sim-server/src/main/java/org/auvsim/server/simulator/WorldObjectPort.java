@@ -6,7 +6,6 @@ import org.auvsim.auvsml.message.command.WorldObjectControl;
 import org.auvsim.core.actuator.Fin;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.communication.Transceiver;
-import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.world.World;
@@ -45,21 +44,6 @@ record WorldObjectPort(World world, WorldObject object) implements WorldObjectCo
     @Override
     public void setControlSurface(String name, double angle) {
         object.command(Fin.class, name, angle);
-    }
-
-    @Override
-    public void addEffect(Effect effect) {
-        world.addEffect(object.id(), effect);
-    }
-
-    @Override
-    public void removeEffect(Effect effect) {
-        if (!world.removeEffect(object.id(), effect)) {
-            throw new RefusedException(
-                    ErrorCode.UNKNOWN_ENTITY,
-                    "'%s' has no such effect; get-effect-list-request tells which it has, to the number"
-                            .formatted(object.name()));
-        }
     }
 
     @Override

@@ -100,4 +100,20 @@ record WorldPort(World world) implements WorldControl {
         }
         world.remove(entityId);
     }
+
+    @Override
+    public void addEffect(long worldObjectId, Effect effect) {
+        world.addEffect(object(world, worldObjectId).id(), effect);
+    }
+
+    @Override
+    public void removeEffect(long worldObjectId, Effect effect) {
+        WorldObject object = object(world, worldObjectId);
+        if (!world.removeEffect(object.id(), effect)) {
+            throw new RefusedException(
+                    ErrorCode.UNKNOWN_ENTITY,
+                    "'%s' has no such effect; get-effect-list-request tells which it has, to the number"
+                            .formatted(object.name()));
+        }
+    }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
+import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.session.DisconnectedNotification;
 import org.junit.jupiter.api.Test;
 
@@ -16,6 +17,7 @@ class ClientSessionTest {
             new ClientSession(
                     1,
                     "here",
+                    Role.ADMIN,
                     new AuvsmlWriter(MessageCatalogue.load(getClass().getClassLoader())));
 
     private void send(int length) {

@@ -7,6 +7,7 @@ import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.command.EventType;
 import org.auvsim.auvsml.message.command.ListenedObject;
 import org.auvsim.auvsml.message.command.Listener;
+import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.entity.EntityRemovedMessage;
 import org.junit.jupiter.api.Test;
 
@@ -22,7 +23,7 @@ class NotificationsTest {
     private final AtomicInteger made = new AtomicInteger();
 
     private ClientSession client(long id, ListenedObject... objects) {
-        ClientSession session = new ClientSession(id, "here", writer);
+        ClientSession session = new ClientSession(id, "here", Role.ADMIN, writer);
         List.of(objects).forEach(session::register);
         notifications.add(session);
         return session;

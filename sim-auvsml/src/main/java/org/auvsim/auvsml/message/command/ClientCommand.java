@@ -1,4 +1,9 @@
 package org.auvsim.auvsml.message.command;
 
 /** A command about the session of the client that sent it. */
-public non-sealed interface ClientCommand extends Command<SessionControl> {}
+public non-sealed interface ClientCommand extends Command<SessionControl> {
+    @Override
+    default Role role() {
+        return Role.VIEWER;
+    }
+}

@@ -6,12 +6,21 @@ import java.util.Optional;
 
 /**
  * A message with code (thesis, section 7.1.1): it is carried to the part of the system that it is
- * for and executed there. Its kind decides who may send it and when it runs.
+ * for and executed there. Its kind decides who may send it and when it runs: what only asks runs at
+ * any moment, also while a step waits for feedback; what changes something runs between two steps.
  *
  * @param <P> the port to that part
  */
 public sealed interface Command<P> extends Message
-        permits ClientCommand, SimulatorCommand, WorldCommand, WorldObjectCommand {
+        permits ClientCommand,
+                SimulatorCommand,
+                SimulatorQuery,
+                WorldCommand,
+                WorldObjectCommand,
+                WorldQuery {
+    /** The role that its sender must have at least. */
+    Role role();
+
     /**
      * Does what the command is for.
      *

@@ -1,4 +1,9 @@
 package org.auvsim.auvsml.message.command;
 
 /** A command to the simulator: how time goes on. */
-public non-sealed interface SimulatorCommand extends Command<SimulatorControl> {}
+public non-sealed interface SimulatorCommand extends Command<SimulatorControl> {
+    @Override
+    default Role role() {
+        return Role.ADMIN;
+    }
+}

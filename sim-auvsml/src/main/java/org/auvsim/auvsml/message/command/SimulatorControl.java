@@ -3,7 +3,7 @@ package org.auvsim.auvsml.message.command;
 import java.util.OptionalDouble;
 
 /** What a {@link SimulatorCommand} can do: how time goes on. */
-public interface SimulatorControl {
+public interface SimulatorControl extends SimulatorView {
     /** Stands still after the step that is under way; nothing happens if it does already. */
     void pause();
 
@@ -26,7 +26,4 @@ public interface SimulatorControl {
      * @throws RefusedException if the simulator is running
      */
     void step(int count);
-
-    /** How things stand. */
-    SimulatorState state();
 }

@@ -1,4 +1,9 @@
 package org.auvsim.auvsml.message.command;
 
-/** A question to the world, or a change of what is in it. */
-public non-sealed interface WorldCommand extends Command<WorldControl> {}
+/** A change of what is in the world. */
+public non-sealed interface WorldCommand extends Command<WorldControl> {
+    @Override
+    default Role role() {
+        return Role.ADMIN;
+    }
+}

@@ -3,55 +3,18 @@ package org.auvsim.auvsml.message.command;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObjectDefinition;
-import org.auvsim.core.sensor.Sensor;
 
-import java.util.List;
-
-/** What a {@link WorldCommand} can do: ask the world, add to it, take from it. */
-public interface WorldControl {
-    /** All world objects, in order of id. */
-    List<ListedWorldObject> worldObjects();
-
+/** What a {@link WorldCommand} can do, between two steps: add to the world, take from it. */
+public interface WorldControl extends WorldView {
     /**
-     * The names of an object's propulsors, in the order in which they were added.
-     *
-     * @throws RefusedException if there is no such world object
-     */
-    List<String> propulsorNames(long worldObjectId);
-
-    /**
-     * What acts on an object, in the order of its coming.
-     *
-     * @throws RefusedException if there is no such world object
-     */
-    List<Effect> effects(long worldObjectId);
-
-    /** All fields, in order of id. */
-    List<Field<?>> fields();
-
-    /**
-     * Adds a field, between two steps.
+     * Adds a field.
      *
      * @throws RefusedException if its id or name is taken
      */
     void add(Field<?> field);
 
     /**
-     * An object's sensors, in the order in which they were added.
-     *
-     * @throws RefusedException if there is no such world object
-     */
-    List<Sensor> sensors(long worldObjectId);
-
-    /**
-     * The names of the fins of a world object that can be turned.
-     *
-     * @throws RefusedException if there is no such object
-     */
-    List<String> controlSurfaceNames(long worldObjectId);
-
-    /**
-     * Adds a world object, between two steps.
+     * Adds a world object.
      *
      * @return its id
      * @throws RefusedException if its id is taken
@@ -59,9 +22,24 @@ public interface WorldControl {
     long add(WorldObjectDefinition definition);
 
     /**
-     * Takes an entity out of the world, between two steps.
+     * Takes an entity out of the world.
      *
      * @throws RefusedException if there is no such entity
      */
     void remove(long entityId);
+
+    /**
+     * Lets an effect act on a world object from now on.
+     *
+     * @throws RefusedException if there is no such object, or the effect couples it to one that is
+     *     not in the world
+     */
+    void addEffect(long worldObjectId, Effect effect);
+
+    /**
+     * Ends an effect on a world object; of equal ones the first.
+     *
+     * @throws RefusedException if there is no such object or it has no effect that is equal
+     */
+    void removeEffect(long worldObjectId, Effect effect);
 }

@@ -6,4 +6,9 @@ package org.auvsim.auvsml.message.command;
 public non-sealed interface WorldObjectCommand extends Command<WorldObjectControl> {
     /** The id of the world object that it acts on. */
     long worldObjectId();
+
+    @Override
+    default Role role() {
+        return Role.CONTROLLER;
+    }
 }

@@ -1,7 +1,6 @@
 package org.auvsim.auvsml.message.command;
 
 import org.auvsim.core.communication.Transceiver;
-import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.NamedForce;
 
 /** What a {@link WorldObjectCommand} can do: one world object, between two steps. */
@@ -27,20 +26,6 @@ public interface WorldObjectControl {
      * @throws RefusedException if the object has no propulsor of this name
      */
     void setPropulsorLevel(String name, double level);
-
-    /**
-     * Lets an effect act on it from now on.
-     *
-     * @throws RefusedException if it couples the object to one that is not in the world
-     */
-    void addEffect(Effect effect);
-
-    /**
-     * Ends an effect on it; of equal ones the first.
-     *
-     * @throws RefusedException if it has no effect that is equal
-     */
-    void removeEffect(Effect effect);
 
     /**
      * Turns a fin.

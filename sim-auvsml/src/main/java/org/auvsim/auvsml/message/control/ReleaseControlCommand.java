@@ -2,12 +2,18 @@ package org.auvsim.auvsml.message.control;
 
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.ClientCommand;
+import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.command.SessionControl;
 
 import java.util.Optional;
 
 /** Lets go of a world object, so that another client may control it. */
 public record ReleaseControlCommand(long worldObjectId) implements ClientCommand {
+    @Override
+    public Role role() {
+        return Role.CONTROLLER;
+    }
+
     @Override
     public Optional<Message> execute(SessionControl session) {
         session.releaseControl(worldObjectId);

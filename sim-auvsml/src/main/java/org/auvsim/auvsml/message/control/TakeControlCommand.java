@@ -2,12 +2,18 @@ package org.auvsim.auvsml.message.control;
 
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.ClientCommand;
+import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.command.SessionControl;
 
 import java.util.Optional;
 
 /** Makes the sender the one client that may move a world object. */
 public record TakeControlCommand(long worldObjectId) implements ClientCommand {
+    @Override
+    public Role role() {
+        return Role.CONTROLLER;
+    }
+
     @Override
     public Optional<Message> execute(SessionControl session) {
         session.takeControl(worldObjectId);

@@ -1,8 +1,8 @@
 package org.auvsim.auvsml.message.entity;
 
 import org.auvsim.auvsml.message.Message;
-import org.auvsim.auvsml.message.command.WorldCommand;
-import org.auvsim.auvsml.message.command.WorldControl;
+import org.auvsim.auvsml.message.command.WorldQuery;
+import org.auvsim.auvsml.message.command.WorldView;
 
 import java.util.Optional;
 
@@ -11,9 +11,9 @@ import java.util.Optional;
  *
  * @param agentId any world object's id
  */
-public record GetControlSurfaceListRequest(long agentId) implements WorldCommand {
+public record GetControlSurfaceListRequest(long agentId) implements WorldQuery {
     @Override
-    public Optional<Message> execute(WorldControl world) {
+    public Optional<Message> execute(WorldView world) {
         return Optional.of(
                 new ControlSurfaceListResponse(
                         agentId,

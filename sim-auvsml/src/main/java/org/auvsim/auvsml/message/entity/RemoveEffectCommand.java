@@ -1,8 +1,8 @@
 package org.auvsim.auvsml.message.entity;
 
 import org.auvsim.auvsml.message.Message;
-import org.auvsim.auvsml.message.command.WorldObjectCommand;
-import org.auvsim.auvsml.message.command.WorldObjectControl;
+import org.auvsim.auvsml.message.command.WorldCommand;
+import org.auvsim.auvsml.message.command.WorldControl;
 import org.auvsim.core.entity.Effect;
 
 import java.util.Optional;
@@ -12,10 +12,10 @@ import java.util.Optional;
  *
  * @param effect as the {@link EffectListResponse} states it; of equal ones the first ends
  */
-public record RemoveEffectCommand(long worldObjectId, Effect effect) implements WorldObjectCommand {
+public record RemoveEffectCommand(long worldObjectId, Effect effect) implements WorldCommand {
     @Override
-    public Optional<Message> execute(WorldObjectControl object) {
-        object.removeEffect(effect);
+    public Optional<Message> execute(WorldControl world) {
+        world.removeEffect(worldObjectId, effect);
         return Optional.empty();
     }
 }

@@ -1,16 +1,16 @@
 package org.auvsim.auvsml.message.sensing;
 
 import org.auvsim.auvsml.message.Message;
-import org.auvsim.auvsml.message.command.WorldCommand;
-import org.auvsim.auvsml.message.command.WorldControl;
+import org.auvsim.auvsml.message.command.WorldQuery;
+import org.auvsim.auvsml.message.command.WorldView;
 import org.auvsim.core.sensor.Sensor;
 
 import java.util.Optional;
 
 /** Asks for the sensors of a world object. */
-public record GetSensorListRequest(long worldObjectId) implements WorldCommand {
+public record GetSensorListRequest(long worldObjectId) implements WorldQuery {
     @Override
-    public Optional<Message> execute(WorldControl world) {
+    public Optional<Message> execute(WorldView world) {
         return Optional.of(
                 new SensorListResponse(
                         worldObjectId,

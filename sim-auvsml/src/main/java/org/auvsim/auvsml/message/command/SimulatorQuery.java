@@ -1,0 +1,9 @@
+package org.auvsim.auvsml.message.command;
+
+/** A question to the simulator; it changes nothing. */
+public non-sealed interface SimulatorQuery extends Command<SimulatorView> {
+    @Override
+    default Role role() {
+        return Role.VIEWER;
+    }
+}

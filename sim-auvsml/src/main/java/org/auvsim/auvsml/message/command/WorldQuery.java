@@ -1,0 +1,9 @@
+package org.auvsim.auvsml.message.command;
+
+/** A question to the world; it changes nothing. */
+public non-sealed interface WorldQuery extends Command<WorldView> {
+    @Override
+    default Role role() {
+        return Role.VIEWER;
+    }
+}

@@ -31,8 +31,8 @@ final class Admission {
             paramLabel = "ROLE",
             description =
                     "What those who connect may do: viewer (listen and ask), controller (also"
-                            + " control objects and send feedback) or admin (everything). By default"
-                            + " admin, if only this machine reaches the server.")
+                        + " control objects and send feedback) or admin (everything). By default"
+                        + " admin, if only this machine reaches the server.")
     private Optional<Role> role = Optional.empty();
 
     /**

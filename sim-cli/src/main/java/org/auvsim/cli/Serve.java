@@ -71,7 +71,9 @@ final class Serve implements Callable<Integer> {
                 Simulator simulator = start(scenario, lanes, transport);
                 Interruption _ = new Interruption(simulator::close)) {
             PrintWriter out = spec.commandLine().getOut();
-            out.printf("serving %s at %s:%d%n", file, admission.address().getHostString(), transport.port());
+            out.printf(
+                    "serving %s at %s:%d%n",
+                    file, admission.address().getHostString(), transport.port());
             out.flush();
             simulator.await();
         } catch (TransportException e) {

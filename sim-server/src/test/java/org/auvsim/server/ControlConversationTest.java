@@ -105,9 +105,10 @@ class ControlConversationTest {
         assertThat(
                         viewer.ask(
                                 "3",
-                                "<listener-registration-request-command register=\"1\">"
-                                        + "<world-object id=\"*\"><listener type=\"*ALL*\"/>"
-                                        + "</world-object></listener-registration-request-command>"))
+                                "<listener-registration-request-command"
+                                    + " register=\"1\"><world-object id=\"*\"><listener"
+                                    + " type=\"*ALL*\"/>"
+                                    + "</world-object></listener-registration-request-command>"))
                 .contains("command-done-response");
         assertThat(viewer.ask("4", "<take-control-command world-object-id=\"1\"/>"))
                 .contains("code=\"NOT_ALLOWED\"")
@@ -127,7 +128,8 @@ class ControlConversationTest {
         assertThat(controller.ask("2", FEEDBACK)).contains("command-done-response");
         assertThat(controller.ask("3", "<remove-entity-command entity-id=\"2\"/>"))
                 .contains("code=\"NOT_ALLOWED\"")
-                .contains("remove-entity-command needs the role admin, but client 1 is a controller");
+                .contains(
+                        "remove-entity-command needs the role admin, but client 1 is a controller");
         assertThat(controller.ask("4", "<get-world-object-list-command/>"))
                 .contains("name=\"Carl\"");
     }

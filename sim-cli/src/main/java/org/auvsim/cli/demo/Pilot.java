@@ -2,16 +2,10 @@ package org.auvsim.cli.demo;
 
 import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.ConnectionException;
-import org.auvsim.auvsml.client.Received;
-import org.auvsim.auvsml.message.Message;
-import org.auvsim.auvsml.message.command.EventType;
 import org.auvsim.auvsml.message.control.SetPropulsorCommand;
 import org.auvsim.auvsml.message.control.StepCommand;
-import org.auvsim.auvsml.message.movement.StateType;
-import org.auvsim.auvsml.message.movement.TimestepAdvancedNotification;
 
 import java.util.List;
-import java.util.Optional;
 
 /**
  * The part of the robot's computer that flies the vehicle: it sends each setting of the plan when

@@ -12,11 +12,7 @@ import org.auvsim.server.net.ClientSession;
 import java.util.List;
 
 /** One client's session as commands reach it. */
-record SessionPort(
-        ClientSession session,
-        World world,
-        ControlledObjects controlled,
-        Runnable end)
+record SessionPort(ClientSession session, World world, ControlledObjects controlled, Runnable end)
         implements SessionControl {
     @Override
     public void register(List<ListenedObject> objects) {

@@ -146,8 +146,7 @@ public final class SimulatorBuilder {
         SimulationLoop loop =
                 new SimulationLoop(world, mailbox, notifications, pace, feedback, running, until);
         Requests requests =
-                new Requests(
-                        world, notifications, controlled, feedback, loop, serverName);
+                new Requests(world, notifications, controlled, feedback, loop, serverName);
         RootDecoder decoder = RootDecoder.strict(messages, limits);
         Clients clients = new Clients(mailbox, requests, decoder, writer, limits, role);
         return new Simulator(world, loop, mailbox, clients, transports).start();

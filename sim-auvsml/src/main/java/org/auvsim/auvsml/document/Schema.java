@@ -2,7 +2,10 @@ package org.auvsim.auvsml.document;
 
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.mapping.SchemaWriter;
+import org.auvsim.auvsml.recording.EntryTypes;
+import org.auvsim.auvsml.recording.Recording;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /** The XML schema of AUVSML: its messages and its documents. */
@@ -11,6 +14,10 @@ public final class Schema {
 
     /** As XSD 1.0, with a user's own messages and components if the catalogue has them. */
     public static String of(MessageCatalogue catalogue) {
-        return SchemaWriter.write(catalogue, List.of(Scenario.class));
+        List<Class<?>> documents = new ArrayList<>();
+        documents.add(Scenario.class);
+        documents.add(Recording.class);
+        documents.addAll(EntryTypes.all());
+        return SchemaWriter.write(catalogue, documents);
     }
 }

@@ -74,6 +74,13 @@ public final class AuvsmlMapper {
         return out + "\n";
     }
 
+    /** A record as one line in UTF-8, with a line feed at its end. */
+    public byte[] encodeLine(Record record) {
+        XmlText out = XmlText.compact();
+        encode(record, out);
+        return out.toBytes();
+    }
+
     /**
      * Writes a record as an element named after its type.
      *

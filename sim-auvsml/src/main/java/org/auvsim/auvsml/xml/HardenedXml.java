@@ -16,8 +16,6 @@ import javax.xml.stream.XMLStreamException;
  * longer than its size allows: no DTD, no entities, no external access, UTF-8 alone.
  */
 final class HardenedXml {
-    private static final int VALUE_LENGTH = 4096;
-
     private final XMLInputFactory2 factory;
 
     HardenedXml(Limits limits) {
@@ -29,7 +27,7 @@ final class HardenedXml {
         factory.setProperty(XMLInputFactory2.P_LAZY_PARSING, false);
         factory.setProperty(WstxInputProperties.P_MAX_ELEMENT_DEPTH, limits.depth());
         factory.setProperty(WstxInputProperties.P_MAX_ATTRIBUTES_PER_ELEMENT, limits.attributes());
-        factory.setProperty(WstxInputProperties.P_MAX_ATTRIBUTE_SIZE, VALUE_LENGTH);
+        factory.setProperty(WstxInputProperties.P_MAX_ATTRIBUTE_SIZE, limits.valueLength());
         factory.setProperty(WstxInputProperties.P_MAX_TEXT_LENGTH, (long) limits.bytes());
         factory.setProperty(WstxInputProperties.P_MAX_CHARACTERS, (long) limits.bytes());
     }

@@ -1,0 +1,23 @@
+package org.auvsim.auvsml.recording;
+
+import org.auvsim.core.description.Default;
+import org.auvsim.core.description.Unit;
+
+/**
+ * A client came.
+ *
+ * @param step so many steps had been made
+ * @param index its place among the inputs since that step, from 0
+ * @param duringStep whether it came while the next step waited for feedback
+ * @param timestamp the world's time
+ * @param sessionId the client's session
+ * @param peer where it was
+ */
+public record ClientCame(
+        long step,
+        int index,
+        @Default("0") boolean duringStep,
+        @Unit("s") double timestamp,
+        long sessionId,
+        String peer)
+        implements RecordedInput {}

@@ -1,0 +1,28 @@
+package org.auvsim.auvsml.recording;
+
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.core.description.Default;
+import org.auvsim.core.description.Unit;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Messages that a client sent in one root element.
+ *
+ * @param step so many steps had been made
+ * @param index its place among the inputs since that step, from 0
+ * @param duringStep whether it came while the next step waited for feedback
+ * @param timestamp the world's time
+ * @param sessionId the client's session
+ * @param requestId the root's request-id
+ */
+public record ClientSent(
+        long step,
+        int index,
+        @Default("0") boolean duringStep,
+        @Unit("s") double timestamp,
+        long sessionId,
+        Optional<String> requestId,
+        List<Message> message)
+        implements RecordedInput {}

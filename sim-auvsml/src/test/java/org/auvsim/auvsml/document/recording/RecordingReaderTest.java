@@ -1,0 +1,209 @@
+package org.auvsim.auvsml.document.recording;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.recording.ClientCame;
+import org.auvsim.auvsml.recording.Entry;
+import org.auvsim.auvsml.recording.Happened;
+import org.auvsim.auvsml.recording.RecordingEnded;
+import org.auvsim.auvsml.recording.StateHash;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.zip.GZIPInputStream;
+
+class RecordingReaderTest {
+    private static final int STEPS = 12;
+
+    private final List<Entry> entries = Recordings.entries(STEPS, new Random(1));
+
+    @Test
+    void whatIsWrittenIsReadAsWhatItWas() throws Exception {
+        RecordingReader reader = Recordings.reader(Recordings.written(entries));
+
+        assertThat(reader.recording()).isEqualTo(Recordings.BEGINNING);
+        assertThat(reader.scenario()).isEqualTo(Recordings.scenario());
+        assertThat(Recordings.rest(reader)).isEqualTo(entries);
+        assertThat(reader.reach())
+                .isEqualTo(new Reach(true, STEPS, 3 + 0.05 * STEPS, "the simulation has ended"));
+    }
+
+    @Test
+    void unpackedItIsReadJustSo() throws Exception {
+        RecordingReader reader = Recordings.reader(unpacked(Recordings.written(entries)));
+
+        assertThat(Recordings.rest(reader)).isEqualTo(entries);
+        assertThat(reader.reach().isWhole()).isTrue();
+    }
+
+    @Test
+    void cutOffAnywhereItIsReadUpToTheLastWholeMember() throws Exception {
+        byte[] file = Recordings.written(entries);
+        int beginning = Recordings.written(List.of()).length;
+        int longest = 0;
+        for (int length = beginning; length < file.length; length += 5) {
+            RecordingReader reader = Recordings.reader(Arrays.copyOf(file, length));
+            List<Entry> read = Recordings.rest(reader);
+
+            assertThat(read).isEqualTo(entries.subList(0, read.size()));
+            assertThat(read.size()).isBetween(longest, longest + 3);
+            assertThat(reader.reach().isWhole()).isFalse();
+            assertThat(reader.reach().reason()).contains("cut off");
+            longest = read.size();
+        }
+        assertThat(longest).isGreaterThan(entries.size() - 7);
+    }
+
+    @Test
+    void unpackedAndCutOffAnywhereItIsReadUpToTheLastWholeEntry() throws Exception {
+        byte[] text = unpacked(Recordings.written(entries));
+        int beginning = unpacked(Recordings.written(List.of())).length;
+        for (int length = beginning; length < text.length - 1; length += 11) {
+            RecordingReader reader = Recordings.reader(Arrays.copyOf(text, length));
+            List<Entry> read = Recordings.rest(reader);
+
+            assertThat(read).isEqualTo(entries.subList(0, read.size()));
+            assertThat(reader.reach().isWhole()).isFalse();
+        }
+    }
+
+    @Test
+    void cutOffBeforeItsScenarioIsWholeItIsRefused() throws Exception {
+        byte[] file = Recordings.written(List.of());
+        for (int length = 0; length < file.length; length++) {
+            byte[] cut = Arrays.copyOf(file, length);
+            assertThatThrownBy(() -> Recordings.reader(cut))
+                    .isInstanceOf(DocumentException.class)
+                    .hasMessageStartingWith("run.auvsml.gz: a recording begins with <recording>");
+        }
+    }
+
+    /** But for bits that fill the last byte of a member's deflated text, and mean nothing. */
+    @Test
+    void aChangedByteIsNoticedWhereverItIs() throws Exception {
+        byte[] file = Recordings.written(entries);
+        int noticed = 0;
+        for (int i = 0; i < file.length; i += 3) {
+            byte[] changed = file.clone();
+            changed[i] ^= 0x10;
+            try {
+                assertThat(Recordings.rest(Recordings.reader(changed))).isEqualTo(entries);
+            } catch (DocumentException e) {
+                assertThat(e).as("byte %d", i).hasMessageStartingWith("run.auvsml.gz:");
+                noticed++;
+            }
+        }
+        assertThat(noticed).isGreaterThan(file.length / 3 * 9 / 10);
+    }
+
+    @Test
+    void aChangedByteIsToldWithItsMember() throws Exception {
+        byte[] file = Recordings.written(entries);
+        int first = Recordings.written(List.of()).length;
+        file[first + GzipMember.HEADER_LENGTH + 10] ^= 1;
+
+        assertThatThrownBy(() -> Recordings.rest(Recordings.reader(file)))
+                .hasMessageStartingWith(
+                        ("run.auvsml.gz: the recording is damaged or was changed: its gzip member"
+                                        + " 2, from byte %d on, ")
+                                .formatted(first));
+    }
+
+    @Test
+    void zerosThatALostFileSystemLeavesAreACut() throws Exception {
+        byte[] file = Recordings.written(entries.subList(0, 30));
+
+        RecordingReader reader = Recordings.reader(Arrays.copyOf(file, file.length + 10_000));
+
+        assertThat(Recordings.rest(reader)).isEqualTo(entries.subList(0, 30));
+        assertThat(reader.reach().isWhole()).isFalse();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+                    version="1"    | version="2" | run.auvsml.gz:1:1: root element 1: the recording has the format's version 2, but this auvsim reads version 1; replay it with the auvsim that wrote it
+                    <recording     | <recorded   | run.auvsml.gz:1:1: root element 1: expected the root element <recording>, but found <recorded> at recorded
+                    <client-came   | <client-met | run.auvsml.gz:7:1: root element 3: no entry of a recording has the name 'client-met'; there are client-came, client-sent, client-sent-unreadable, client-went, happened, recording-ended, state-hash, wait-timed-out
+                    pause-sim      | pose-sim    | run.auvsml.gz:8:96: root element 4: unknown element 'pose-simulator-command'; the nearest known name is 'pause-simulator-command' at client-sent/pose-simulator-command
+                    request-id="r0"| answer="r0" | run.auvsml.gz:8:80: root element 4: <client-sent> has no attribute 'answer'; the nearest known names are 'index', 'step' at client-sent@answer
+                    hash="         | hash="x     | run.auvsml.gz:12:1: root element 8: a hash has 16 digits of 0-9 and a-f, but this is 'x
+                    step="5"       | step="2"    | step 2 is below 4, that of an entry before
+                    timestamp="3.1"| timestamp="2.5" | its time 2.5 s is before 3.05 s, that of an entry before
+                    index="1"      | index="0"   | its index 0 must be above 0, that of the input before at this step
+                    """)
+    void whatNoRecordingCanStateIsToldWithItsPlace(String is, String becomes, String sentence)
+            throws Exception {
+        String text = new String(unpacked(Recordings.written(entries)), UTF_8);
+        byte[] edited = text.replaceFirst(is, becomes).getBytes(UTF_8);
+
+        assertThatThrownBy(() -> Recordings.rest(Recordings.reader(edited)))
+                .isInstanceOf(DocumentException.class)
+                .hasMessageContaining(sentence);
+    }
+
+    @Test
+    void revisedHistoryMayGoBackToEarlierSteps() throws Exception {
+        List<Entry> revised =
+                List.of(
+                        StateHash.of(0, 9, 3.45, 1),
+                        new Happened(1, 5, 3.25, List.of()),
+                        StateHash.of(1, 9, 3.45, 2));
+
+        assertThat(Recordings.rest(Recordings.reader(Recordings.written(revised))))
+                .isEqualTo(revised);
+    }
+
+    @Test
+    void nothingFollowsTheEnd() throws Exception {
+        List<Entry> more =
+                List.of(
+                        new RecordingEnded(0, 3, "done"),
+                        new ClientCame(0, 0, false, 3, 1, "127.0.0.1:4000"));
+
+        assertThatThrownBy(() -> Recordings.rest(Recordings.reader(Recordings.written(more))))
+                .hasMessageEndingWith("nothing may follow the recording's end");
+    }
+
+    @Test
+    void aFileThatIsNotThereIsToldSo(@TempDir Path folder) {
+        Path file = folder.resolve("none.auvsml.gz");
+
+        assertThatThrownBy(() -> RecordingReader.open(file, Recordings.MAPPER))
+                .isInstanceOf(DocumentException.class)
+                .hasMessage(file + ": there is no such file");
+    }
+
+    @Test
+    void aFileIsRead(@TempDir Path folder) throws Exception {
+        Path file = Files.write(folder.resolve("run.auvsml.gz"), Recordings.written(entries));
+
+        try (RecordingReader reader = RecordingReader.open(file, Recordings.MAPPER)) {
+            assertThat(Recordings.rest(reader)).isEqualTo(entries);
+        }
+    }
+
+    private static byte[] unpacked(byte[] file) throws IOException {
+        ByteArrayOutputStream text = new ByteArrayOutputStream();
+        try (GZIPInputStream in = new GZIPInputStream(new ByteArrayInputStream(file))) {
+            in.transferTo(text);
+        }
+        return text.toByteArray();
+    }
+}

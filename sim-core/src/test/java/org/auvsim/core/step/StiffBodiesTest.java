@@ -198,8 +198,7 @@ class StiffBodiesTest {
             world.advanceTimestep();
         }
         assertThat(world.object("box").position().z()).isCloseTo(0.5, within(2e-5));
-        // What is left is the tolerance of the contact forces, which changes from step to step.
-        assertThat(world.object("box").velocity().norm()).isLessThan(1e-5);
+        assertThat(world.object("box").velocity().norm()).isLessThan(1e-6);
     }
 
     @Test

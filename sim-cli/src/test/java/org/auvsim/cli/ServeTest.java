@@ -74,7 +74,7 @@ class ServeTest {
         "--port,  70000,           '--port must be 0 to 65535, but is 70000.'",
         "--bind,  no-host.invalid, '--bind: there is no address ''no-host.invalid'' here.'",
         "--bind,  0.0.0.0, '--bind 0.0.0.0 lets other machines in, and nobody there proves who he"
-            + " is: say with --role viewer, controller or admin what they may do.'",
+                + " is: say with --role viewer, controller or admin what they may do.'",
         "--until, 0, '--until must be after the scenario''s start at 0.0 s, but is 0.0 s.'",
     })
     void wrongOptionsAreExplained(String option, String value, String sentence) {

@@ -43,8 +43,8 @@ final class Settlement {
     private static final int MOST_SWEEPS = 400;
 
     /**
-     * What rests settles in two or three; bodies that the water holds back in a frame come nearer to
-     * what was solved for by only a third of the rest in each.
+     * What rests settles in two or three; bodies that the water holds back in a frame come nearer
+     * to what was solved for by only a third of the rest in each.
      */
     private static final int MOST_ROUNDS = 50;
 

@@ -21,6 +21,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 
 /** Messages of a simulator as lines of a table for people. */
@@ -55,8 +56,7 @@ final class EventLines {
                     event(
                             f.timestamp(),
                             f.worldObjectId(),
-                            "was corrected by %s, error %.4g m before, %.4g m after"
-                                    .formatted(f.handlerName(), f.errorBefore(), f.errorAfter()));
+                            "was corrected by " + f.handlerName() + errors(f));
             case RadioMessage r ->
                     event(
                             r.timestamp(),
@@ -86,6 +86,26 @@ final class EventLines {
             case ErrorResponse e -> Optional.of("the simulator refuses: " + e.text());
             default -> Optional.empty();
         };
+    }
+
+    private static String errors(FeedbackAppliedNotification f) {
+        return error("error", "m", f.errorBefore(), f.errorAfter())
+                + error("angle", "rad", f.angleErrorBefore(), f.angleErrorAfter())
+                + error("velocity", "m/s", f.velocityErrorBefore(), f.velocityErrorAfter())
+                + error(
+                        "angular velocity",
+                        "rad/s",
+                        f.angularVelocityErrorBefore(),
+                        f.angularVelocityErrorAfter())
+                + (f.converged() ? "" : ", not all that it aimed at");
+    }
+
+    private static String error(
+            String what, String unit, OptionalDouble before, OptionalDouble after) {
+        return before.isPresent() && after.isPresent()
+                ? ", %s %.4g %s before, %.4g %s after"
+                        .formatted(what, before.getAsDouble(), unit, after.getAsDouble(), unit)
+                : "";
     }
 
     private static String values(SensorReading reading) {

@@ -162,7 +162,7 @@ class FeedbackConversationTest {
                 .contains("error-response")
                 .contains(
                         "no feedback processor has the name 'Magic'; there are"
-                                + " DirectPositionChangeFeedbackHandler,"
+                                + " DirectPositionChangeFeedbackHandler, IgnoreFeedbackHandler,"
                                 + " VectorAdjustmentFeedbackHandler");
         client.send(feedback("0.1", "DirectPositionChangeFeedbackHandler", Vec3.ZERO));
         assertThat(client.next()).contains("feedback for 0.1 s is too early");

@@ -1,6 +1,9 @@
 package org.auvsim.auvsml.mapping;
 
+import org.auvsim.auvsml.message.feedback.Covariance;
 import org.auvsim.core.math.Numbers;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
 
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.ParameterizedType;
@@ -97,10 +100,38 @@ final class RandomRecords {
                             : value(generic.getRawType());
         }
         Class<?> raw = (Class<?>) type;
+        if (raw == Quat.class && random.nextBoolean()) {
+            return turn();
+        }
+        if (raw == Covariance.class) {
+            return covariance(3 * random.nextInt(1, 5));
+        }
         if (raw.isRecord()) {
             return record(raw);
         }
         return raw.isInterface() ? implementation(raw) : scalar(raw);
+    }
+
+    /** An orientation, as some records want no other quaternion. */
+    private Quat turn() {
+        Vec3 axis = new Vec3(random.nextGaussian(), random.nextGaussian(), 1);
+        return Quat.ofAxisAngle(axis, random.nextGaussian());
+    }
+
+    /** B B^T for a random B, which is symmetric and positive definite. */
+    private Covariance covariance(int size) {
+        double[] factor = random.doubles((long) size * size, 0.1, 1).toArray();
+        double[] product = new double[size * size];
+        for (int i = 0; i < size; i++) {
+            factor[(size + 1) * i] += size;
+            for (int j = 0; j <= i; j++) {
+                for (int k = 0; k < size; k++) {
+                    product[size * i + j] += factor[size * i + k] * factor[size * j + k];
+                }
+                product[size * j + i] = product[size * i + j];
+            }
+        }
+        return Covariance.of(product, size);
     }
 
     private List<Object> list(Type element) {

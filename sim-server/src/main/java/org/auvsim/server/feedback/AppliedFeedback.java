@@ -1,5 +1,8 @@
 package org.auvsim.server.feedback;
 
+import org.auvsim.auvsml.message.feedback.FeedbackAppliedNotification;
+import org.auvsim.auvsml.message.feedback.OverlappedEntity;
+
 import java.util.List;
 
 /**
@@ -7,14 +10,34 @@ import java.util.List;
  *
  * @param time of the world (s)
  * @param processor the name of the processor
- * @param errorBefore distance of the object from where it ought to be, without the correction (m)
- * @param errorAfter the same distance with it (m)
+ * @param before how far the object is from where it ought to be, without the correction
+ * @param after the same with it
+ * @param converged whether the processor reached what it aimed at
  * @param overlaps ids of what the object shares space with now
  */
 public record AppliedFeedback(
         long objectId,
         double time,
         String processor,
-        double errorBefore,
-        double errorAfter,
-        List<Long> overlaps) {}
+        MeasurementErrors before,
+        MeasurementErrors after,
+        boolean converged,
+        List<Long> overlaps) {
+    /** What clients are told of it. */
+    public FeedbackAppliedNotification notification() {
+        return new FeedbackAppliedNotification(
+                objectId,
+                time,
+                processor,
+                before.position(),
+                after.position(),
+                before.angle(),
+                after.angle(),
+                before.velocity(),
+                after.velocity(),
+                before.angularVelocity(),
+                after.angularVelocity(),
+                converged,
+                overlaps.stream().map(OverlappedEntity::new).toList());
+    }
+}

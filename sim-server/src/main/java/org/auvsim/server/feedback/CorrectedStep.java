@@ -4,18 +4,18 @@ import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.core.entity.MovementState;
 import org.auvsim.core.entity.WorldObject;
-import org.auvsim.core.math.Vec3;
-import org.auvsim.core.step.StepException;
+import org.auvsim.core.entity.Wrench;
 import org.auvsim.core.world.World;
-import org.auvsim.core.world.WorldException;
 import org.auvsim.server.feedback.FeedbackProcessor.Phase;
 
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 
 /**
  * One step of a world, as a {@link FeedbackTimestepper} puts it together out of its parts (thesis,
@@ -25,22 +25,27 @@ public final class CorrectedStep {
     private final World world;
     private final FeedbackAudience audience;
     private final List<PendingFeedback> pending;
+    private final ProcessorMemory memory;
     private final double start;
     private final double wanted;
     private final Set<String> answered = new HashSet<>();
-    private final List<Pushed> pushed = new ArrayList<>();
+    private final List<StepCorrection> pushed = new ArrayList<>();
+    private final Map<Long, StepCourse> courses = new TreeMap<>();
     private StepForces forces = new StepForces();
     private Optional<ProjectedWorld> projection = Optional.empty();
     private Optional<Double> announcedEnd = Optional.empty();
+    private Optional<World> beginning = Optional.empty();
     private boolean made;
 
-    /** A correction whose effect is seen when the step is made. */
-    private record Pushed(PendingFeedback feedback, Vec3 target, double errorBefore) {}
-
-    CorrectedStep(World world, FeedbackAudience audience, List<PendingFeedback> pending) {
+    CorrectedStep(
+            World world,
+            FeedbackAudience audience,
+            List<PendingFeedback> pending,
+            ProcessorMemory memory) {
         this.world = world;
         this.audience = audience;
         this.pending = pending;
+        this.memory = memory;
         this.start = world.time();
         this.wanted = wanted();
     }
@@ -65,7 +70,7 @@ public final class CorrectedStep {
         audience.projected(projection());
     }
 
-    private ProjectedWorld projection() {
+    ProjectedWorld projection() {
         if (projection.isEmpty()) {
             projection = Optional.of(ProjectedWorld.of(world, wanted));
         }
@@ -98,21 +103,23 @@ public final class CorrectedStep {
      */
     public void process(Phase phase) {
         for (PendingFeedback feedback : pending.stream().sorted(PendingFeedback.ORDER).toList()) {
-            boolean isDue =
-                    phase == Phase.BEFORE_STEP
-                            || feedback.message().timestamp()
-                                    <= world.time() + CorrectiveFeedbackSystem.SAME_TIME;
-            if (feedback.processor().phase() == phase && isDue) {
+            if (feedback.processor().phase() == phase && isDue(feedback)) {
                 pending.remove(feedback);
                 process(feedback);
             }
         }
     }
 
+    private boolean isDue(PendingFeedback feedback) {
+        return feedback.isBeforeStep()
+                || feedback.message().timestamp()
+                        <= world.time() + CorrectiveFeedbackSystem.SAME_TIME;
+    }
+
     private void process(PendingFeedback feedback) {
         try {
             requirePossible(feedback);
-            if (feedback.processor().phase() == Phase.BEFORE_STEP) {
+            if (feedback.isBeforeStep()) {
                 correctBefore(feedback);
             } else {
                 correctAfter(feedback);
@@ -123,61 +130,92 @@ public final class CorrectedStep {
     }
 
     private void requirePossible(PendingFeedback feedback) {
-        long id = feedback.message().worldObjectId();
+        long id = feedback.objectId();
         if (world.find(id).isEmpty()) {
             throw new RefusedException(
                     ErrorCode.UNKNOWN_ENTITY, "world object %d has left the world".formatted(id));
         }
-        boolean isBeforeStep = feedback.processor().phase() == Phase.BEFORE_STEP;
-        if (isBeforeStep && projection().time() <= world.time()) {
+        WorldObject object = world.object(id);
+        if (object.isFixed()) {
+            throw new RefusedException(
+                    ErrorCode.REFUSED,
+                    "'%s' is fixed, and stays where it is whatever is measured"
+                            .formatted(object.name()));
+        }
+        if (feedback.isBeforeStep() && projection().time() <= world.time()) {
             throw new RefusedException(
                     ErrorCode.REFUSED,
                     "nothing can push '%s' now: this step takes no time, it is a collision"
-                            .formatted(world.object(id).name()));
+                            .formatted(object.name()));
         }
     }
 
     private void correctBefore(PendingFeedback feedback) {
-        StepCorrection correction = new StepCorrection(feedback);
-        double before = correction.projected().position().distance(correction.target());
-        feedback.processor().process(feedback.message(), correction);
-        pushed.add(new Pushed(feedback, correction.target(), before));
+        StepForces others = forces;
+        StepCorrection correction = new StepCorrection(this, feedback);
+        try {
+            feedback.processor().process(correction);
+        } catch (RefusedException | IllegalArgumentException e) {
+            forces = others;
+            throw refused(e);
+        }
+        pushed.add(correction);
     }
 
     private void correctAfter(PendingFeedback feedback) {
-        StepCorrection correction = new StepCorrection(feedback);
-        double before = correction.object().position().distance(correction.target());
-        feedback.processor().process(feedback.message(), correction);
-        if (made) {
-            audience.moved(correction.object().id());
-        } else {
-            projection = Optional.empty(); // the step begins elsewhere now
+        StepCorrection correction = new StepCorrection(this, feedback);
+        WorldObject object = correction.object();
+        MovementState uncorrected = object.movementState();
+        try {
+            feedback.processor().process(correction);
+        } catch (RefusedException | IllegalArgumentException e) {
+            object.setMovementState(uncorrected);
+            throw refused(e);
         }
-        announce(feedback, correction.target(), before);
+        if (!made) {
+            projection = Optional.empty(); // the step begins elsewhere now
+        } else if (!object.movementState().equals(uncorrected)) {
+            audience.moved(object.id());
+        }
+        audience.applied(correction.applied(world));
     }
 
-    private void announce(PendingFeedback feedback, Vec3 target, double before) {
-        long id = feedback.message().worldObjectId();
-        audience.applied(
-                new AppliedFeedback(
-                        id,
-                        world.time(),
-                        feedback.processor().name(),
-                        before,
-                        world.object(id).position().distance(target),
-                        world.overlaps(id)));
+    private static RefusedException refused(RuntimeException e) {
+        return e instanceof RefusedException refused
+                ? refused
+                : new RefusedException(ErrorCode.INVALID_VALUE, String.valueOf(e.getMessage()));
     }
 
     /** Lets the world make the step, with the forces that corrections added to it. */
     public void advance() {
+        Map<Long, RigidMotion> starts = motionsOfCorrected();
+        if (pending.stream().anyMatch(p -> p.processor().looksBack())) {
+            beginning = Optional.of(world.copy());
+        }
         forces.advance(world, pushed.isEmpty() ? wanted : projection().time() - world.time());
         made = true;
+        motionsOfCorrected()
+                .forEach(
+                        (id, end) ->
+                                courses.put(
+                                        id,
+                                        new StepCourse(start, starts.get(id), world.time(), end)));
         audience.advanced();
-        for (Pushed push : pushed) {
-            if (world.find(push.feedback().message().worldObjectId()).isPresent()) {
-                announce(push.feedback(), push.target(), push.errorBefore());
+        for (StepCorrection correction : pushed) {
+            if (world.find(correction.feedback().objectId()).isPresent()) {
+                audience.applied(correction.applied(world));
             }
         }
+    }
+
+    private Map<Long, RigidMotion> motionsOfCorrected() {
+        Map<Long, RigidMotion> motions = new TreeMap<>();
+        for (PendingFeedback feedback : pending) {
+            if (world.find(feedback.objectId()).isPresent()) {
+                motions.put(feedback.objectId(), RigidMotion.of(world.object(feedback.objectId())));
+            }
+        }
+        return motions;
     }
 
     /** Tells that the step is over. */
@@ -189,62 +227,66 @@ public final class CorrectedStep {
         return made;
     }
 
-    private final class StepCorrection implements Correction {
-        private final PendingFeedback feedback;
-        private final long id;
+    World world() {
+        return world;
+    }
 
-        StepCorrection(PendingFeedback feedback) {
-            this.feedback = feedback;
-            this.id = feedback.message().worldObjectId();
-        }
+    ProcessorMemory memory() {
+        return memory;
+    }
 
-        @Override
-        public WorldObject object() {
-            return world.object(id);
-        }
+    StepForces forces() {
+        return forces;
+    }
 
-        /**
-         * Where clients were shown no end of the step, they measured before it: the model adds it.
-         */
-        @Override
-        public Vec3 target() {
-            Vec3 measured = feedback.message().actualPosition();
-            boolean isBeforeStep = feedback.processor().phase() == Phase.BEFORE_STEP;
-            return isBeforeStep && announcedEnd.isEmpty()
-                    ? measured.plus(projected().position()).minus(object().position())
-                    : measured;
-        }
+    void push(long objectId, Wrench firstHalf, Wrench secondHalf) {
+        forces = forces.with(objectId, firstHalf, secondHalf);
+    }
 
-        @Override
-        public MovementState projected() {
-            if (made && projection.isEmpty()) {
-                return object().movementState();
-            }
-            return Optional.ofNullable(projection().states().get(id))
-                    .orElseGet(() -> object().movementState());
-        }
+    /** How long the step is (s). */
+    double duration() {
+        return (made ? world.time() : projection().time()) - start;
+    }
 
-        @Override
-        public double duration() {
-            return (made ? world.time() : projection().time()) - start;
-        }
+    /** Where the step would leave an object, before it is made. */
+    RigidMotion projected(long objectId) {
+        return projection().motion(objectId).orElseGet(() -> RigidMotion.of(world.object(objectId)));
+    }
 
-        @Override
-        public Optional<MovementState> tried(Vec3 firstHalf, Vec3 secondHalf) {
-            World copy = world.copy();
-            try {
-                forces.with(id, firstHalf, secondHalf).advance(copy, duration());
-                return copy.find(id).isPresent()
-                        ? Optional.of(copy.object(id).movementState())
-                        : Optional.empty();
-            } catch (StepException | WorldException | IllegalArgumentException e) {
-                return Optional.empty();
-            }
-        }
+    /** How an object moved when the step began. */
+    RigidMotion start(long objectId) {
+        return RigidMotion.of(beginning().object(objectId));
+    }
 
-        @Override
-        public void push(Vec3 firstHalf, Vec3 secondHalf) {
-            forces = forces.with(id, firstHalf, secondHalf);
+    /** The world before the step. */
+    World beginning() {
+        if (!made) {
+            return world;
         }
+        return beginning.orElseThrow(
+                () ->
+                        new IllegalStateException(
+                                "only a processor that looksBack() may ask for the world before"
+                                        + " the step"));
+    }
+
+    /**
+     * Where the end of the step ought to leave the object. Clients that were shown no end of the
+     * step measured before it, and the model adds the rest.
+     */
+    Target target(PendingFeedback feedback) {
+        StepCourse course = course(feedback);
+        double measuredAt = feedback.message().timestamp();
+        double at = announcedEnd.isEmpty() ? world.time() : measuredAt;
+        RigidMotion model = course.at(at);
+        return Target.of(feedback.message().measurement(), model).carried(model, course.end());
+    }
+
+    private StepCourse course(PendingFeedback feedback) {
+        long id = feedback.objectId();
+        RigidMotion now = RigidMotion.of(world.object(id));
+        return feedback.isBeforeStep()
+                ? new StepCourse(start, now, projection().time(), projected(id))
+                : courses.getOrDefault(id, StepCourse.at(world.time(), now));
     }
 }

@@ -2,7 +2,6 @@ package org.auvsim.server.feedback;
 
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.message.command.RefusedException;
-import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.core.world.World;
 
@@ -23,6 +22,7 @@ public final class CorrectiveFeedbackSystem {
     private final FeedbackProcessors processors;
     private final FeedbackAudience audience;
     private final List<PendingFeedback> pending = new ArrayList<>();
+    private final ProcessorMemory memory = new ProcessorMemory();
     private Optional<CorrectedStep> step = Optional.empty();
 
     /** For a world that makes its steps in this way. */
@@ -43,7 +43,7 @@ public final class CorrectiveFeedbackSystem {
      * @throws RuntimeException if the world cannot make it; what clients sent for it is dropped
      */
     public void advanceTimestep() {
-        CorrectedStep next = new CorrectedStep(world, audience, pending);
+        CorrectedStep next = new CorrectedStep(world, audience, pending, memory);
         step = Optional.of(next);
         boolean made = false;
         try {
@@ -68,15 +68,9 @@ public final class CorrectiveFeedbackSystem {
      * @throws RefusedException if it cannot be used, with the reason
      */
     public void take(FeedbackSender sender, FeedbackMessage message) {
-        if (!(message instanceof DifferentPositionFeedbackMessage position)) {
-            throw new RefusedException(
-                    ErrorCode.REFUSED,
-                    "%s is a feedback that no processor here understands"
-                            .formatted(message.getClass().getSimpleName()));
-        }
         FeedbackProcessor processor = processors.named(message.handlerName());
         requireTime(message.timestamp());
-        pending.add(new PendingFeedback(sender, position, processor));
+        pending.add(new PendingFeedback(sender, message, processor));
         step.ifPresent(s -> s.answered(sender.name()));
     }
 
@@ -95,7 +89,7 @@ public final class CorrectiveFeedbackSystem {
                     throw late(timestamp);
                 }
                 refuseAfter(end.get(), timestamp);
-                if (timestamp < end.get() - SAME_TIME) {
+                if (timestamp <= world.time() + SAME_TIME) {
                     throw late(timestamp);
                 }
             }

@@ -1,13 +1,9 @@
 package org.auvsim.server.feedback;
 
-import org.auvsim.auvsml.ErrorCode;
-import org.auvsim.auvsml.message.command.RefusedException;
-import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
-
 /**
- * Direct alteration: puts the object where the robot is (thesis, section 7.2). Momenta and
- * orientation stay, and no collision is looked for: the object may end inside another, which the
- * notification then names.
+ * Direct alteration: gives the object the position, orientation and velocities that were measured
+ * (thesis, section 7.2). What was not measured stays: of a position alone, momenta and orientation.
+ * No collision is looked for: the object may end inside another, which the notification then names.
  */
 public record DirectPositionChangeFeedbackHandler() implements FeedbackProcessor {
     @Override
@@ -16,13 +12,11 @@ public record DirectPositionChangeFeedbackHandler() implements FeedbackProcessor
     }
 
     @Override
-    public void process(DifferentPositionFeedbackMessage feedback, Correction correction) {
-        if (correction.object().isFixed()) {
-            throw new RefusedException(
-                    ErrorCode.REFUSED,
-                    "'%s' is fixed, and stays where it is whatever is measured"
-                            .formatted(correction.object().name()));
-        }
-        correction.object().setPosition(correction.target());
+    public void process(Correction correction) {
+        Target target = correction.target();
+        target.position().ifPresent(correction.object()::setPosition);
+        target.orientation().ifPresent(correction.object()::setOrientation);
+        target.velocity().ifPresent(correction.object()::setVelocity);
+        target.angularVelocity().ifPresent(correction.object()::setAngularVelocity);
     }
 }

@@ -1,12 +1,11 @@
 package org.auvsim.server.feedback;
 
-import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
-
 /**
  * Makes a correction out of what a robot has measured (thesis, section 7.2).
  *
  * <p>Feedback messages name the processor they want by its {@link #name()}. Implementations are
- * immutable; they subclass {@code FeedbackProcessorContract} in their tests.
+ * immutable; what one has to remember of an object, it leaves with the {@link Correction}. They
+ * subclass {@code FeedbackProcessorContract} in their tests.
  */
 public interface FeedbackProcessor {
     /** When, in a step, a processor works. */
@@ -25,11 +24,16 @@ public interface FeedbackProcessor {
     /** When it works. */
     Phase phase();
 
+    /** Whether, after the step, it tries the step again; the world before it is kept for that. */
+    default boolean looksBack() {
+        return false;
+    }
+
     /**
-     * Corrects one object.
+     * Corrects one object, which is not fixed.
      *
      * @throws org.auvsim.auvsml.message.command.RefusedException if this object cannot be corrected
      *     so; then nothing has changed
      */
-    void process(DifferentPositionFeedbackMessage feedback, Correction correction);
+    void process(Correction correction);
 }

@@ -15,8 +15,8 @@ public final class FeedbackProcessors {
     private Optional<FeedbackProcessor> override = Optional.empty();
 
     /**
-     * Direct alteration and vector adjustment, as the thesis names them, and those that provider
-     * files name, {@code META-INF/services/org.auvsim.server.feedback.FeedbackProcessor}.
+     * Direct alteration and vector adjustment, as the thesis names them, the others of this package,
+     * and those that provider files name, {@code META-INF/services/org.auvsim.server.feedback.FeedbackProcessor}.
      *
      * @throws IllegalArgumentException if one of the latter cannot be had
      */
@@ -28,6 +28,7 @@ public final class FeedbackProcessors {
         FeedbackProcessors processors = new FeedbackProcessors();
         processors.add(new DirectPositionChangeFeedbackHandler());
         processors.add(new VectorAdjustmentFeedbackHandler());
+        processors.add(new IgnoreFeedbackHandler());
         try {
             ServiceLoader.load(FeedbackProcessor.class, classes).forEach(processors::add);
         } catch (ServiceConfigurationError e) {

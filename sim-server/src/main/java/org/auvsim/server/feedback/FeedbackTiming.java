@@ -4,7 +4,7 @@ package org.auvsim.server.feedback;
 public enum FeedbackTiming {
     /** None at all. */
     NEVER,
-    /** What was true at the end of the step that is projected, and no other. */
+    /** What was true at the end of the step that is projected, or within it, and no other. */
     END_OF_STEP,
     /** What was true now or earlier; it is used as if it were true now. */
     UP_TO_NOW

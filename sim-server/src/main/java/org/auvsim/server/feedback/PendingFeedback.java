@@ -1,16 +1,23 @@
 package org.auvsim.server.feedback;
 
-import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
+import org.auvsim.auvsml.message.feedback.FeedbackMessage;
+import org.auvsim.server.feedback.FeedbackProcessor.Phase;
 
 import java.util.Comparator;
 
 /** A feedback that was accepted and waits for its processor. */
 record PendingFeedback(
-        FeedbackSender sender,
-        DifferentPositionFeedbackMessage message,
-        FeedbackProcessor processor) {
+        FeedbackSender sender, FeedbackMessage message, FeedbackProcessor processor) {
     /** The order of use; a stable sort leaves equal ones as they arrived. */
     static final Comparator<PendingFeedback> ORDER =
             Comparator.<PendingFeedback>comparingLong(p -> p.message().worldObjectId())
                     .thenComparingDouble(p -> p.message().timestamp());
+
+    long objectId() {
+        return message.worldObjectId();
+    }
+
+    boolean isBeforeStep() {
+        return processor.phase() == Phase.BEFORE_STEP;
+    }
 }

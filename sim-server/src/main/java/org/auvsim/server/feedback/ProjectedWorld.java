@@ -6,6 +6,7 @@ import org.auvsim.core.world.World;
 
 import java.util.Collections;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 
 /**
@@ -14,9 +15,11 @@ import java.util.TreeMap;
  */
 public final class ProjectedWorld {
     private final double time;
+    private final World copy;
     private final Map<Long, MovementState> states = new TreeMap<>();
 
     private ProjectedWorld(World copy) {
+        this.copy = copy;
         time = copy.time();
         for (WorldObject object : copy.objects()) {
             if (!object.isFixed()) {
@@ -40,5 +43,10 @@ public final class ProjectedWorld {
     /** The states of all objects that can move, by id, in order. */
     public Map<Long, MovementState> states() {
         return Collections.unmodifiableMap(states);
+    }
+
+    /** How an object will move then; empty if it will have left the world. */
+    Optional<RigidMotion> motion(long objectId) {
+        return copy.find(objectId).map(_ -> RigidMotion.of(copy.object(objectId)));
     }
 }

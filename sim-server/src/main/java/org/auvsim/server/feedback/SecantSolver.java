@@ -4,28 +4,42 @@ import java.util.Optional;
 import java.util.function.Function;
 
 /**
- * Solves n equations for n unknowns by Broyden's method (C. G. Broyden, Math. Comp. 19, 1965), with
- * steps that are halved until they bring something. The equations must be scaled so that an unknown
- * changes its own equation about as much as itself, and the others little.
+ * Solves n equations for n unknowns by Newton's method with steps that are halved until they bring
+ * something. Its Jacobian starts as the identity and learns from each step (C. G. Broyden, Math.
+ * Comp. 19, 1965); where that no longer brings anything, it is measured anew by differences. The
+ * equations must be scaled so that an unknown changes its own equation about as much as itself.
  */
 final class SecantSolver {
-    /** The size of the residual (m) that counts as none. */
+    /** The size of the residual that counts as none. */
     static final double TOLERANCE = 1e-9;
 
     private static final int MOST_STEPS = 30;
     private static final int MOST_HALVINGS = 10;
 
+    /** By how much an unknown is changed to measure what it does. */
+    private static final double DIFFERENCE = 1e-6;
+
     private final Function<double[], Optional<double[]>> residual;
-    private final double[][] inverse;
+    private Matrix inverse;
+    private boolean isMeasured;
     private double[] at;
     private double[] missed;
 
+    /**
+     * What was found.
+     *
+     * @param at the unknowns
+     * @param missed size of the residual there; infinite if nothing could be tried
+     */
+    record Solution(double[] at, double missed) {
+        boolean isExact() {
+            return missed <= TOLERANCE;
+        }
+    }
+
     private SecantSolver(Function<double[], Optional<double[]>> residual, int n) {
         this.residual = residual;
-        this.inverse = new double[n][n];
-        for (int i = 0; i < n; i++) {
-            inverse[i][i] = 1;
-        }
+        inverse = Matrix.identity(n);
         at = new double[n];
         missed = residual.apply(at).orElseGet(() -> new double[] {Double.POSITIVE_INFINITY});
     }
@@ -35,13 +49,15 @@ final class SecantSolver {
      *
      * @param residual empty where there is none
      */
-    static double[] solve(Function<double[], Optional<double[]>> residual, int unknowns) {
+    static Solution solve(Function<double[], Optional<double[]>> residual, int unknowns) {
         SecantSolver solver = new SecantSolver(residual, unknowns);
         int steps = 0;
-        while (steps < MOST_STEPS && solver.isBeside() && solver.step()) {
+        while (steps < MOST_STEPS
+                && solver.isBeside()
+                && (solver.step() || solver.measure() && solver.step())) {
             steps++;
         }
-        return solver.at;
+        return new Solution(solver.at, norm(solver.missed));
     }
 
     private boolean isBeside() {
@@ -51,7 +67,7 @@ final class SecantSolver {
 
     /** One step; false if none in this direction brings anything. */
     private boolean step() {
-        double[] full = times(inverse, missed);
+        double[] full = inverse.times(missed);
         double share = 1;
         for (int halvings = 0; halvings <= MOST_HALVINGS; halvings++) {
             double[] change = scaled(full, -share);
@@ -62,6 +78,7 @@ final class SecantSolver {
                 if (norm(there.get()) < norm(missed)) {
                     at = to;
                     missed = there.get();
+                    isMeasured = false;
                     return true;
                 }
             }
@@ -72,31 +89,38 @@ final class SecantSolver {
 
     /** Broyden's update of the inverse Jacobian, in Sherman and Morrison's form. */
     private void learn(double[] change, double[] answer) {
-        int n = change.length;
-        double[] predicted = times(inverse, answer);
-        double[] row = new double[n];
-        for (int j = 0; j < n; j++) {
-            for (int i = 0; i < n; i++) {
-                row[j] += change[i] * inverse[i][j];
-            }
-        }
+        double[] predicted = inverse.times(answer);
         double scale = dot(change, predicted);
         if (Math.abs(scale) < 0.1 * dot(change, change)) {
             return; // an answer that says too little, as a jump at a collision
         }
-        for (int i = 0; i < n; i++) {
-            for (int j = 0; j < n; j++) {
-                inverse[i][j] += (change[i] - predicted[i]) * row[j] / scale;
-            }
-        }
+        double[] wrong = scaled(sum(change, scaled(predicted, -1)), 1 / scale);
+        Matrix row = Matrix.of(change, 1).times(inverse);
+        inverse = inverse.plus(Matrix.of(wrong, wrong.length).times(row));
     }
 
-    private static double[] times(double[][] matrix, double[] v) {
-        double[] product = new double[v.length];
-        for (int i = 0; i < v.length; i++) {
-            product[i] = dot(matrix[i], v);
+    /** Measures the Jacobian here; false if it was just measured here or cannot be inverted. */
+    private boolean measure() {
+        if (isMeasured) {
+            return false;
         }
-        return product;
+        isMeasured = true;
+        int n = at.length;
+        double[] jacobian = new double[n * n];
+        for (int j = 0; j < n; j++) {
+            double[] to = at.clone();
+            to[j] += DIFFERENCE;
+            Optional<double[]> there = residual.apply(to);
+            if (there.isEmpty()) {
+                return false;
+            }
+            for (int i = 0; i < n; i++) {
+                jacobian[n * i + j] = (there.get()[i] - missed[i]) / DIFFERENCE;
+            }
+        }
+        Optional<Matrix> inverted = Matrix.of(jacobian, n).inverse();
+        inverted.ifPresent(m -> inverse = m);
+        return inverted.isPresent();
     }
 
     private static double dot(double[] a, double[] b) {

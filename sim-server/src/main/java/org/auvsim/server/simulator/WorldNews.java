@@ -4,8 +4,6 @@ import org.auvsim.auvsml.message.command.EventType;
 import org.auvsim.auvsml.message.entity.EntityAddedMessage;
 import org.auvsim.auvsml.message.entity.EntityRemovedMessage;
 import org.auvsim.auvsml.message.entity.WorldObjectAddedMessage;
-import org.auvsim.auvsml.message.feedback.FeedbackAppliedNotification;
-import org.auvsim.auvsml.message.feedback.OverlappedEntity;
 import org.auvsim.auvsml.message.movement.CollisionNotification;
 import org.auvsim.auvsml.message.movement.KinematicStateMessage;
 import org.auvsim.auvsml.message.movement.MovementStateChangeMessage;
@@ -222,14 +220,7 @@ final class WorldNews implements WorldListener {
                 EventType.FEEDBACK_APPLIED,
                 List.of(applied.objectId()),
                 applied.time(),
-                () ->
-                        new FeedbackAppliedNotification(
-                                applied.objectId(),
-                                applied.time(),
-                                applied.processor(),
-                                applied.errorBefore(),
-                                applied.errorAfter(),
-                                applied.overlaps().stream().map(OverlappedEntity::new).toList()));
+                applied::notification);
     }
 
     /** Tells that the step is over. */

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.auvsml.message.command.RefusedException;
-import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
@@ -60,8 +59,8 @@ class CorrectedStepTest {
                         "finished 0.05");
         assertThat(world.object(1).position()).isEqualTo(new Vec3(0, 3, 0));
         assertThat(world.object(1).linearMomentum().x()).isCloseTo(0.2, within(1e-12));
-        assertThat(step.applied.getFirst().errorBefore()).isCloseTo(3, within(1e-4));
-        assertThat(step.applied.getFirst().errorAfter()).isZero();
+        assertThat(step.errorBefore(0)).isCloseTo(3, within(1e-4));
+        assertThat(step.errorAfter(0)).isZero();
     }
 
     @Test
@@ -97,12 +96,10 @@ class CorrectedStepTest {
                     step.send(1, p.time() - 1e-7, DIRECT, new Vec3(0, 9, 0));
                 });
         step.advanceTimestep();
-        assertThat(step.applied)
-                .extracting(AppliedFeedback::errorBefore)
-                .satisfiesExactly(
-                        first -> assertThat(first).isCloseTo(9, within(1e-3)),
-                        second -> assertThat(second).isEqualTo(6),
-                        third -> assertThat(third).isEqualTo(1));
+        assertThat(step.applied).hasSize(3);
+        assertThat(step.errorBefore(0)).isCloseTo(9, within(1e-3));
+        assertThat(step.errorBefore(1)).isEqualTo(6);
+        assertThat(step.errorBefore(2)).isEqualTo(1);
         assertThat(world.object(1).position()).isEqualTo(new Vec3(0, 4, 0));
     }
 
@@ -133,7 +130,7 @@ class CorrectedStepTest {
                 .hasMessage(
                         "no feedback processor has the name 'Magic'; there are "
                                 + DIRECT
-                                + ", "
+                                + ", IgnoreFeedbackHandler, "
                                 + VECTOR);
     }
 
@@ -195,9 +192,9 @@ class CorrectedStepTest {
         }
 
         @Override
-        public void process(DifferentPositionFeedbackMessage feedback, Correction correction) {
+        public void process(Correction correction) {
             assertThat(correction.duration()).isLessThan(0.05);
-            correction.object().setPosition(correction.target());
+            correction.object().setPosition(correction.target().position().orElseThrow());
         }
     }
 

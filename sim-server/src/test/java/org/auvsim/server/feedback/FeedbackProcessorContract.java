@@ -67,7 +67,7 @@ public abstract class FeedbackProcessorContract {
         assertThat(world.object(1).position().distance(measured)).isLessThanOrEqualTo(accuracy());
         assertThat(step.applied).hasSize(1);
         assertThat(step.applied.getFirst().processor()).isEqualTo(processor().name());
-        assertThat(step.applied.getFirst().errorAfter()).isLessThanOrEqualTo(accuracy());
+        assertThat(step.errorAfter(0)).isLessThanOrEqualTo(accuracy());
     }
 
     @Test

@@ -3,7 +3,6 @@ package org.auvsim.server.feedback;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -22,8 +21,8 @@ class FeedbackProcessorsTest {
         }
 
         @Override
-        public void process(DifferentPositionFeedbackMessage feedback, Correction correction) {
-            correction.object().setPosition(correction.target());
+        public void process(Correction correction) {
+            correction.object().setVelocity(correction.target().velocity().orElseThrow());
         }
     }
 

@@ -2,6 +2,7 @@ package org.auvsim.server.feedback;
 
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
+import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.world.World;
 
@@ -39,10 +40,21 @@ final class StepRecord implements FeedbackAudience, FeedbackSender {
 
     /** Sends that an object is at a position at a time. */
     void send(long objectId, double time, String handler, Vec3 actual) {
-        system.take(
-                this,
+        send(
                 new DifferentPositionFeedbackMessage(
                         objectId, time, handler, Vec3.ZERO, actual, Vec3.ZERO));
+    }
+
+    void send(FeedbackMessage message) {
+        system.take(this, message);
+    }
+
+    double errorBefore(int correction) {
+        return applied.get(correction).before().position().orElseThrow();
+    }
+
+    double errorAfter(int correction) {
+        return applied.get(correction).after().position().orElseThrow();
     }
 
     void advanceTimestep() {

@@ -4,13 +4,22 @@ import org.auvsim.auvsml.message.Message;
 import org.auvsim.core.description.Unit;
 
 import java.util.List;
+import java.util.OptionalDouble;
 
 /**
- * A feedback processor used a client's feedback.
+ * What a feedback processor made of a client's feedback. Errors are those against what was measured,
+ * each there if that part was: without the correction and with it.
  *
  * @param handlerName the processor
  * @param errorBefore distance of the object from the measured position before
  * @param errorAfter the same distance after
+ * @param angleErrorBefore angle to the measured orientation before
+ * @param angleErrorAfter the same angle after
+ * @param velocityErrorBefore difference to the measured velocity before
+ * @param velocityErrorAfter the same difference after
+ * @param angularVelocityErrorBefore difference to the measured angular velocity before
+ * @param angularVelocityErrorAfter the same difference after
+ * @param converged whether the processor reached what it aimed at
  * @param overlap what the object shares space with now: no collision is looked for when it is put
  *     somewhere
  */
@@ -18,7 +27,14 @@ public record FeedbackAppliedNotification(
         long worldObjectId,
         @Unit("s") double timestamp,
         String handlerName,
-        @Unit("m") double errorBefore,
-        @Unit("m") double errorAfter,
+        @Unit("m") OptionalDouble errorBefore,
+        @Unit("m") OptionalDouble errorAfter,
+        @Unit("rad") OptionalDouble angleErrorBefore,
+        @Unit("rad") OptionalDouble angleErrorAfter,
+        @Unit("m/s") OptionalDouble velocityErrorBefore,
+        @Unit("m/s") OptionalDouble velocityErrorAfter,
+        @Unit("rad/s") OptionalDouble angularVelocityErrorBefore,
+        @Unit("rad/s") OptionalDouble angularVelocityErrorAfter,
+        boolean converged,
         List<OverlappedEntity> overlap)
         implements Message {}

@@ -1,0 +1,68 @@
+package org.auvsim.core.math;
+
+/**
+ * The factor L of a symmetric, positive definite matrix M = L L^T (Golub &amp; Van Loan 2013,
+ * section 4.2); matrices are row by row in an array.
+ */
+public final class Cholesky {
+    /** A pivot below this share of its diagonal element is rounding. */
+    private static final double ROUNDING = 1e-13;
+
+    private final double[] factor;
+    private final int size;
+
+    /**
+     * Factorises a matrix, of which only the lower triangle is read.
+     *
+     * @param size number of rows and columns
+     * @throws IllegalArgumentException if it is not positive definite, naming the row that fails
+     */
+    public Cholesky(double[] matrix, int size) {
+        this.size = size;
+        factor = new double[size * size];
+        for (int i = 0; i < size; i++) {
+            for (int j = 0; j <= i; j++) {
+                double left = matrix[size * i + j] - rowProduct(i, j);
+                factor[size * i + j] =
+                        i == j
+                                ? Math.sqrt(positive(left, matrix[size * i + i], i))
+                                : left / factor[size * j + j];
+            }
+        }
+    }
+
+    private double rowProduct(int i, int j) {
+        double sum = 0;
+        for (int k = 0; k < j; k++) {
+            sum += factor[size * i + k] * factor[size * j + k];
+        }
+        return sum;
+    }
+
+    private static double positive(double pivot, double diagonal, int row) {
+        if (!(pivot > ROUNDING * Math.abs(diagonal)) || Double.isInfinite(pivot)) {
+            throw new IllegalArgumentException(
+                    "it is not positive definite: of %s on the diagonal of row %d, %s is left as pivot"
+                            .formatted(diagonal, row + 1, pivot));
+        }
+        return pivot;
+    }
+
+    /** The x for which M x = {@code b}. */
+    public double[] solve(double[] b) {
+        double[] x = b.clone();
+        for (int i = 0; i < size; i++) {
+            for (int k = 0; k < i; k++) {
+                x[i] -= factor[size * i + k] * x[k];
+            }
+            x[i] /= factor[(size + 1) * i];
+        }
+        for (int i = size - 1; i >= 0; i--) {
+            for (int k = i + 1; k < size; k++) {
+                x[i] -= factor[size * k + i] * x[k];
+            }
+            x[i] /= factor[(size + 1) * i];
+        }
+        return x;
+    }
+}

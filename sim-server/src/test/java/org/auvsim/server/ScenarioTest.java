@@ -31,6 +31,7 @@ class ScenarioTest {
                 stepping,
                 override.map(FeedbackProcessorChoice::new),
                 Optional.empty(),
+                Optional.empty(),
                 List.of(),
                 List.of(Tank.ball(1, "ship", 0, 0, 0)));
     }

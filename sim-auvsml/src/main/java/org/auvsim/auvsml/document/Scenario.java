@@ -24,6 +24,7 @@ import java.util.Optional;
  * @param stepper how a step is made
  * @param feedbackTimestepping when robots' feedback is taken
  * @param feedbackProcessor which processor uses it; empty: the one that each message names
+ * @param releasedObject what becomes of objects that clients let go; empty: all goes on
  * @param datum where the world is on Earth; needed by sensors that tell that
  * @param field what fills the whole world: currents, magnetic fields, temperatures
  * @param worldObject what moves, or does not
@@ -36,6 +37,7 @@ public record Scenario(
         @Default("event-stepper") Stepper stepper,
         @Default("asynchronous-feedback-timestepper") FeedbackTimestepping feedbackTimestepping,
         Optional<FeedbackProcessorChoice> feedbackProcessor,
+        Optional<ReleasedObject> releasedObject,
         Optional<Datum> datum,
         List<Field<?>> field,
         List<WorldObjectDefinition> worldObject) {
@@ -111,6 +113,7 @@ public record Scenario(
                 stepper,
                 feedbackTimestepping,
                 feedbackProcessor,
+                releasedObject,
                 datum,
                 fields,
                 worldObject);
@@ -129,6 +132,7 @@ public record Scenario(
                 stepper,
                 feedbackTimestepping,
                 feedbackProcessor,
+                releasedObject,
                 datum,
                 world.fields(),
                 world.objects().stream().map(WorldObject::presentDefinition).toList());

@@ -80,7 +80,7 @@ record ScalarCodec(Class<?> type, String expected, Reader reader, Writer writer)
 
     private static ScalarCodec ofEnum(Class<?> type) {
         List<?> constants = Arrays.asList(type.getEnumConstants());
-        List<String> names = constants.stream().map(c -> ((Enum<?>) c).name()).toList();
+        List<String> names = constants.stream().map(Object::toString).toList();
         return new ScalarCodec(
                 type,
                 names.size() < 10 ? "one of " + String.join(", ", names) : "a known name",
@@ -91,7 +91,7 @@ record ScalarCodec(Class<?> type, String expected, Reader reader, Writer writer)
                     }
                     return constants.get(i);
                 },
-                (value, out) -> out.append(((Enum<?>) value).name()));
+                (value, out) -> out.append(value));
     }
 
     /** The sentence for a text that {@link #reader} refuses. */

@@ -52,7 +52,7 @@ class ScenarioLoaderTest {
                 <client name="robot"/>
               </simple-fixed-time-feedback-timestepper>
               <feedback-processor override="VectorAdjustmentFeedbackHandler"/>
-              <uniform-current id="1" name="tide"><velocity x="0.3" y="0" z="0"/></uniform-current><datum latitude="36.6" longitude="-121.9" altitude="-5"/>
+              <released-object forces="brake" deceleration="0.2"/><uniform-current id="1" name="tide"><velocity x="0.3" y="0" z="0"/></uniform-current><datum latitude="36.6" longitude="-121.9" altitude="-5"/>
               <world-object id="47" name="Juggernaut" mass="30" restitution="0.5">
                 <box><size x="1.2" y="0.4" z="0.3"/></box>
                 <position x="1" y="2" z="-3"/>
@@ -88,6 +88,7 @@ class ScenarioLoaderTest {
                                 Optional.of(
                                         new FeedbackProcessorChoice(
                                                 "VectorAdjustmentFeedbackHandler")),
+                                Optional.of(new ReleasedObject(ReleasedForces.BRAKE, 0.2, 0.5)),
                                 Optional.of(new Datum(36.6, -121.9, -5)),
                                 List.of(new UniformCurrent(1, "tide", new Vec3(0.3, 0, 0))),
                                 List.of(

@@ -15,6 +15,7 @@ import org.auvsim.core.actuator.ThrustTable;
 import org.auvsim.core.actuator.ThrustTable.ThrustPoint;
 import org.auvsim.core.communication.AcousticModem;
 import org.auvsim.core.communication.Radio;
+import org.auvsim.core.effect.Brake;
 import org.auvsim.core.effect.Buoyancy;
 import org.auvsim.core.effect.CentralForce;
 import org.auvsim.core.effect.Damping;
@@ -98,6 +99,7 @@ class RefusedNumbersTest {
                 arguments("a mooring", new Mooring(X, X, 1, 1, 1)),
                 arguments("a tether", new Tether(1, X, X, 1, 1, 1)),
                 arguments("a pivot friction", new PivotFriction(1, 1, 1)),
+                arguments("a brake", new Brake(1, X, 1, 1)),
                 arguments("propulsor 'x'", SCREW),
                 arguments("fin 'x'", FIN),
                 arguments("battery 'x'", new Battery("x", 2, 1)),

@@ -1,5 +1,6 @@
 package org.auvsim.experiments.figures;
 
+import org.auvsim.core.effect.Brake;
 import org.auvsim.core.effect.Buoyancy;
 import org.auvsim.core.effect.CentralForce;
 import org.auvsim.core.effect.Damping;
@@ -45,6 +46,7 @@ final class EffectFigures {
                 derivatives(),
                 magnus(),
                 pivotFriction(),
+                brake(),
                 contactFriction(),
                 mooring(),
                 tether(),
@@ -202,6 +204,24 @@ final class EffectFigures {
                         .mount(new Pinned(Optional.of(new Vec3(0, 0, 1))))
                         .angularVelocity(0, 0, 5);
         return Trial.of(wheel).lasting(8).overTime(name, EffectFigures::yawRate);
+    }
+
+    private static Figure brake() {
+        return new Figure(
+                "brake",
+                "A ball of 10 kg that brakes from 2 m/s",
+                TIME,
+                "speed (m/s)",
+                List.of(
+                        braking("10 N", new Brake(10, Vec3.ZERO, 0.05, 0.05)),
+                        braking("5 N", new Brake(5, Vec3.ZERO, 0.05, 0.05)),
+                        braking("5 N, slip speed 1 m/s", new Brake(5, Vec3.ZERO, 1, 0.05))));
+    }
+
+    private static Series braking(String name, Brake brake) {
+        return Trial.of(Trial.ball(brake).velocity(2, 0, 0))
+                .lasting(6)
+                .overTime(name, body -> body.velocity().norm());
     }
 
     private static Figure mooring() {

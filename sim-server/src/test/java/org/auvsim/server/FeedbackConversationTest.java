@@ -163,6 +163,7 @@ class FeedbackConversationTest {
                 .contains(
                         "no feedback processor has the name 'Magic'; there are"
                                 + " DirectPositionChangeFeedbackHandler, IgnoreFeedbackHandler,"
+                                + " KalmanFilterFeedbackHandler,"
                                 + " VectorAdjustmentFeedbackHandler");
         client.send(feedback("0.1", "DirectPositionChangeFeedbackHandler", Vec3.ZERO));
         assertThat(client.next()).contains("feedback for 0.1 s is too early");

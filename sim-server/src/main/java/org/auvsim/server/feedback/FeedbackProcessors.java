@@ -28,6 +28,7 @@ public final class FeedbackProcessors {
         FeedbackProcessors processors = new FeedbackProcessors();
         processors.add(new DirectPositionChangeFeedbackHandler());
         processors.add(new VectorAdjustmentFeedbackHandler());
+        processors.add(new KalmanFilterFeedbackHandler());
         processors.add(new IgnoreFeedbackHandler());
         try {
             ServiceLoader.load(FeedbackProcessor.class, classes).forEach(processors::add);

@@ -16,6 +16,9 @@ import org.auvsim.core.math.Vec3;
  */
 public record RigidMotion(
         Vec3 position, Quat orientation, Vec3 velocity, Vec3 angularVelocity) {
+    /** How many numbers the error of a motion has. */
+    static final int SIZE = 12;
+
     /** That of an object now. */
     public static RigidMotion of(WorldObject object) {
         MovementState state = object.movementState();
@@ -60,5 +63,35 @@ public record RigidMotion(
                 Turns.of(turn.times(s)).times(a.orientation).normalized(),
                 duration > 0 ? slope.times(1 / duration) : b.velocity,
                 a.angularVelocity.times(1 - s).plus(b.angularVelocity.times(s)));
+    }
+
+    /**
+     * The motion that is off by an error: position (m), turn (rotation vector, rad), velocity (m/s)
+     * and angular velocity (rad/s), all in the world's axes.
+     *
+     * @param error twelve numbers
+     */
+    RigidMotion plus(double[] error) {
+        return new RigidMotion(
+                position.plus(vector(error, 0)),
+                Turns.of(vector(error, 3)).times(orientation).normalized(),
+                velocity.plus(vector(error, 6)),
+                angularVelocity.plus(vector(error, 9)));
+    }
+
+    /** The error by which this differs from another motion: twelve numbers. */
+    double[] minus(RigidMotion o) {
+        Vec3 way = position.minus(o.position);
+        Vec3 turn = Turns.between(o.orientation, orientation);
+        Vec3 v = velocity.minus(o.velocity);
+        Vec3 w = angularVelocity.minus(o.angularVelocity);
+        return new double[] {
+            way.x(), way.y(), way.z(), turn.x(), turn.y(), turn.z(),
+            v.x(), v.y(), v.z(), w.x(), w.y(), w.z()
+        };
+    }
+
+    private static Vec3 vector(double[] numbers, int from) {
+        return new Vec3(numbers[from], numbers[from + 1], numbers[from + 2]);
     }
 }

@@ -130,7 +130,7 @@ class CorrectedStepTest {
                 .hasMessage(
                         "no feedback processor has the name 'Magic'; there are "
                                 + DIRECT
-                                + ", IgnoreFeedbackHandler, "
+                                + ", IgnoreFeedbackHandler, KalmanFilterFeedbackHandler, "
                                 + VECTOR);
     }
 

@@ -2,15 +2,20 @@ package org.auvsim.server.feedback;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
+import org.auvsim.auvsml.message.feedback.DifferentStateFeedbackMessage;
+import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.core.entity.MovementState;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Sphere;
 import org.auvsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
 import java.time.Duration;
+import java.util.Optional;
 
 /**
  * What every feedback processor must do, a user's own too: subclass this in its test, name the
@@ -22,6 +27,8 @@ public abstract class FeedbackProcessorContract {
 
     /** How near (m) the object must come to where it was measured, in one step. */
     protected abstract double accuracy();
+
+    private static final double ROUNDING = 1e-12;
 
     private final Vec3 measured = new Vec3(0.06, -0.01, 0.02);
 
@@ -45,6 +52,13 @@ public abstract class FeedbackProcessorContract {
     }
 
     private StepRecord corrected(World world) {
+        return corrected(
+                world,
+                new DifferentPositionFeedbackMessage(
+                        1, 0.05, processor().name(), Vec3.ZERO, measured, Vec3.ZERO));
+    }
+
+    private StepRecord corrected(World world, FeedbackMessage message) {
         StepRecord step =
                 new StepRecord(
                         world,
@@ -53,7 +67,7 @@ public abstract class FeedbackProcessorContract {
         step.robot(
                 p -> {
                     if (p.time() < 0.06) {
-                        step.send(1, p.time(), processor().name(), measured);
+                        step.send(message);
                     }
                 });
         return step;
@@ -68,6 +82,39 @@ public abstract class FeedbackProcessorContract {
         assertThat(step.applied).hasSize(1);
         assertThat(step.applied.getFirst().processor()).isEqualTo(processor().name());
         assertThat(step.errorAfter(0)).isLessThanOrEqualTo(accuracy());
+    }
+
+    @Test
+    void bringsTheObjectToHowAllOfItsMotionWasMeasured() {
+        World world = world();
+        Vec3 velocity = new Vec3(1.1, 0.1, 0);
+        Vec3 spin = new Vec3(0.1, 0, 0.4);
+        Quat orientation = Quat.ofAxisAngle(new Vec3(1, 2, 3), 0.1);
+        StepRecord step =
+                corrected(
+                        world,
+                        new DifferentStateFeedbackMessage(
+                                1,
+                                0.05,
+                                processor().name(),
+                                Optional.empty(),
+                                Optional.of(measured),
+                                Optional.of(orientation),
+                                Optional.of(velocity),
+                                Optional.of(spin),
+                                Optional.empty()));
+        step.advanceTimestep();
+        double near = Math.max(accuracy(), ROUNDING);
+        RigidMotion motion = RigidMotion.of(world.object(1));
+        assertThat(motion.position().distance(measured)).isLessThanOrEqualTo(near);
+        assertThat(motion.velocity().distance(velocity)).isLessThanOrEqualTo(near / 0.025);
+        assertThat(motion.angularVelocity().distance(spin)).isLessThanOrEqualTo(near / 0.025);
+        Vec3 nose = new Vec3(1, 1, 1);
+        assertThat(motion.orientation().rotate(nose).distance(orientation.rotate(nose)))
+                .isLessThanOrEqualTo(2 * near);
+        MeasurementErrors errors = step.applied.getFirst().after();
+        assertThat(errors.angle().orElseThrow()).isLessThanOrEqualTo(near);
+        assertThat(step.applied.getFirst().converged()).isTrue();
     }
 
     @Test

@@ -1,5 +1,6 @@
 package org.auvsim.auvsml.recording;
 
+import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 
@@ -12,6 +13,7 @@ import org.auvsim.core.description.Unit;
  * @param timestamp the world's time
  * @param sessionId the client's session
  * @param peer where it was
+ * @param role what it might do
  */
 public record ClientCame(
         long step,
@@ -19,5 +21,6 @@ public record ClientCame(
         @Default("0") boolean duringStep,
         @Unit("s") double timestamp,
         long sessionId,
-        String peer)
+        String peer,
+        Role role)
         implements RecordedInput {}

@@ -5,6 +5,7 @@ import org.auvsim.auvsml.recording.Happened;
 import org.auvsim.auvsml.recording.RecordedInput;
 import org.auvsim.auvsml.recording.RecordingEnded;
 import org.auvsim.auvsml.recording.StateHash;
+import org.auvsim.auvsml.recording.StepFailed;
 
 import java.util.Optional;
 
@@ -38,6 +39,7 @@ final class EntryOrder {
             case RecordedInput input -> ofInput(input);
             case Happened happened -> ofNews(happened.revision(), happened);
             case StateHash hash -> ofNews(hash.revision(), hash);
+            case StepFailed failed -> ofNews(revision, failed);
             case RecordingEnded end -> ofNews(revision, end);
         };
     }

@@ -2,6 +2,7 @@ package org.auvsim.auvsml.message.movement;
 
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.MovementState;
 import org.auvsim.core.math.Mat3;
 import org.auvsim.core.math.Vec3;
 
@@ -21,4 +22,17 @@ public record MovementStateChangeMessage(
         Mat3 orientation,
         @Unit("kg m/s") Vec3 linearMomentum,
         @Unit("kg m^2/s") Vec3 angularMomentum)
-        implements Message {}
+        implements Message {
+    /** The message on a state of an object. */
+    public static MovementStateChangeMessage of(
+            double timestamp, long worldObjectId, boolean isProjectedState, MovementState state) {
+        return new MovementStateChangeMessage(
+                timestamp,
+                worldObjectId,
+                isProjectedState,
+                state.position(),
+                state.orientation().toMatrix(),
+                state.linearMomentum(),
+                state.angularMomentum());
+    }
+}

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static java.nio.charset.StandardCharsets.UTF_8;
 
 import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.recording.ClientCame;
 import org.auvsim.auvsml.recording.Entry;
 import org.auvsim.auvsml.recording.Happened;
@@ -140,7 +141,7 @@ class RecordingReaderTest {
                     """
                     version="1"    | version="2" | run.auvsml.gz:1:1: root element 1: the recording has the format's version 2, but this auvsim reads version 1; replay it with the auvsim that wrote it
                     <recording     | <recorded   | run.auvsml.gz:1:1: root element 1: expected the root element <recording>, but found <recorded> at recorded
-                    <client-came   | <client-met | run.auvsml.gz:7:1: root element 3: no entry of a recording has the name 'client-met'; there are client-came, client-sent, client-sent-unreadable, client-went, happened, recording-ended, state-hash, wait-timed-out
+                    <client-came   | <client-met | run.auvsml.gz:7:1: root element 3: no entry of a recording has the name 'client-met'; there are client-came, client-sent, client-sent-unreadable, client-went, happened, recording-ended, state-hash, step-failed, wait-timed-out
                     pause-sim      | pose-sim    | run.auvsml.gz:8:96: root element 4: unknown element 'pose-simulator-command'; the nearest known name is 'pause-simulator-command' at client-sent/pose-simulator-command
                     request-id="r0"| answer="r0" | run.auvsml.gz:8:80: root element 4: <client-sent> has no attribute 'answer'; the nearest known names are 'index', 'step' at client-sent@answer
                     hash="         | hash="x     | run.auvsml.gz:12:1: root element 8: a hash has 16 digits of 0-9 and a-f, but this is 'x
@@ -175,7 +176,7 @@ class RecordingReaderTest {
         List<Entry> more =
                 List.of(
                         new RecordingEnded(0, 3, "done"),
-                        new ClientCame(0, 0, false, 3, 1, "127.0.0.1:4000"));
+                        new ClientCame(0, 0, false, 3, 1, "127.0.0.1:4000", Role.ADMIN));
 
         assertThatThrownBy(() -> Recordings.rest(Recordings.reader(Recordings.written(more))))
                 .hasMessageEndingWith("nothing may follow the recording's end");

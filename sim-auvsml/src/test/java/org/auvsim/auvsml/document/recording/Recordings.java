@@ -8,6 +8,7 @@ import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.control.PauseSimulatorCommand;
 import org.auvsim.auvsml.message.movement.MovementStateChangeMessage;
 import org.auvsim.auvsml.recording.ClientCame;
@@ -19,6 +20,7 @@ import org.auvsim.auvsml.recording.Happened;
 import org.auvsim.auvsml.recording.Recording;
 import org.auvsim.auvsml.recording.RecordingEnded;
 import org.auvsim.auvsml.recording.StateHash;
+import org.auvsim.auvsml.recording.StepFailed;
 import org.auvsim.auvsml.recording.WaitTimedOut;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
@@ -51,7 +53,7 @@ final class Recordings {
     /** The entries of so many steps of 0.05 s, with random movements. */
     static List<Entry> entries(int steps, Random random) {
         List<Entry> entries = new ArrayList<>();
-        entries.add(new ClientCame(0, 0, false, 3, 1, "127.0.0.1:4000"));
+        entries.add(new ClientCame(0, 0, false, 3, 1, "127.0.0.1:4000", Role.ADMIN));
         for (int step = 0; step < steps; step++) {
             double time = 3 + 0.05 * step;
             entries.add(
@@ -81,6 +83,7 @@ final class Recordings {
             entries.add(new Happened(0, step + 1, after, List.of(movement(after, random))));
             entries.add(StateHash.of(0, step + 1, after, random.nextLong()));
         }
+        entries.add(new StepFailed(steps, 3 + 0.05 * steps));
         entries.add(new ClientWent(steps, 0, false, 3 + 0.05 * steps, 1));
         entries.add(new RecordingEnded(steps, 3 + 0.05 * steps, "the simulation has ended"));
         return entries;

@@ -6,10 +6,10 @@ import static java.util.Objects.requireNonNull;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
-import org.auvsim.cli.plot.TrajectoryPlot;
 import org.auvsim.cli.report.FileTrouble;
 import org.auvsim.cli.report.UserError;
 import org.auvsim.core.world.World;
+import org.auvsim.plot.TrajectoryPlot;
 import org.auvsim.server.lanes.ThreadLanes;
 
 import picocli.CommandLine.Command;

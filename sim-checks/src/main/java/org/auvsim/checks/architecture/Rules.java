@@ -31,9 +31,9 @@ final class Rules {
                         base,
                         List.of(
                                 Set.of("core"),
-                                Set.of("auvsml"),
+                                Set.of("auvsml", "plot"),
                                 Set.of("server"),
-                                Set.of("experiments"),
+                                Set.of("experiments", "junit"),
                                 Set.of("cli", "examples", "bench")))
                 .rule();
     }

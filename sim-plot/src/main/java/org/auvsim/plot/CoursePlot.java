@@ -1,12 +1,9 @@
-package org.auvsim.cli.plot;
+package org.auvsim.plot;
 
-import org.auvsim.core.entity.WorldObject;
-import org.auvsim.core.world.World;
-import org.auvsim.core.world.WorldEvent;
-import org.auvsim.core.world.WorldListener;
 import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
+import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.Styler;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
@@ -16,58 +13,40 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.DoubleSummaryStatistics;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 
-/**
- * Where the objects of a world go, from the time on at which it is made: paths, heights, speeds.
- */
-public final class TrajectoryPlot implements WorldListener {
-    private static final int MOST_OBJECTS = 10;
+/** Courses as charts below one another: the paths from above, heights and speeds by time. */
+public final class CoursePlot {
     private static final int WIDTH = 900;
     private static final int HEIGHT = 420;
 
     /** Breadth by height of the area that a chart leaves for its curves. */
     private static final double ASPECT = 1.9;
 
-    private final World world;
-    private final Map<Long, Course> courses = new LinkedHashMap<>();
+    private static final Color OF_MARKS = new Color(0xD1495B);
 
-    /** Watches what moves in a world; of many objects the first ten. */
-    public TrajectoryPlot(World world) {
-        this.world = world;
-        look();
+    private final List<Course> courses;
+    private final List<Mark> marks;
+
+    /** A point to look at, with what there is to see. */
+    public record Mark(String label, Course.Sample at) {}
+
+    /** A plot of courses, with points marked on them. */
+    public CoursePlot(Collection<Course> courses, List<Mark> marks) {
+        this.courses = List.copyOf(courses);
+        this.marks = List.copyOf(marks);
     }
 
-    @Override
-    public void happened(WorldEvent event) {
-        if (event instanceof WorldEvent.StepAdvanced) {
-            look();
-        }
-    }
-
-    private void look() {
-        for (WorldObject object : world.objects()) {
-            if (!object.isFixed()
-                    && (courses.size() < MOST_OBJECTS || courses.containsKey(object.id()))) {
-                courses.computeIfAbsent(object.id(), _ -> new Course(object.name()))
-                        .add(
-                                new Course.Sample(
-                                        world.time(), object.position(), object.velocity().norm()));
-            }
-        }
-    }
-
-    /** The path from above, height and speed by time, below one another. */
+    /** The charts as a PNG. */
     public byte[] png() throws IOException {
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
         List<XYChart> charts =
                 List.of(
                         fromAbove(),
                         byTime("Height", "z (m)", s -> s.position().z()),
                         byTime("Speed", "speed (m/s)", Course.Sample::speed));
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
         BitmapEncoder.saveBitmap(charts, charts.size(), 1, out, BitmapEncoder.BitmapFormat.PNG);
         return out.toByteArray();
     }
@@ -87,10 +66,45 @@ public final class TrajectoryPlot implements WorldListener {
 
     private void draw(
             XYChart chart, ToDoubleFunction<Course.Sample> x, ToDoubleFunction<Course.Sample> y) {
-        for (Course course : courses.values()) {
-            chart.addSeries(course.name(), course.values(x), course.values(y))
-                    .setMarker(SeriesMarkers.NONE);
+        for (Course course : courses) {
+            add(chart, course.name(), course.values(x), course.values(y))
+                    .forEach(line -> line.setMarker(SeriesMarkers.NONE));
         }
+        for (Mark mark : marks) {
+            double[] across = {x.applyAsDouble(mark.at())};
+            double[] up = {y.applyAsDouble(mark.at())};
+            add(chart, mark.label(), across, up).forEach(CoursePlot::highlight);
+        }
+    }
+
+    /** A series of the points that are known; none if none are. */
+    private static List<XYSeries> add(XYChart chart, String name, double[] x, double[] y) {
+        int[] known =
+                IntStream.range(0, x.length)
+                        .filter(i -> Double.isFinite(x[i]) && Double.isFinite(y[i]))
+                        .toArray();
+        if (known.length == 0) {
+            return List.of();
+        }
+        return List.of(
+                chart.addSeries(
+                        unique(name, chart),
+                        Arrays.stream(known).mapToDouble(i -> x[i]).toArray(),
+                        Arrays.stream(known).mapToDouble(i -> y[i]).toArray()));
+    }
+
+    /** One body may have left and another one of its name have come. */
+    private static String unique(String name, XYChart chart) {
+        Collection<XYSeries> drawn = chart.getSeriesCollection();
+        return drawn.stream().anyMatch(line -> line.getName().equals(name))
+                ? "%s (%d)".formatted(name, drawn.size() + 1)
+                : name;
+    }
+
+    private static void highlight(XYSeries mark) {
+        mark.setMarker(SeriesMarkers.CIRCLE);
+        mark.setMarkerColor(OF_MARKS);
+        mark.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
     }
 
     private void scaleEqually(XYChart chart) {
@@ -109,8 +123,8 @@ public final class TrajectoryPlot implements WorldListener {
 
     private DoubleSummaryStatistics all(ToDoubleFunction<Course.Sample> of) {
         DoubleSummaryStatistics all = new DoubleSummaryStatistics();
-        Collection<Course> drawn = courses.values();
-        drawn.forEach(course -> Arrays.stream(course.values(of)).forEach(all));
+        courses.forEach(course -> Arrays.stream(course.values(of)).forEach(all));
+        marks.forEach(mark -> all.accept(of.applyAsDouble(mark.at())));
         return all;
     }
 

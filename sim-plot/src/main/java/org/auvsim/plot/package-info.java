@@ -1,5 +1,5 @@
 /** Pictures of runs. */
 @NullMarked
-package org.auvsim.cli.plot;
+package org.auvsim.plot;
 
 import org.jspecify.annotations.NullMarked;

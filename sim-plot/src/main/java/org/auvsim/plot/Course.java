@@ -1,4 +1,4 @@
-package org.auvsim.cli.plot;
+package org.auvsim.plot;
 
 import org.auvsim.core.math.Vec3;
 
@@ -7,18 +7,19 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 
 /** Where an object has been; of a long run every second, fourth ... sample is kept. */
-final class Course {
+public final class Course {
     private static final int MOST_SAMPLES = 4000;
 
-    /** Time (s), position (m) and speed (m/s). */
-    record Sample(double time, Vec3 position, double speed) {}
+    /** Time (s), position (m) and speed (m/s), which is NaN where nobody knows it. */
+    public record Sample(double time, Vec3 position, double speed) {}
 
     private final String name;
     private List<Sample> samples = new ArrayList<>();
     private int stride = 1;
     private int seen;
 
-    Course(String name) {
+    /** An empty course; the name stands in the legend. */
+    public Course(String name) {
         this.name = name;
     }
 
@@ -26,7 +27,8 @@ final class Course {
         return name;
     }
 
-    void add(Sample sample) {
+    /** Goes on to a later time. */
+    public void add(Sample sample) {
         if (seen++ % stride != 0) {
             return;
         }

@@ -213,7 +213,7 @@ public final class SchemaWriter {
         out.attribute("base", "xs:string");
         for (Object constant : type.getEnumConstants()) {
             out.open("xs:enumeration");
-            out.attribute("value", ((Enum<?>) constant).name());
+            out.attribute("value", constant.toString());
             out.close("xs:enumeration");
         }
         out.close("xs:restriction");

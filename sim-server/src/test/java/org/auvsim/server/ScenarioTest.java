@@ -26,6 +26,7 @@ class ScenarioTest {
                 0,
                 false,
                 false,
+                0,
                 new TimeStep(0.05),
                 SnapshotStepper.standard(),
                 stepping,

@@ -1,9 +1,12 @@
 package org.auvsim.auvsml.document;
 
+import org.auvsim.auvsml.message.lockstep.WhenLate;
+import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Name;
 import org.auvsim.core.description.Unit;
 
 import java.util.List;
+import java.util.OptionalDouble;
 
 /**
  * Which of the server's feedback time-steppers a scenario asks for, and with what (thesis, section
@@ -37,6 +40,30 @@ public interface FeedbackTimestepping {
 
     /** Feedback is never awaited; what has arrived is applied between two steps. */
     record AsynchronousFeedbackTimestepper() implements FeedbackTimestepping {}
+
+    /**
+     * Each step is announced by its projected state, and made when each member has answered it.
+     *
+     * @param timeout real time to wait for the answers; by default for ever
+     * @param then what is done when it is over
+     */
+    record LockstepTimestepper(
+            @Unit("s") OptionalDouble timeout, @Default("wait") WhenLate then)
+            implements FeedbackTimestepping {
+        /**
+         * A checked choice.
+         *
+         * @throws IllegalArgumentException if the time is not above 0
+         */
+        public LockstepTimestepper {
+            if (timeout.isPresent() && !(timeout.getAsDouble() > 0)) {
+                throw new IllegalArgumentException(
+                        "the timeout of lock-step must be above 0 s, but is "
+                                + timeout.getAsDouble()
+                                + " s");
+            }
+        }
+    }
 
     /** A client that a step waits for. */
     record AwaitedClient(String name) {}

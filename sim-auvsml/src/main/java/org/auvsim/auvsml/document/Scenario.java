@@ -20,6 +20,8 @@ import java.util.Optional;
  * @param startTime the world's time at the beginning
  * @param boundingSpheres whether objects collide as their bounding spheres (thesis, section 5.1.2)
  * @param allowOverlaps whether objects may overlap at the beginning
+ * @param feedbackHorizon how far back feedback may be true that comes late; the steps since then
+ *     are made again with it
  * @param timeStep by how much a step moves time on
  * @param stepper how a step is made
  * @param feedbackTimestepping when robots' feedback is taken
@@ -33,6 +35,7 @@ public record Scenario(
         @Unit("s") @Default("0.0") double startTime,
         @Default("0") boolean boundingSpheres,
         @Default("0") boolean allowOverlaps,
+        @Unit("s") @Default("0.0") double feedbackHorizon,
         @Default("0.05") TimeStep timeStep,
         @Default("event-stepper") Stepper stepper,
         @Default("asynchronous-feedback-timestepper") FeedbackTimestepping feedbackTimestepping,
@@ -52,6 +55,11 @@ public record Scenario(
                     "a time step of %s s leaves the start time of %s s as it is; begin earlier, or"
                                     .formatted(timeStep.delta(), startTime)
                             + " take a longer step");
+        }
+        if (!(feedbackHorizon >= 0)) {
+            throw new IllegalArgumentException(
+                    "the feedback horizon must be 0 s or more, but is %s s"
+                            .formatted(feedbackHorizon));
         }
         field = List.copyOf(field);
         worldObject = List.copyOf(worldObject);
@@ -109,6 +117,7 @@ public record Scenario(
                 startTime,
                 boundingSpheres,
                 allowOverlaps,
+                feedbackHorizon,
                 timeStep,
                 stepper,
                 feedbackTimestepping,
@@ -128,6 +137,7 @@ public record Scenario(
                 world.time(),
                 boundingSpheres,
                 /* allowOverlaps= */ true,
+                feedbackHorizon,
                 timeStep,
                 stepper,
                 feedbackTimestepping,

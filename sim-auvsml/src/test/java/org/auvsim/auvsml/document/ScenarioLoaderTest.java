@@ -78,6 +78,7 @@ class ScenarioLoaderTest {
                                 1.5,
                                 false,
                                 false,
+                                0,
                                 new TimeStep(0.01),
                                 new SnapshotStepper(
                                         new MaximumSpeedRestricter(20),

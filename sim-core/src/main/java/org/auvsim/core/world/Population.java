@@ -85,6 +85,11 @@ final class Population {
         return nextId;
     }
 
+    /** Ids below this one are not given any more. */
+    void reserve(long id) {
+        nextId = Math.max(nextId, id);
+    }
+
     Optional<Entity> find(long id) {
         return Optional.ofNullable(byId.get(id));
     }

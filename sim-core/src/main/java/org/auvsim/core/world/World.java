@@ -29,17 +29,17 @@ import java.util.Optional;
  * equal, bit for bit.
  */
 public final class World {
-    private final Stepper stepper;
-    private final double timeStep;
-    private final Clock clock;
-    private final Population population;
-    private final Mechanics mechanics;
-    private final Consequences consequences;
     private final Announcements announcements = new Announcements();
-    private final Sensing sensing;
-    private final Optional<Datum> datum;
-    private final StepNews news;
-    private final Standstill standstill;
+    private Stepper stepper;
+    private double timeStep;
+    private Clock clock;
+    private Population population;
+    private Mechanics mechanics;
+    private Consequences consequences;
+    private Sensing sensing;
+    private Optional<Datum> datum;
+    private StepNews news;
+    private Standstill standstill;
 
     World(WorldBuilder builder) {
         stepper = builder.stepper;
@@ -78,6 +78,26 @@ public final class World {
      */
     public World copy() {
         return new World(this);
+    }
+
+    /**
+     * Becomes as another world is, bit for bit, time included: a copy of itself that was taken
+     * before, for example. Its listeners stay, and are told nothing; objects that were asked for
+     * before belong to it no longer. Ids that it has given are not given again.
+     */
+    public void restore(World other) {
+        long nextId = population.nextId();
+        stepper = other.stepper;
+        timeStep = other.timeStep;
+        clock = new Clock(other.clock);
+        population = new Population(other.population);
+        population.reserve(nextId);
+        mechanics = new Mechanics(other.mechanics, population);
+        consequences = new Consequences(this, population, mechanics, announcements);
+        datum = other.datum;
+        sensing = new Sensing(other.sensing, population, announcements);
+        news = new StepNews(population, mechanics.tally(), announcements);
+        standstill = new Standstill(other.standstill);
     }
 
     /** World time (s). */

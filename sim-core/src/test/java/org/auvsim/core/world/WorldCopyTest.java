@@ -75,6 +75,43 @@ class WorldCopyTest {
         assertThat(copy.entities()).hasSameSizeAs(original.entities());
     }
 
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = {5, 6})
+    void aRestoredWorldGoesOnAsTheFirstTime(long seed) {
+        World world = busy(seed);
+        while (world.time() < 1) {
+            world.advanceTimestep();
+        }
+        World then = world.copy();
+        List<Long> hashes = new ArrayList<>();
+        for (int step = 0; step < 100; step++) {
+            world.advanceTimestep();
+            hashes.add(world.stateHash());
+        }
+        world.remove(3);
+        world.restore(then);
+        assertThat(world.stateHash()).isEqualTo(then.stateHash());
+        for (long hash : hashes) {
+            world.advanceTimestep();
+            assertThat(world.stateHash()).isEqualTo(hash);
+        }
+    }
+
+    @Test
+    void aRestoredWorldKeepsItsListenersAndGivesNoIdTwice() {
+        World world = busy(1);
+        World then = world.copy();
+        long late = world.add(Balls.ball("Late").position(50, 0, 0).build()).id();
+        List<WorldEvent> heard = new ArrayList<>();
+        world.addListener(heard::add);
+        world.restore(then);
+        assertThat(heard).isEmpty();
+        assertThat(world.find(late)).isEmpty();
+        long later = world.add(Balls.ball("Later").position(50, 0, 0).build()).id();
+        assertThat(later).isGreaterThan(late);
+        assertThat(heard).hasSize(2);
+    }
+
     @Test
     void whatHappensToACopyDoesNotReachTheOriginal() {
         World original = busy(1);

@@ -2,6 +2,7 @@ package org.auvsim.server.feedback;
 
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.message.command.RefusedException;
+import org.auvsim.auvsml.message.lockstep.WhenLate;
 import org.auvsim.core.entity.MovementState;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.Wrench;
@@ -37,24 +38,26 @@ public final class CorrectedStep {
     private Optional<World> beginning = Optional.empty();
     private boolean made;
 
+    /** A step that takes at most {@code most} (s). */
     CorrectedStep(
             World world,
             FeedbackAudience audience,
             List<PendingFeedback> pending,
-            ProcessorMemory memory) {
+            ProcessorMemory memory,
+            double most) {
         this.world = world;
         this.audience = audience;
         this.pending = pending;
         this.memory = memory;
         this.start = world.time();
-        this.wanted = wanted();
+        this.wanted = wanted(most);
     }
 
     /**
      * The world's time step, or less: to the time of a feedback that the last step fell short of.
      */
-    private double wanted() {
-        double wanted = world.timeStep();
+    private double wanted(double most) {
+        double wanted = most;
         for (PendingFeedback feedback : pending) {
             double ahead = feedback.message().timestamp() - world.time();
             if (ahead > CorrectiveFeedbackSystem.SAME_TIME) {
@@ -90,6 +93,16 @@ public final class CorrectedStep {
      */
     public void awaitFeedback(Duration wait, List<String> clients) {
         audience.bringFeedback(wait, () -> !clients.isEmpty() && answered.containsAll(clients));
+    }
+
+    /**
+     * Waits until each member has answered.
+     *
+     * @param timeout how long, on the wall's clock; empty: for ever
+     * @param then what is done when that is over
+     */
+    public void awaitMembers(Optional<Duration> timeout, WhenLate then) {
+        audience.awaitMembers(timeout, then);
     }
 
     void answered(String client) {

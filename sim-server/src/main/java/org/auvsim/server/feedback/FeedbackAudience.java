@@ -1,6 +1,9 @@
 package org.auvsim.server.feedback;
 
+import org.auvsim.auvsml.message.lockstep.WhenLate;
+
 import java.time.Duration;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
 /** The world outside of a step: hears what happens in it and brings feedback. */
@@ -13,6 +16,15 @@ public interface FeedbackAudience {
      * there.
      */
     void bringFeedback(Duration wait, BooleanSupplier enough);
+
+    /**
+     * Waits until all members have answered: before the projection is shown, those who have joined
+     * since the last step; after it, all who were members then. Their feedback is brought, too.
+     *
+     * @param timeout how long, on the wall's clock; empty: for ever
+     * @param then what is done when that is over
+     */
+    void awaitMembers(Optional<Duration> timeout, WhenLate then);
 
     /** The world has made the step, as its listeners have heard. */
     void advanced();

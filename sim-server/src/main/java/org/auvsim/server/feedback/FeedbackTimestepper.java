@@ -9,4 +9,9 @@ public interface FeedbackTimestepper {
     default FeedbackTiming timing() {
         return FeedbackTiming.END_OF_STEP;
     }
+
+    /** Whether clients are members, whose messages are used in an order of their own. */
+    default boolean isLockstep() {
+        return false;
+    }
 }

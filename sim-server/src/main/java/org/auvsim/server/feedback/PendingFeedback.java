@@ -7,7 +7,7 @@ import org.auvsim.server.feedback.FeedbackProcessor.Phase;
 import java.util.Comparator;
 
 /** A feedback that was accepted and waits for its processor. */
-record PendingFeedback(
+public record PendingFeedback(
         FeedbackSender sender, FeedbackMessage message, FeedbackProcessor processor) {
     PendingFeedback {
         Domain.finite("feedback", "timestamp", message.timestamp(), "s");

@@ -23,6 +23,7 @@ public final class ClientSession {
 
     private final long id;
     private final String peer;
+    private volatile String name;
     private final Role role;
     private final AuvsmlWriter writer;
     private final Outbox outbox =
@@ -40,6 +41,7 @@ public final class ClientSession {
     public ClientSession(long id, String peer, Role role, AuvsmlWriter writer) {
         this.id = id;
         this.peer = peer;
+        this.name = "client " + id;
         this.role = role;
         this.writer = writer;
     }
@@ -59,9 +61,14 @@ public final class ClientSession {
         return role;
     }
 
-    /** What others may call the client, as {@code client 3}. */
+    /** What others may call the client: as it said hello, else as {@code client 3}. */
     public String name() {
-        return "client " + id;
+        return name;
+    }
+
+    /** The client has said what it is called. */
+    public void setName(String name) {
+        this.name = name;
     }
 
     /** Whether it has ended; what is sent to it then goes nowhere, and is not worth making. */

@@ -5,7 +5,6 @@ import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.framing.Incoming;
 import org.auvsim.auvsml.framing.RootDecoder;
 import org.auvsim.auvsml.message.command.Role;
-import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.auvsml.message.session.DisconnectedNotification;
 import org.auvsim.auvsml.xml.Limits;
 import org.auvsim.server.net.ClientSession;
@@ -20,7 +19,6 @@ import java.util.concurrent.atomic.AtomicLong;
 /** Where clients come in: brings what they do to the simulation thread. Runs on their threads. */
 final class Clients implements Reception {
     private final Mailbox mailbox;
-    private final Requests requests;
     private final RootDecoder decoder;
     private final AuvsmlWriter writer;
     private final Limits limits;
@@ -29,14 +27,8 @@ final class Clients implements Reception {
     private final Map<Long, ClientSession> open = new ConcurrentHashMap<>();
 
     Clients(
-            Mailbox mailbox,
-            Requests requests,
-            RootDecoder decoder,
-            AuvsmlWriter writer,
-            Limits limits,
-            Role role) {
+            Mailbox mailbox, RootDecoder decoder, AuvsmlWriter writer, Limits limits, Role role) {
         this.mailbox = mailbox;
-        this.requests = requests;
         this.decoder = decoder;
         this.writer = writer;
         this.limits = limits;
@@ -50,9 +42,10 @@ final class Clients implements Reception {
 
     @Override
     public Optional<ClientSession> admit(String peer) throws InterruptedException {
+        open.values().removeIf(ClientSession::isClosed);
         ClientSession session = new ClientSession(lastId.incrementAndGet(), peer, role, writer);
         open.put(session.id(), session);
-        if (mailbox.postRequest(() -> requests.begin(session))) {
+        if (mailbox.post(new Input.Came(session))) {
             return Optional.of(session);
         }
         open.remove(session.id());
@@ -62,31 +55,16 @@ final class Clients implements Reception {
     @Override
     public void received(ClientSession session, Incoming incoming) throws InterruptedException {
         switch (incoming) {
-            case Incoming.Request request -> received(session, request);
+            case Incoming.Request request -> mailbox.post(new Input.Sent(session, request));
             case Incoming.Rejected rejected ->
-                    mailbox.postRequest(() -> requests.refuse(session, rejected));
+                    mailbox.post(new Input.Unreadable(session, rejected));
             case Incoming.End _ -> left(session);
-        }
-    }
-
-    private void received(ClientSession session, Incoming.Request request)
-            throws InterruptedException {
-        if (request.messages().stream().allMatch(FeedbackMessage.class::isInstance)) {
-            mailbox.postFeedback(() -> requests.carryOut(session, request));
-        } else {
-            mailbox.postRequest(() -> requests.carryOut(session, request));
         }
     }
 
     @Override
     public void left(ClientSession session) throws InterruptedException {
-        boolean isSeen =
-                mailbox.postRequest(
-                        () -> {
-                            open.remove(session.id());
-                            requests.end(session);
-                        });
-        if (!isSeen) {
+        if (!mailbox.post(new Input.Went(session))) {
             session.close();
         }
     }

@@ -9,6 +9,7 @@ import org.auvsim.core.world.WorldListener;
 import org.auvsim.server.net.ClientSession;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 
 /** Which client controls which world object: the first that commands it or corrects it. */
@@ -53,6 +54,26 @@ final class ControlledObjects implements WorldListener {
     /** Takes from a client all that it holds. */
     void releaseAll(ClientSession client) {
         holders.values().removeIf(holder -> holder == client);
+    }
+
+    /** The ids of the objects that a client controls, in order. */
+    List<Long> of(ClientSession client) {
+        return holders.entrySet().stream()
+                .filter(entry -> entry.getValue() == client)
+                .map(Map.Entry::getKey)
+                .sorted()
+                .toList();
+    }
+
+    /** Who controls what now, by the object's id. */
+    Map<Long, ClientSession> holders() {
+        return Map.copyOf(holders);
+    }
+
+    /** Lets everything be controlled as it was before. */
+    void restore(Map<Long, ClientSession> former) {
+        holders.clear();
+        holders.putAll(former);
     }
 
     @Override

@@ -7,17 +7,15 @@ final class Lag {
     private static final long SHORTEST_SILENCE = 5_000_000_000L;
 
     private final Pace pace;
-    private final double timeStep;
     private double skipped;
     private OptionalLong lastTold = OptionalLong.empty();
 
-    Lag(Pace pace, double timeStep) {
+    Lag(Pace pace) {
         this.pace = pace;
-        this.timeStep = timeStep;
     }
 
     /** How many steps were skipped, if there are any and it is time to say so. */
-    OptionalLong skippedSteps(double worldTime) {
+    OptionalLong skippedSteps(double worldTime, double timeStep) {
         skipped += pace.skipWhatIsLost(worldTime);
         long now = pace.now();
         boolean saidJustNow = lastTold.isPresent() && now - lastTold.getAsLong() < SHORTEST_SILENCE;

@@ -9,41 +9,31 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
 /**
- * What other threads want done by the simulation thread. Feedback lies apart from requests, so that
- * a step can take the one and leave the other. Both are bounded: who brings too much has to wait.
+ * What other threads bring for the simulation thread to take, in order. It is bounded: who brings
+ * too much has to wait.
  */
-final class Mailbox {
+final class Mailbox implements InputSource {
     private final int capacity;
-    private final Queue<Runnable> requests = new ArrayDeque<>();
-    private final Queue<Runnable> feedback = new ArrayDeque<>();
+    private final Queue<Input> inputs = new ArrayDeque<>();
     private final ReentrantLock lock = new ReentrantLock(/* fair= */ true);
     private final Condition filled = lock.newCondition();
     private final Condition emptied = lock.newCondition();
     private boolean closed;
 
-    /** Takes so many requests, and as many feedbacks, at a time. */
+    /** Holds so many inputs at a time. */
     Mailbox(int capacity) {
         this.capacity = capacity;
     }
 
-    /** Brings a request; false if the mailbox is closed and nobody will see it. */
-    boolean postRequest(Runnable request) throws InterruptedException {
-        return post(requests, request);
-    }
-
-    /** Brings feedback; false if the mailbox is closed and nobody will see it. */
-    boolean postFeedback(Runnable taking) throws InterruptedException {
-        return post(feedback, taking);
-    }
-
-    private boolean post(Queue<Runnable> queue, Runnable task) throws InterruptedException {
+    /** Brings an input; false if the mailbox is closed and nobody will see it. */
+    boolean post(Input input) throws InterruptedException {
         lock.lockInterruptibly();
         try {
-            while (!closed && queue.size() >= capacity) {
+            while (!closed && inputs.size() >= capacity) {
                 emptied.await();
             }
             if (!closed) {
-                queue.add(task);
+                inputs.add(input);
                 filled.signal();
             }
             return !closed;
@@ -55,18 +45,16 @@ final class Mailbox {
     /**
      * Takes what is there, after waiting at most so long (ns) for something to be there.
      *
-     * @param most so many requests, and as many feedbacks, are taken; the others stay
+     * @param most so many are taken; the others stay
      */
-    List<Runnable> take(int most, long nanos) throws InterruptedException {
+    List<Input> take(int most, long nanos) throws InterruptedException {
         lock.lockInterruptibly();
         try {
-            long left = nanos;
-            while (requests.isEmpty() && feedback.isEmpty() && !closed && left > 0) {
-                left = filled.awaitNanos(left);
+            await(nanos);
+            List<Input> taken = new ArrayList<>();
+            for (int left = Math.min(most, inputs.size()); left > 0; left--) {
+                taken.add(inputs.remove());
             }
-            List<Runnable> taken = new ArrayList<>();
-            move(requests, most, taken);
-            move(feedback, most, taken);
             emptied.signalAll();
             return taken;
         } finally {
@@ -74,26 +62,15 @@ final class Mailbox {
         }
     }
 
-    private static void move(Queue<Runnable> from, int most, List<Runnable> to) {
-        for (int left = Math.min(most, from.size()); left > 0; left--) {
-            to.add(from.remove());
-        }
+    @Override
+    public Optional<Input> next(long nanos) throws InterruptedException {
+        return take(1, nanos).stream().findFirst();
     }
 
-    /**
-     * Takes the next feedback, after waiting at most so long (ns); requests stay where they are.
-     */
-    Optional<Runnable> takeFeedback(long nanos) throws InterruptedException {
-        lock.lockInterruptibly();
-        try {
-            long left = nanos;
-            while (feedback.isEmpty() && !closed && left > 0) {
-                left = filled.awaitNanos(left);
-            }
-            emptied.signalAll();
-            return Optional.ofNullable(feedback.poll());
-        } finally {
-            lock.unlock();
+    private void await(long nanos) throws InterruptedException {
+        long left = nanos;
+        while (inputs.isEmpty() && !closed && left > 0) {
+            left = filled.awaitNanos(left);
         }
     }
 
@@ -102,8 +79,7 @@ final class Mailbox {
         lock.lock();
         try {
             closed = true;
-            requests.clear();
-            feedback.clear();
+            inputs.clear();
             filled.signalAll();
             emptied.signalAll();
         } finally {
@@ -111,8 +87,8 @@ final class Mailbox {
         }
     }
 
-    /** Whether it is closed. */
-    boolean isClosed() {
+    @Override
+    public boolean isClosed() {
         lock.lock();
         try {
             return closed;

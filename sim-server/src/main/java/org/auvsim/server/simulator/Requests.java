@@ -3,24 +3,15 @@ package org.auvsim.server.simulator;
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.framing.Incoming;
 import org.auvsim.auvsml.message.Message;
-import org.auvsim.auvsml.message.command.ClientCommand;
 import org.auvsim.auvsml.message.command.Command;
 import org.auvsim.auvsml.message.command.RefusedException;
-import org.auvsim.auvsml.message.command.Role;
-import org.auvsim.auvsml.message.command.SimulatorCommand;
-import org.auvsim.auvsml.message.command.SimulatorControl;
-import org.auvsim.auvsml.message.command.SimulatorQuery;
-import org.auvsim.auvsml.message.command.WorldCommand;
-import org.auvsim.auvsml.message.command.WorldObjectCommand;
-import org.auvsim.auvsml.message.command.WorldQuery;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
+import org.auvsim.auvsml.message.lockstep.LateMember;
+import org.auvsim.auvsml.message.lockstep.LockstepTimeoutNotification;
 import org.auvsim.auvsml.message.session.CommandDoneResponse;
 import org.auvsim.auvsml.message.session.ErrorResponse;
 import org.auvsim.auvsml.message.session.WelcomeMessage;
-import org.auvsim.core.description.ElementName;
-import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldException;
-import org.auvsim.server.feedback.CorrectiveFeedbackSystem;
 import org.auvsim.server.net.ClientSession;
 import org.auvsim.server.net.Notifications;
 import org.slf4j.Logger;
@@ -32,40 +23,102 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
-import java.util.function.Supplier;
 
-/** Carries out what clients ask for, and answers. Belongs to the simulation thread. */
+/**
+ * Takes what clients send, has it carried out when it is its turn, and answers. Belongs to the
+ * simulation thread.
+ */
 final class Requests {
     private static final Logger LOG = LoggerFactory.getLogger(Requests.class);
     private static final String PROTOCOL_VERSION = "1";
 
-    private final World world;
+    /** So many commands may wait for the end of a step. */
+    private static final int MOST_WAITING = 4096;
+
     private final Notifications notifications;
-    private final ControlledObjects controlled;
-    private final CorrectiveFeedbackSystem feedback;
-    private final SimulatorControl simulator;
+    private final Members members;
+    private final Execution execution;
     private final String serverName;
 
-    /** Those who asked to leave, until they have got their answers. */
+    /** What waits for the end of the step that is under way, in order of its arrival. */
+    private final List<Runnable> waiting = new ArrayList<>();
+
+    /** Those who asked to leave, or have gone, until they have got their answers. */
     private final Set<ClientSession> leaving = new HashSet<>();
 
+    private boolean stepIsUnderWay;
+
     Requests(
-            World world,
             Notifications notifications,
-            ControlledObjects controlled,
-            CorrectiveFeedbackSystem feedback,
-            SimulatorControl simulator,
+            Members members,
+            Execution execution,
             String serverName) {
-        this.world = world;
         this.notifications = notifications;
-        this.controlled = controlled;
-        this.feedback = feedback;
-        this.simulator = simulator;
+        this.members = members;
+        this.execution = execution;
         this.serverName = serverName;
     }
 
-    /** A client has come. */
-    void begin(ClientSession session) {
+    /** Takes an input. */
+    void take(Input input) {
+        switch (input) {
+            case Input.Came came -> begin(came.session());
+            case Input.Sent sent -> take(sent.session(), sent.request());
+            case Input.Unreadable unreadable ->
+                    refuse(unreadable.session(), unreadable.rejected());
+            case Input.Went went -> leave(went.session());
+            case Input.TimedOut _ -> timedOut();
+            case Input.Asked asked -> betweenSteps(asked.question());
+        }
+        notifications.flush();
+    }
+
+    private void betweenSteps(Runnable action) {
+        if (stepIsUnderWay) {
+            waiting.add(action);
+        } else {
+            action.run();
+        }
+    }
+
+    /** From now on, what decides how the world goes on waits. */
+    void stepBegins() {
+        stepIsUnderWay = true;
+    }
+
+    /** What has waited is carried out: answers of members first. */
+    void stepEnds(List<Held> answers) {
+        stepIsUnderWay = false;
+        answers.forEach(this::carryOut);
+        List<Runnable> now = List.copyOf(waiting);
+        waiting.clear();
+        now.forEach(Runnable::run);
+        notifications.flush();
+    }
+
+    /** Members have not answered in time. */
+    private void timedOut() {
+        List<ClientSession> missing = members.missing();
+        notifications.toAll(
+                new LockstepTimeoutNotification(
+                        members.step(),
+                        members.whenLate(),
+                        missing.stream().map(late -> new LateMember(late.name())).toList()));
+        switch (members.whenLate()) {
+            case WAIT -> {
+                // until the next time
+            }
+            case GO_ON -> members.skipMissing();
+            case RELEASE -> missing.forEach(this::release);
+        }
+    }
+
+    private void release(ClientSession late) {
+        members.leave(late);
+        betweenSteps(() -> execution.release(late));
+    }
+
+    private void begin(ClientSession session) {
         LOG.info("{} has come", session);
         notifications.add(session);
         session.send(
@@ -73,57 +126,141 @@ final class Requests {
                         PROTOCOL_VERSION, serverName, session.id(), session.role().roleName()));
     }
 
-    /** A client goes; what it controls is free again. */
-    void end(ClientSession session) {
-        if (notifications.sessions().contains(session)) {
-            LOG.info("{} has gone", session);
+    /** A client goes, after what it has sent is carried out; what it controls is free again. */
+    private void leave(ClientSession session) {
+        if (notifications.sessions().contains(session) && leaving.add(session)) {
+            members.leave(session);
+            betweenSteps(() -> end(session));
         }
-        controlled.releaseAll(session);
+    }
+
+    private void end(ClientSession session) {
+        LOG.info("{} has gone", session);
+        leaving.remove(session);
+        execution.release(session);
         session.close();
         notifications.remove(session);
     }
 
-    /** Carries out the messages of one root element and answers them in one; each is on its own. */
-    void carryOut(ClientSession session, Incoming.Request request) {
+    /** Takes the messages of one root element; those that run now are answered in one. */
+    private void take(ClientSession session, Incoming.Request request) {
         List<Message> answers = new ArrayList<>();
         for (Message message : request.messages()) {
-            if (isOpen(session)) {
-                answer(session, message, request.requestId().isPresent()).ifPresent(answers::add);
+            if (isHeard(session)) {
+                Held held = new Held(session, request.requestId(), message);
+                answer(held, () -> takeOrHold(held)).ifPresent(answers::add);
             }
         }
-        if (!answers.isEmpty() && !session.isClosed()) {
-            session.send(request.requestId(), answers);
+        send(session, request.requestId(), answers);
+        if (execution.endsSession(session)) {
+            leave(session);
         }
-        if (leaving.remove(session)) {
-            end(session);
-        }
-        notifications.flush();
     }
 
-    /** Answers what could not be read. */
-    void refuse(ClientSession session, Incoming.Rejected rejected) {
-        if (isOpen(session)) {
+    private boolean isHeard(ClientSession session) {
+        return notifications.sessions().contains(session) && !leaving.contains(session);
+    }
+
+    private void refuse(ClientSession session, Incoming.Rejected rejected) {
+        if (isHeard(session)) {
             session.send(rejected.requestId(), List.of(ErrorResponse.of(rejected.fault())));
         }
     }
 
-    private boolean isOpen(ClientSession session) {
-        return notifications.sessions().contains(session)
-                && !leaving.contains(session)
-                && !session.isClosed();
+    /** What has to wait is kept; what has not is carried out. */
+    private Outcome takeOrHold(Held held) {
+        execution.requireAllowed(held);
+        Optional<Member> member = members.of(held.session());
+        if (member.isPresent() && decidesCourse(held.message())) {
+            execution.hold(member.get(), held);
+            return new Outcome.Waits();
+        }
+        if (stepIsUnderWay && actsBetweenSteps(held.message())) {
+            requireRoom();
+            waiting.add(() -> carryOut(held));
+            return new Outcome.Waits();
+        }
+        return new Outcome.Done(execution.execute(held));
     }
 
-    private Optional<Message> answer(ClientSession session, Message message, boolean always) {
+    private void requireRoom() {
+        if (waiting.size() >= MOST_WAITING) {
+            throw new RefusedException(
+                    ErrorCode.REFUSED,
+                    "more than %d commands wait for the end of this step; send it again later"
+                            .formatted(MOST_WAITING));
+        }
+    }
+
+    private static boolean decidesCourse(Message message) {
+        return message instanceof FeedbackMessage || actsBetweenSteps(message);
+    }
+
+    private static boolean actsBetweenSteps(Message message) {
+        return message instanceof Command<?> command && command.actsBetweenSteps();
+    }
+
+    /** Carries out a message whose turn it is, and answers it. */
+    void carryOut(Held held) {
+        answer(held, () -> new Outcome.Done(execution.execute(held)))
+                .ifPresent(answer -> send(held.session(), held.requestId(), List.of(answer)));
+    }
+
+    /**
+     * Does again what was done before the past was corrected; who did it is told if it is refused
+     * now.
+     */
+    boolean isRefusedNow(Deed deed) {
         try {
-            Optional<Message> response = execute(session, message);
-            return response.isEmpty() && always ? Optional.of(new CommandDoneResponse()) : response;
+            deed.action().run();
+            return false;
+        } catch (RefusedException | WorldException | IllegalArgumentException e) {
+            deed.session()
+                    .send(
+                            error(
+                                    ErrorCode.REFUSED,
+                                    "%s, carried out before, is refused now that the past is corrected: %s"
+                                            .formatted(deed.name(), e.getMessage())));
+            return true;
+        }
+    }
+
+    private static void send(
+            ClientSession session, Optional<String> requestId, List<Message> answers) {
+        if (!answers.isEmpty() && !session.isClosed()) {
+            session.send(requestId, answers);
+        }
+    }
+
+    /** What became of a message. */
+    private sealed interface Outcome {
+        /** It waits for its turn, and is answered then. */
+        record Waits() implements Outcome {}
+
+        /** It is carried out. */
+        record Done(Optional<Message> response) implements Outcome {}
+    }
+
+    /** An action as it is tried. */
+    private interface Attempt {
+        Outcome make();
+    }
+
+    private Optional<Message> answer(Held held, Attempt attempt) {
+        try {
+            return switch (attempt.make()) {
+                case Outcome.Waits _ -> Optional.empty();
+                case Outcome.Done done when done.response().isPresent() -> done.response();
+                case Outcome.Done _ ->
+                        held.requestId().map(_ -> new CommandDoneResponse());
+            };
         } catch (RefusedException e) {
             return Optional.of(ErrorResponse.of(e));
         } catch (WorldException | IllegalArgumentException e) {
             return Optional.of(error(ErrorCode.INVALID_VALUE, String.valueOf(e.getMessage())));
         } catch (RuntimeException e) {
-            String name = message.getClass().getSimpleName();
-            LOG.error("{} of {} failed", name, session, e);
+            String name = held.message().getClass().getSimpleName();
+            LOG.error("{} of {} failed", name, held.session(), e);
             return Optional.of(
                     error(ErrorCode.REFUSED, name + " failed in the simulator; its log says why"));
         }
@@ -131,78 +268,5 @@ final class Requests {
 
     private static ErrorResponse error(ErrorCode code, String text) {
         return new ErrorResponse(code, text, OptionalInt.empty(), OptionalInt.empty());
-    }
-
-    private Optional<Message> execute(ClientSession session, Message message) {
-        return switch (message) {
-            case Command<?> command -> {
-                requireRole(session, command.role(), command);
-                yield execute(session, command);
-            }
-            case FeedbackMessage measured -> {
-                requireRole(session, Role.CONTROLLER, measured);
-                yield holding(session, measured.worldObjectId(), () -> take(session, measured));
-            }
-            default ->
-                    throw new RefusedException(
-                            ErrorCode.REFUSED,
-                            "%s is a message that only the simulator sends"
-                                    .formatted(message.getClass().getSimpleName()));
-        };
-    }
-
-    private static void requireRole(ClientSession session, Role needed, Message message) {
-        if (!session.role().allows(needed)) {
-            throw new RefusedException(
-                    ErrorCode.NOT_ALLOWED,
-                    "%s needs the role %s, but %s is a %s"
-                            .formatted(
-                                    ElementName.of(message.getClass()),
-                                    needed.roleName(),
-                                    session.name(),
-                                    session.role().roleName()));
-        }
-    }
-
-    private Optional<Message> take(ClientSession session, FeedbackMessage measured) {
-        feedback.take(new SessionSender(session), measured);
-        return Optional.empty();
-    }
-
-    private Optional<Message> execute(ClientSession session, Command<?> command) {
-        return switch (command) {
-            case ClientCommand c ->
-                    c.execute(
-                            new SessionPort(
-                                    session, world, controlled, () -> leaving.add(session)));
-            case SimulatorQuery q -> q.execute(simulator);
-            case SimulatorCommand c -> c.execute(simulator);
-            case WorldQuery q -> q.execute(new WorldPort(world));
-            case WorldCommand c -> c.execute(new WorldPort(world));
-            case WorldObjectCommand c ->
-                    holding(
-                            session,
-                            c.worldObjectId(),
-                            () ->
-                                    c.execute(
-                                            new WorldObjectPort(
-                                                    world, world.object(c.worldObjectId()))));
-        };
-    }
-
-    /** Does something to an object that the client holds or, if it succeeds, gets hold of. */
-    private Optional<Message> holding(
-            ClientSession session, long objectId, Supplier<Optional<Message>> action) {
-        boolean isNew = controlled.take(session, objectId);
-        boolean done = false;
-        try {
-            Optional<Message> response = action.get();
-            done = true;
-            return response;
-        } finally {
-            if (isNew && !done) {
-                controlled.release(session, objectId);
-            }
-        }
     }
 }

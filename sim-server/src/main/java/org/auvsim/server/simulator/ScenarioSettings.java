@@ -7,6 +7,7 @@ import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.core.step.Lanes;
 import org.auvsim.server.feedback.AsynchronousFeedbackTimestepper;
 import org.auvsim.server.feedback.FeedbackTimestepper;
+import org.auvsim.server.feedback.LockstepTimestepper;
 import org.auvsim.server.feedback.NoFeedbackTimestepper;
 import org.auvsim.server.feedback.SimpleFixedTimeFeedbackTimestepper;
 
@@ -19,7 +20,8 @@ final class ScenarioSettings {
     static SimulatorBuilder builder(Scenario scenario, Lanes lanes) {
         SimulatorBuilder builder =
                 new SimulatorBuilder(scenario.world(lanes))
-                        .timestepper(timestepper(scenario.feedbackTimestepping()));
+                        .timestepper(timestepper(scenario.feedbackTimestepping()))
+                        .feedbackHorizon(scenario.feedbackHorizon());
         scenario.feedbackProcessor()
                 .map(FeedbackProcessorChoice::override)
                 .ifPresent(builder::overrideProcessors);
@@ -32,9 +34,13 @@ final class ScenarioSettings {
             case FeedbackTimestepping.NoFeedbackTimestepper _ -> new NoFeedbackTimestepper();
             case FeedbackTimestepping.AsynchronousFeedbackTimestepper _ ->
                     new AsynchronousFeedbackTimestepper();
+            case FeedbackTimestepping.LockstepTimestepper lockstep ->
+                    new LockstepTimestepper(
+                            lockstep.timeout().stream().mapToObj(ScenarioSettings::duration).findFirst(),
+                            lockstep.then());
             case FeedbackTimestepping.SimpleFixedTimeFeedbackTimestepper simple ->
                     new SimpleFixedTimeFeedbackTimestepper(
-                            Duration.ofNanos((long) (simple.waiting() * 1e9)),
+                            duration(simple.waiting()),
                             simple.client().stream().map(AwaitedClient::name).toList());
             default ->
                     throw new IllegalArgumentException(
@@ -43,5 +49,9 @@ final class ScenarioSettings {
                                             choice.getClass().getSimpleName(),
                                             FeedbackTimestepper.class.getSimpleName()));
         };
+    }
+
+    private static Duration duration(double seconds) {
+        return Duration.ofNanos((long) (seconds * 1e9));
     }
 }

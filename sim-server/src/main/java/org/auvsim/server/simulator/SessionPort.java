@@ -10,9 +10,17 @@ import org.auvsim.core.world.World;
 import org.auvsim.server.net.ClientSession;
 
 import java.util.List;
+import java.util.function.LongConsumer;
+import java.util.function.ToLongFunction;
 
 /** One client's session as commands reach it. */
-record SessionPort(ClientSession session, World world, ControlledObjects controlled, Runnable end)
+record SessionPort(
+        ClientSession session,
+        World world,
+        ControlledObjects controlled,
+        ToLongFunction<String> join,
+        LongConsumer ready,
+        Runnable end)
         implements SessionControl {
     @Override
     public void register(List<ListenedObject> objects) {
@@ -69,6 +77,16 @@ record SessionPort(ClientSession session, World world, ControlledObjects control
                                     world.object(worldObjectId).name(),
                                     worldObjectId));
         }
+    }
+
+    @Override
+    public long join(String name) {
+        return join.applyAsLong(name);
+    }
+
+    @Override
+    public void ready(long step) {
+        ready.accept(step);
     }
 
     @Override

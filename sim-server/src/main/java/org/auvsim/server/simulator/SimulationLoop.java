@@ -8,8 +8,6 @@ import org.auvsim.auvsml.message.session.ErrorResponse;
 import org.auvsim.auvsml.message.session.LaggingNotification;
 import org.auvsim.auvsml.message.session.LaggingSide;
 import org.auvsim.core.world.World;
-import org.auvsim.server.feedback.CorrectiveFeedbackSystem;
-import org.auvsim.server.net.Notifications;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -28,29 +26,24 @@ final class SimulationLoop implements SimulatorControl {
 
     private final World world;
     private final Mailbox mailbox;
-    private final Notifications notifications;
     private final Pace pace;
     private final Lag lag;
-    private final CorrectiveFeedbackSystem feedback;
+    private final Simulation simulation;
     private final double until;
     private boolean running;
     private int stepsAsked;
-    private long steps;
 
     SimulationLoop(
-            World world,
+            SimulationSettings settings,
             Mailbox mailbox,
-            Notifications notifications,
             Pace pace,
-            CorrectiveFeedbackSystem feedback,
             boolean running,
             OptionalDouble until) {
-        this.world = world;
+        this.world = settings.world();
         this.mailbox = mailbox;
-        this.notifications = notifications;
         this.pace = pace;
-        this.lag = new Lag(pace, world.timeStep());
-        this.feedback = feedback;
+        this.lag = new Lag(pace);
+        this.simulation = new Simulation(settings, mailbox, this, pace::now);
         this.running = running;
         this.until = until.orElse(Double.POSITIVE_INFINITY) - ROUNDING;
     }
@@ -59,7 +52,7 @@ final class SimulationLoop implements SimulatorControl {
     void run() throws InterruptedException {
         pace.start(world.time());
         while (!mailbox.isClosed()) {
-            carryOut(mailbox.take(MOST_REQUESTS, nanosUntilStep()));
+            take(mailbox.take(MOST_REQUESTS, nanosUntilStep()));
             if (!mailbox.isClosed() && nanosUntilStep() <= 0) {
                 advanceTimestep();
                 tellLag();
@@ -74,21 +67,22 @@ final class SimulationLoop implements SimulatorControl {
         return running ? pace.nanosUntil(world.time()) : Long.MAX_VALUE;
     }
 
-    private void carryOut(List<Runnable> tasks) {
-        for (Runnable task : tasks) {
+    private void take(List<Input> inputs) {
+        for (Input input : inputs) {
             try {
-                task.run();
+                simulation.take(input);
             } catch (RuntimeException e) {
-                LOG.error("a request failed", e);
+                LOG.error("an input could not be taken", e);
             }
         }
     }
 
     private void advanceTimestep() {
         try {
-            feedback.advanceTimestep();
-            steps++;
+            simulation.advanceTimestep();
             stepsAsked = Math.max(0, stepsAsked - 1);
+        } catch (StepAbandonedException e) {
+            LOG.debug("the last step was not made: {}", e.getMessage());
         } catch (RuntimeException e) {
             standStill(e);
         }
@@ -106,19 +100,19 @@ final class SimulationLoop implements SimulatorControl {
                         .formatted(world.time(), why.getMessage());
         LOG.error(text);
         LOG.debug("the step failed here", why);
-        notifications.toAll(
+        simulation.notifications().toAll(
                 new ErrorResponse(
                         ErrorCode.STEP_FAILED, text, OptionalInt.empty(), OptionalInt.empty()));
     }
 
     private void tellLag() {
-        OptionalLong skipped = running ? lag.skippedSteps(world.time()) : OptionalLong.empty();
+        OptionalLong skipped = running ? lag.skippedSteps(world.time(), world.timeStep()) : OptionalLong.empty();
         if (skipped.isPresent()) {
             LOG.warn(
                     "too slow for {} times real time: {} steps skipped",
                     pace.rate().orElse(Double.POSITIVE_INFINITY),
                     skipped.getAsLong());
-            notifications.toAll(
+            simulation.notifications().toAll(
                     new LaggingNotification(LaggingSide.SIMULATOR, skipped.getAsLong()));
         }
     }
@@ -170,6 +164,10 @@ final class SimulationLoop implements SimulatorControl {
     @Override
     public SimulatorState state() {
         return new SimulatorState(
-                world.time(), running, pace.rate(), steps, notifications.sessions().size());
+                world.time(),
+                running,
+                pace.rate(),
+                simulation.steps(),
+                simulation.notifications().sessions().size());
     }
 }

@@ -119,7 +119,8 @@ public final class Simulator implements AutoCloseable {
     private <T> T onSimulationThread(Supplier<T> question) {
         CompletableFuture<T> answer = new CompletableFuture<>();
         try {
-            mailbox.postRequest(() -> answer.completeAsync(question, Runnable::run));
+            mailbox.post(
+                    new Input.Asked(() -> answer.completeAsync(question, Runnable::run)));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new IllegalStateException("interrupted before the simulator could answer", e);

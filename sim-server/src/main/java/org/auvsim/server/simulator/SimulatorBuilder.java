@@ -24,13 +24,15 @@ import java.util.function.LongSupplier;
 
 /** Collects what a simulator is made of; everything has a default. */
 public final class SimulatorBuilder {
-    /** So many requests, and as many feedbacks, may wait for the simulation thread. */
+    /** So many inputs may wait for the simulation thread. */
     private static final int MAILBOX_CAPACITY = 1024;
 
     private final World world;
     private final List<Transport> transports = new ArrayList<>();
     private final FeedbackProcessors processors = FeedbackProcessors.standard();
     private FeedbackTimestepper timestepper = new NoFeedbackTimestepper();
+    private final List<InputLog> logs = new ArrayList<>();
+    private double horizon;
     private OptionalDouble rate = OptionalDouble.of(1);
     private OptionalDouble until = OptionalDouble.empty();
     private Optional<String> override = Optional.empty();
@@ -60,6 +62,27 @@ public final class SimulatorBuilder {
     /** How steps are made and feedback comes into them; by default feedback is ignored. */
     public SimulatorBuilder timestepper(FeedbackTimestepper timestepper) {
         this.timestepper = timestepper;
+        return this;
+    }
+
+    /**
+     * How far back (s) feedback may be true that comes late: the steps since then are made again
+     * with it. By default 0, and it is refused.
+     *
+     * @throws IllegalArgumentException if it is negative or not finite
+     */
+    public SimulatorBuilder feedbackHorizon(double horizon) {
+        if (!(horizon >= 0 && Double.isFinite(horizon))) {
+            throw new IllegalArgumentException(
+                    "the feedback horizon must be 0 s or more, but is " + horizon + " s");
+        }
+        this.horizon = horizon;
+        return this;
+    }
+
+    /** Lets a log hear of all that decides how the simulation goes on. */
+    public SimulatorBuilder log(InputLog log) {
+        logs.add(log);
         return this;
     }
 
@@ -132,23 +155,12 @@ public final class SimulatorBuilder {
         AuvsmlWriter writer = new AuvsmlWriter(messages);
         Mailbox mailbox = new Mailbox(MAILBOX_CAPACITY);
         Pace pace = new Pace(rate, nanoClock);
-        Notifications notifications = new Notifications(writer);
-        WorldNews news = new WorldNews(world, notifications);
-        CorrectiveFeedbackSystem feedback =
-                new CorrectiveFeedbackSystem(
-                        world,
-                        timestepper,
-                        processors,
-                        new StepAudience(news, notifications, mailbox, pace));
-        ControlledObjects controlled = new ControlledObjects(world);
-        world.addListener(news);
-        world.addListener(controlled);
-        SimulationLoop loop =
-                new SimulationLoop(world, mailbox, notifications, pace, feedback, running, until);
-        Requests requests =
-                new Requests(world, notifications, controlled, feedback, loop, serverName);
+        SimulationSettings settings =
+                new SimulationSettings(
+                        world, timestepper, processors, horizon, writer, serverName, logs);
+        SimulationLoop loop = new SimulationLoop(settings, mailbox, pace, running, until);
         RootDecoder decoder = RootDecoder.strict(messages, limits);
-        Clients clients = new Clients(mailbox, requests, decoder, writer, limits, role);
+        Clients clients = new Clients(mailbox, decoder, writer, limits, role);
         return new Simulator(world, loop, mailbox, clients, transports).start();
     }
 

@@ -14,6 +14,7 @@ import org.auvsim.auvsml.message.radio.RadioMessage;
 import org.auvsim.auvsml.message.sensing.SensorReadingMessage;
 import org.auvsim.core.communication.TextMessage;
 import org.auvsim.core.entity.Contact;
+import org.auvsim.core.entity.Entity;
 import org.auvsim.core.entity.MovementState;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.step.Collision;
@@ -26,7 +27,9 @@ import org.auvsim.server.net.Notifications;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 
 /**
  * Turns what happens in the world into messages. Collisions, arrivals, departures and reports are
@@ -36,14 +39,66 @@ final class WorldNews implements WorldListener {
     private final World world;
     private final Notifications notifications;
     private final Map<Long, WorldEvent.Moved> moved = new TreeMap<>();
+    private boolean silent;
 
     WorldNews(World world, Notifications notifications) {
         this.world = world;
         this.notifications = notifications;
     }
 
+    /** Lets something happen of which nobody is told. */
+    void silently(Runnable what) {
+        silent = true;
+        try {
+            what.run();
+        } finally {
+            silent = false;
+        }
+    }
+
+    /** The ids of all entities. */
+    Set<Long> entityIds() {
+        return world.entities().stream().map(Entity::id).collect(Collectors.toSet());
+    }
+
+    /**
+     * Tells how the world is now that it has changed otherwise than by a step: which entities have
+     * come and gone, and where all objects are.
+     *
+     * @param known the ids of the entities that were there before
+     */
+    void present(Set<Long> known) {
+        double time = world.time();
+        known.stream()
+                .sorted()
+                .filter(id -> world.find(id).isEmpty())
+                .forEach(id -> tell(new WorldEvent.EntityRemoved(time, id)));
+        for (Entity entity : world.entities()) {
+            if (!known.contains(entity.id())) {
+                tell(new WorldEvent.EntityAdded(time, entity.id()));
+                if (entity instanceof WorldObject object) {
+                    tell(new WorldEvent.ObjectAdded(time, object.id(), object.position()));
+                }
+            }
+        }
+        for (WorldObject object : world.objects()) {
+            if (!object.isFixed()) {
+                moved(object.id());
+            }
+        }
+        finished();
+    }
+
+    /** Sends what was told since the last time. */
+    void flush() {
+        notifications.flush();
+    }
+
     @Override
     public void happened(WorldEvent event) {
+        if (silent) {
+            return;
+        }
         switch (event) {
             case WorldEvent.EntityAdded added -> tell(added);
             case WorldEvent.ObjectAdded added -> tell(added);

@@ -3,12 +3,14 @@ package org.auvsim.server.feedback;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
+import org.auvsim.auvsml.message.lockstep.WhenLate;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.world.World;
 
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
@@ -72,6 +74,11 @@ final class StepRecord implements FeedbackAudience, FeedbackSender {
     @Override
     public void bringFeedback(Duration wait, BooleanSupplier enough) {
         robot.accept(shown);
+    }
+
+    @Override
+    public void awaitMembers(Optional<Duration> timeout, WhenLate then) {
+        told.add("awaited members");
     }
 
     @Override

@@ -16,60 +16,67 @@ class MailboxTest {
     private final Mailbox mailbox = new Mailbox(2);
     private final List<String> done = new ArrayList<>();
 
-    private Runnable task(String name) {
-        return () -> done.add(name);
+    private Input task(String name) {
+        return new Input.Asked(() -> done.add(name));
+    }
+
+    private static void run(List<Input> inputs) {
+        for (Input input : inputs) {
+            ((Input.Asked) input).question().run();
+        }
     }
 
     @Test
-    void feedbackIsTakenWhileRequestsWait() throws InterruptedException {
-        mailbox.postRequest(task("request"));
-        mailbox.postFeedback(task("feedback"));
-        mailbox.takeFeedback(0).orElseThrow().run();
-        assertThat(mailbox.takeFeedback(0)).isEmpty();
-        mailbox.take(2, 0).forEach(Runnable::run);
-        assertThat(done).containsExactly("feedback", "request");
+    void oneIsTakenAtATimeByAStepThatWaits() throws InterruptedException {
+        mailbox.post(task("1"));
+        mailbox.post(task("2"));
+        run(List.of(mailbox.next(0).orElseThrow()));
+        assertThat(done).containsExactly("1");
+        run(List.of(mailbox.next(0).orElseThrow()));
+        assertThat(mailbox.next(0)).isEmpty();
+        assertThat(done).containsExactly("1", "2");
     }
 
     @Test
     void whoBringsTooMuchWaits() throws InterruptedException, ExecutionException {
-        mailbox.postRequest(task("1"));
-        mailbox.postRequest(task("2"));
+        mailbox.post(task("1"));
+        mailbox.post(task("2"));
         CountDownLatch begun = new CountDownLatch(1);
         FutureTask<Boolean> third =
                 new FutureTask<>(
                         () -> {
                             begun.countDown();
-                            return mailbox.postRequest(task("3"));
+                            return mailbox.post(task("3"));
                         });
         Thread.ofVirtual().start(third);
         begun.await();
         assertThat(third.isDone()).isFalse();
-        mailbox.take(2, 0).forEach(Runnable::run);
+        run(mailbox.take(2, 0));
         assertThat(third.get()).isTrue();
-        mailbox.take(2, Long.MAX_VALUE).forEach(Runnable::run);
+        run(mailbox.take(2, Long.MAX_VALUE));
         assertThat(done).containsExactly("1", "2", "3");
     }
 
     @Test
     void noMoreIsTakenThanAskedForAndTheRestStaysInOrder() throws InterruptedException {
-        mailbox.postRequest(task("1"));
-        mailbox.postRequest(task("2"));
-        mailbox.postFeedback(task("feedback"));
-        mailbox.take(1, 0).forEach(Runnable::run);
-        assertThat(done).containsExactly("1", "feedback");
-        mailbox.take(1, 0).forEach(Runnable::run);
-        assertThat(done).containsExactly("1", "feedback", "2");
+        Mailbox three = new Mailbox(3);
+        three.post(task("1"));
+        three.post(task("2"));
+        three.post(task("3"));
+        run(three.take(1, 0));
+        assertThat(done).containsExactly("1");
+        run(three.take(2, 0));
+        assertThat(done).containsExactly("1", "2", "3");
     }
 
     @Test
     void aClosedMailboxWakesWhoWaitsAndTakesNothing()
             throws InterruptedException, ExecutionException {
-        FutureTask<List<Runnable>> waiting =
+        FutureTask<List<Input>> waiting =
                 new FutureTask<>(() -> mailbox.take(2, Long.MAX_VALUE));
         Thread.ofVirtual().start(waiting);
         mailbox.close();
         assertThat(waiting.get()).isEmpty();
-        assertThat(mailbox.postRequest(task("late"))).isFalse();
-        assertThat(mailbox.postFeedback(task("late"))).isFalse();
+        assertThat(mailbox.post(task("late"))).isFalse();
     }
 }

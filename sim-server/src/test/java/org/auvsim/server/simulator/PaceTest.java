@@ -52,14 +52,14 @@ class PaceTest {
 
     @Test
     void lagIsToldOnceInAWhileAndAddsUp() {
-        Lag lag = new Lag(pace(1), 0.05);
-        assertThat(lag.skippedSteps(10)).isEmpty();
+        Lag lag = new Lag(pace(1));
+        assertThat(lag.skippedSteps(10, 0.05)).isEmpty();
         pass(1);
-        assertThat(lag.skippedSteps(10)).isEqualTo(OptionalLong.of(20));
+        assertThat(lag.skippedSteps(10, 0.05)).isEqualTo(OptionalLong.of(20));
         pass(1);
-        assertThat(lag.skippedSteps(10)).isEmpty();
+        assertThat(lag.skippedSteps(10, 0.05)).isEmpty();
         pass(4.5);
-        assertThat(lag.skippedSteps(10)).isEqualTo(OptionalLong.of(110));
+        assertThat(lag.skippedSteps(10, 0.05)).isEqualTo(OptionalLong.of(110));
     }
 
     @Test

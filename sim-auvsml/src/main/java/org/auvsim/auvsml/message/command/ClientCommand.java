@@ -6,4 +6,9 @@ public non-sealed interface ClientCommand extends Command<SessionControl> {
     default Role role() {
         return Role.VIEWER;
     }
+
+    @Override
+    default boolean actsBetweenSteps() {
+        return false;
+    }
 }

@@ -22,6 +22,12 @@ public sealed interface Command<P> extends Message
     Role role();
 
     /**
+     * Whether it decides how the world goes on: then it runs between two steps, and in lock-step in
+     * its turn. What does not, as a question, runs at any moment, also while a step waits.
+     */
+    boolean actsBetweenSteps();
+
+    /**
      * Does what the command is for.
      *
      * @return the response to its sender, if it has one of its own

@@ -33,6 +33,21 @@ public interface SessionControl {
      */
     void releaseControl(long worldObjectId);
 
+    /**
+     * Gives this client a name and, in lock-step, makes it a member.
+     *
+     * @return the number of the step that it has to answer first
+     * @throws RefusedException if another client has the name, or this one has another
+     */
+    long join(String name);
+
+    /**
+     * Takes the answer of this member to a step.
+     *
+     * @throws RefusedException if it is no member, or has to answer another step
+     */
+    void ready(long step);
+
     /** Ends the session when all that is on its way to the client is sent. */
     void disconnect();
 }

@@ -6,4 +6,9 @@ public non-sealed interface SimulatorCommand extends Command<SimulatorControl> {
     default Role role() {
         return Role.ADMIN;
     }
+
+    @Override
+    default boolean actsBetweenSteps() {
+        return false;
+    }
 }

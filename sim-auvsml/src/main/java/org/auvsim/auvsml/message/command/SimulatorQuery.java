@@ -6,4 +6,9 @@ public non-sealed interface SimulatorQuery extends Command<SimulatorView> {
     default Role role() {
         return Role.VIEWER;
     }
+
+    @Override
+    default boolean actsBetweenSteps() {
+        return false;
+    }
 }

@@ -6,4 +6,9 @@ public non-sealed interface WorldCommand extends Command<WorldControl> {
     default Role role() {
         return Role.ADMIN;
     }
+
+    @Override
+    default boolean actsBetweenSteps() {
+        return true;
+    }
 }

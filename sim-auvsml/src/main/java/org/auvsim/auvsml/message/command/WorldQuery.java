@@ -6,4 +6,9 @@ public non-sealed interface WorldQuery extends Command<WorldView> {
     default Role role() {
         return Role.VIEWER;
     }
+
+    @Override
+    default boolean actsBetweenSteps() {
+        return false;
+    }
 }

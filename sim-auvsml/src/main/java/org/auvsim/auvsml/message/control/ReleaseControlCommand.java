@@ -1,6 +1,7 @@
 package org.auvsim.auvsml.message.control;
 
 import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.WorldObjectMessage;
 import org.auvsim.auvsml.message.command.ClientCommand;
 import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.command.SessionControl;
@@ -8,10 +9,15 @@ import org.auvsim.auvsml.message.command.SessionControl;
 import java.util.Optional;
 
 /** Lets go of a world object, so that another client may control it. */
-public record ReleaseControlCommand(long worldObjectId) implements ClientCommand {
+public record ReleaseControlCommand(long worldObjectId) implements ClientCommand, WorldObjectMessage {
     @Override
     public Role role() {
         return Role.CONTROLLER;
+    }
+
+    @Override
+    public boolean actsBetweenSteps() {
+        return true;
     }
 
     @Override

@@ -1,6 +1,7 @@
 package org.auvsim.auvsml.message.control;
 
 import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.WorldObjectMessage;
 import org.auvsim.auvsml.message.command.ClientCommand;
 import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.command.SessionControl;
@@ -8,10 +9,15 @@ import org.auvsim.auvsml.message.command.SessionControl;
 import java.util.Optional;
 
 /** Makes the sender the one client that may move a world object. */
-public record TakeControlCommand(long worldObjectId) implements ClientCommand {
+public record TakeControlCommand(long worldObjectId) implements ClientCommand, WorldObjectMessage {
     @Override
     public Role role() {
         return Role.CONTROLLER;
+    }
+
+    @Override
+    public boolean actsBetweenSteps() {
+        return true;
     }
 
     @Override

@@ -1,12 +1,9 @@
 package org.auvsim.auvsml.message.feedback;
 
-import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.WorldObjectMessage;
 
 /** What a robot measured of itself, for the Corrective Feedback System (thesis, section 7.2). */
-public interface FeedbackMessage extends Message {
-    /** The id of the world object that stands for the robot. */
-    long worldObjectId();
-
+public interface FeedbackMessage extends WorldObjectMessage {
     /**
      * The world's time (s) for which the measurement holds: that of a projected movement, or one
      * within its step.

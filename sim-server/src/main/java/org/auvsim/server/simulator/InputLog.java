@@ -1,0 +1,16 @@
+package org.auvsim.server.simulator;
+
+/**
+ * Hears of all that decides the course of a simulation, in order and on the simulation thread,
+ * which it must not hold up: a recording is made of it.
+ */
+public interface InputLog {
+    /** An input is about to be taken. */
+    void taken(InputPlace place, Input input);
+
+    /** A step was begun and could not be made; the world is as it was before. */
+    void stepFailed(InputPlace place);
+
+    /** A step is over, and what came of it is told. */
+    void stepMade(StepMade step);
+}

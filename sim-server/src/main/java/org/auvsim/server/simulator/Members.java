@@ -1,0 +1,151 @@
+package org.auvsim.server.simulator;
+
+import org.auvsim.auvsml.ErrorCode;
+import org.auvsim.auvsml.message.command.RefusedException;
+import org.auvsim.auvsml.message.feedback.FeedbackMessage;
+import org.auvsim.auvsml.message.lockstep.WhenLate;
+import org.auvsim.server.net.ClientSession;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/**
+ * The clients that a simulation in lock-step goes on with, by name. What they send for a step waits
+ * until all have answered it, and is then used in an order that does not depend on its arrival.
+ */
+final class Members {
+    private static final Comparator<Held> ORDER =
+            Comparator.comparingLong(Held::objectId).thenComparing(held -> held.session().name());
+
+    private final Map<String, Member> byName = new TreeMap<>();
+    private final List<Held> ofThoseWhoLeft = new ArrayList<>();
+
+    /** The step that is under way, or was made last. */
+    private long step;
+
+    private WhenLate whenLate = WhenLate.WAIT;
+
+    /** Whether clients have been shown where that step will end. */
+    private boolean shown;
+
+    /** A step begins: whoever has joined before it was shown is to answer the one before first. */
+    void stepBegins(long number) {
+        shown = false;
+        step = number - 1;
+    }
+
+    /** Clients are shown where a step will end; those who are members now have to answer it. */
+    void stepShown(long number) {
+        shown = true;
+        step = number;
+    }
+
+    /** The step that is under way, or was made last. */
+    long step() {
+        return step;
+    }
+
+    /**
+     * Makes a client a member.
+     *
+     * @return the step that it has to answer first
+     */
+    long join(ClientSession session) {
+        return byName.computeIfAbsent(session.name(), _ -> new Member(session, step)).owes();
+    }
+
+    /** The member that a client is. */
+    Optional<Member> of(ClientSession session) {
+        return Optional.ofNullable(byName.get(session.name()))
+                .filter(member -> member.session() == session);
+    }
+
+    /**
+     * Takes a member's answer to a step.
+     *
+     * @throws RefusedException if the client is no member, or has to answer another step
+     */
+    void ready(ClientSession session, long answered) {
+        of(session)
+                .orElseThrow(
+                        () ->
+                                new RefusedException(
+                                        ErrorCode.REFUSED,
+                                        "%s is no member of a lock-step; say hello-command first"
+                                                .formatted(session.name())))
+                .ready(answered, step);
+    }
+
+    /** Those whose answer to the step that is under way is missing, in order of their names. */
+    List<ClientSession> missing() {
+        return late().stream().map(Member::session).toList();
+    }
+
+    private List<Member> late() {
+        return byName.values().stream()
+                .filter(member -> member.isDue(step, shown) && member.owes() <= step)
+                .toList();
+    }
+
+    /** Whether no answer to the step that is under way is missing. */
+    boolean haveAnswered() {
+        return late().isEmpty();
+    }
+
+    /** Goes on without the answers that are missing. */
+    void skipMissing() {
+        late().forEach(member -> member.skip(step));
+    }
+
+    /** What is done when answers are missing for too long. */
+    WhenLate whenLate() {
+        return whenLate;
+    }
+
+    /** Sets what is done when answers are missing for too long. */
+    void setWhenLate(WhenLate whenLate) {
+        this.whenLate = whenLate;
+    }
+
+    /** Ends a membership; what was sent up to the last answer is used yet, the rest is not. */
+    void leave(ClientSession session) {
+        of(session)
+                .ifPresent(
+                        member -> {
+                            byName.remove(session.name());
+                            ofThoseWhoLeft.addAll(member.takeAnswer());
+                        });
+    }
+
+    /** Ends all memberships, and gives back what was sent, in order. */
+    List<Held> dissolve() {
+        List<Held> all = new ArrayList<>(ofThoseWhoLeft);
+        ofThoseWhoLeft.clear();
+        byName.values().forEach(member -> all.addAll(member.takeAll()));
+        byName.clear();
+        all.sort(ORDER);
+        return all;
+    }
+
+    /** The feedback and, apart from it, the commands that belong to the steps answered, in order. */
+    Answers takeAnswers() {
+        List<Held> all = new ArrayList<>(ofThoseWhoLeft);
+        ofThoseWhoLeft.clear();
+        for (Member member : byName.values()) {
+            if (member.isDue(step, shown)) {
+                all.addAll(member.takeAnswer());
+            }
+        }
+        all.sort(ORDER);
+        return new Answers(
+                all.stream().filter(held -> held.message() instanceof FeedbackMessage).toList(),
+                all.stream().filter(held -> !(held.message() instanceof FeedbackMessage)).toList());
+    }
+
+    /** What members have sent for a step, each in the order in which it is used. */
+    record Answers(List<Held> feedback, List<Held> commands) {}
+}

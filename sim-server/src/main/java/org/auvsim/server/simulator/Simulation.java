@@ -1,0 +1,245 @@
+package org.auvsim.server.simulator;
+
+import static java.util.stream.Collectors.toSet;
+
+import org.auvsim.auvsml.message.command.SimulatorControl;
+import org.auvsim.auvsml.message.feedback.HistoryRevisedNotification;
+import org.auvsim.core.world.World;
+import org.auvsim.server.feedback.AppliedFeedback;
+import org.auvsim.server.feedback.CorrectiveFeedbackSystem;
+import org.auvsim.server.feedback.PastStep;
+import org.auvsim.server.feedback.PendingFeedback;
+import org.auvsim.server.net.Notifications;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.function.LongSupplier;
+
+/**
+ * A world with its clients, without a clock: all that happens follows from the inputs that it
+ * takes and from the steps that it is told to make. Whoever gives the same inputs at the same
+ * places, as a recording does, gets the same simulation, bit for bit.
+ */
+final class Simulation {
+    private final World world;
+    private final Notifications notifications;
+    private final WorldNews news;
+    private final ControlledObjects controlled;
+    private final Members members = new Members();
+    private final History history;
+    private final CorrectiveFeedbackSystem feedback;
+    private final Requests requests;
+    private final List<InputLog> logs;
+
+    /** Commands of members that are carried out when the step that is under way is made. */
+    private final List<Held> answers = new ArrayList<>();
+
+    private long steps;
+    private int inputs;
+    private int revision;
+    private boolean stepIsUnderWay;
+
+    /**
+     * A simulation at its beginning.
+     *
+     * @param source where a step that waits gets inputs from
+     * @param control what commands to the simulator reach
+     * @param nanoClock by which steps wait (ns)
+     */
+    Simulation(
+            SimulationSettings settings,
+            InputSource source,
+            SimulatorControl control,
+            LongSupplier nanoClock) {
+        world = settings.world();
+        logs = settings.logs();
+        notifications = new Notifications(settings.writer());
+        news = new WorldNews(world, notifications);
+        controlled = new ControlledObjects(world);
+        history = new History(settings.horizon());
+        feedback =
+                new CorrectiveFeedbackSystem(
+                        world,
+                        settings.timestepper(),
+                        settings.processors(),
+                        new StepAudience(this, source, nanoClock, news));
+        requests =
+                new Requests(
+                        notifications,
+                        members,
+                        new Execution(
+                                world,
+                                controlled,
+                                feedback,
+                                members,
+                                history,
+                                notifications,
+                                control),
+                        settings.serverName());
+        world.addListener(news);
+        world.addListener(controlled);
+    }
+
+    World world() {
+        return world;
+    }
+
+    Notifications notifications() {
+        return notifications;
+    }
+
+    Members members() {
+        return members;
+    }
+
+    /** Number of steps made. */
+    long steps() {
+        return steps;
+    }
+
+    /** Takes an input. */
+    void take(Input input) {
+        InputPlace place = place();
+        logs.forEach(log -> log.taken(place, input));
+        inputs++;
+        requests.take(input);
+    }
+
+    private InputPlace place() {
+        return new InputPlace(steps, inputs, stepIsUnderWay, world.time());
+    }
+
+    /**
+     * Makes a step, after the past is corrected if late feedback asks for that.
+     *
+     * @throws RuntimeException if the world cannot make it
+     */
+    void advanceTimestep() {
+        reviseHistory();
+        stepIsUnderWay = true;
+        requests.stepBegins();
+        members.stepBegins(steps + 1);
+        boolean made = false;
+        try {
+            makeStep();
+            made = true;
+        } finally {
+            stepIsUnderWay = false;
+            if (made) {
+                stepIsMade();
+            } else {
+                InputPlace place = place();
+                logs.forEach(log -> log.stepFailed(place));
+            }
+            List<Held> now = List.copyOf(answers);
+            answers.clear();
+            requests.stepEnds(now);
+        }
+    }
+
+    private void makeStep() {
+        if (!history.isKept()) {
+            feedback.advanceTimestep();
+            return;
+        }
+        double wanted = world.timeStep();
+        double start = world.time();
+        SimulationState before = state();
+        feedback.advanceTimestep();
+        history.add(before, new PastStep(start, wanted, world.time()), feedback.takenInStep());
+        feedback.reachBackTo(history.reachesBackTo());
+    }
+
+    private void stepIsMade() {
+        steps++;
+        inputs = 0;
+        logs.forEach(log -> log.stepMade(new StepMade(revision, steps, world)));
+    }
+
+    /** Clients are shown where the step will end. */
+    void shown() {
+        members.stepShown(steps + 1);
+    }
+
+    /** The members have answered: their feedback is used now, their commands in their turn. */
+    void takeAnswers() {
+        Members.Answers taken = members.takeAnswers();
+        taken.feedback().forEach(requests::carryOut);
+        if (members.step() > steps) {
+            answers.addAll(taken.commands());
+        } else {
+            taken.commands().forEach(requests::carryOut);
+        }
+    }
+
+    /** All that the simulation goes on from, as it is between two steps. */
+    SimulationState state() {
+        return new SimulationState(
+                world.copy(), controlled.holders(), feedback.pending(), feedback.memory());
+    }
+
+    private void restore(SimulationState state) {
+        world.restore(state.world());
+        controlled.restore(state.holders());
+        feedback.restore(state.pending(), state.memory());
+    }
+
+    /** Goes back to where late feedback is true, and makes the steps from there to now again. */
+    private void reviseHistory() {
+        List<PendingFeedback> late = feedback.takeLate();
+        if (late.isEmpty()) {
+            return;
+        }
+        double now = world.time();
+        Set<Long> known = news.entityIds();
+        List<History.Moment> moments = history.from(late.getFirst().message().timestamp());
+        List<AppliedFeedback> corrections = new ArrayList<>();
+        news.silently(() -> remake(moments, late, corrections));
+        revision++;
+        notifications.toAll(
+                new HistoryRevisedNotification(
+                        revision, moments.getFirst().step.start(), now));
+        corrections.forEach(news::applied);
+        news.present(known);
+        news.flush();
+    }
+
+    private void remake(
+            List<History.Moment> moments,
+            List<PendingFeedback> late,
+            List<AppliedFeedback> corrections) {
+        restore(moments.getFirst().before);
+        for (History.Moment moment : moments) {
+            List<PendingFeedback> added =
+                    late.stream()
+                            .filter(l -> moment.step.contains(l.message().timestamp()))
+                            .toList();
+            Set<Long> corrected =
+                    added.stream().map(l -> l.message().worldObjectId()).collect(toSet());
+            moment.before = state();
+            moment.feedback.addAll(added);
+            remake(moment).stream()
+                    .filter(applied -> corrected.contains(applied.objectId()))
+                    .forEach(corrections::add);
+            moment.after.removeIf(requests::isRefusedNow);
+        }
+    }
+
+    /** Makes a step again, up to where it ended, be it cut short by a collision or not. */
+    private List<AppliedFeedback> remake(History.Moment moment) {
+        PastStep step = moment.step;
+        List<AppliedFeedback> applied = new ArrayList<>();
+        SilentAudience audience = new SilentAudience(applied::add);
+        feedback.remake(step.wanted(), moment.feedback, audience);
+        if (step.isPassed(world.time())) { // the collision that ended it does not happen now
+            restore(moment.before);
+            applied.clear();
+            feedback.remake(step.end() - step.start(), moment.feedback, audience);
+        }
+        while (!step.isOver(world.time())) {
+            feedback.remake(step.end() - world.time(), List.of(), audience);
+        }
+        return applied;
+    }
+}

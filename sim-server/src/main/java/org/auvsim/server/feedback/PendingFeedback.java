@@ -9,7 +9,7 @@ import java.util.Comparator;
 /** A feedback that was accepted and waits for its processor. */
 public record PendingFeedback(
         FeedbackSender sender, FeedbackMessage message, FeedbackProcessor processor) {
-    PendingFeedback {
+    public PendingFeedback {
         Domain.finite("feedback", "timestamp", message.timestamp(), "s");
     }
 

@@ -2,7 +2,7 @@ package org.auvsim.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.auvsim.auvsml.message.lockstep.WhenLate;
+import org.auvsim.auvsml.document.WhenLate;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.math.Vec3;

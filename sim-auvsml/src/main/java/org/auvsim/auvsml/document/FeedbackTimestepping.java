@@ -1,6 +1,5 @@
 package org.auvsim.auvsml.document;
 
-import org.auvsim.auvsml.message.lockstep.WhenLate;
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Name;
 import org.auvsim.core.description.Unit;

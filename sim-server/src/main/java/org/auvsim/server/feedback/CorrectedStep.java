@@ -2,7 +2,7 @@ package org.auvsim.server.feedback;
 
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.message.command.RefusedException;
-import org.auvsim.auvsml.message.lockstep.WhenLate;
+import org.auvsim.auvsml.document.WhenLate;
 import org.auvsim.core.entity.MovementState;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.Wrench;

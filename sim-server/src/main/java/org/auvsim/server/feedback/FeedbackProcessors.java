@@ -58,6 +58,11 @@ public final class FeedbackProcessors {
         override = Optional.of(named(name));
     }
 
+    /** Lets each message name the processor again. */
+    public void overrideNone() {
+        override = Optional.empty();
+    }
+
     /**
      * The processor that a message names, or the one that overrides it.
      *

@@ -1,6 +1,6 @@
 package org.auvsim.server.feedback;
 
-import org.auvsim.auvsml.message.lockstep.WhenLate;
+import org.auvsim.auvsml.document.WhenLate;
 import org.auvsim.server.feedback.FeedbackProcessor.Phase;
 
 import java.time.Duration;

@@ -24,6 +24,7 @@ public final class ClientSession {
     private final long id;
     private final String peer;
     private volatile String name;
+    private boolean hasName;
     private final Role role;
     private final AuvsmlWriter writer;
     private final Outbox outbox =
@@ -66,9 +67,15 @@ public final class ClientSession {
         return name;
     }
 
+    /** Whether the client has said what it is called. */
+    public boolean hasName() {
+        return hasName;
+    }
+
     /** The client has said what it is called. */
     public void setName(String name) {
         this.name = name;
+        hasName = true;
     }
 
     /** Whether it has ended; what is sent to it then goes nowhere, and is not worth making. */

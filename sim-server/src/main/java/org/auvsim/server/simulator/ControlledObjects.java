@@ -8,6 +8,7 @@ import org.auvsim.core.world.WorldEvent;
 import org.auvsim.core.world.WorldListener;
 import org.auvsim.server.net.ClientSession;
 
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -68,6 +69,11 @@ final class ControlledObjects implements WorldListener {
     /** Who controls what now, by the object's id. */
     Map<Long, ClientSession> holders() {
         return Map.copyOf(holders);
+    }
+
+    /** Frees what is controlled by others than these. */
+    void retain(Collection<ClientSession> clients) {
+        holders.values().retainAll(clients);
     }
 
     /** Lets everything be controlled as it was before. */

@@ -37,6 +37,11 @@ final class History {
         this.horizon = horizon;
     }
 
+    /** Keeps so much (s) of the past from now on. */
+    void setHorizon(double horizon) {
+        this.horizon = horizon;
+    }
+
     /** Whether anything is kept. */
     boolean isKept() {
         return horizon > 0;

@@ -3,7 +3,7 @@ package org.auvsim.server.simulator;
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
-import org.auvsim.auvsml.message.lockstep.WhenLate;
+import org.auvsim.auvsml.document.WhenLate;
 import org.auvsim.server.net.ClientSession;
 
 import java.util.ArrayList;

@@ -28,7 +28,12 @@ final class ScenarioSettings {
         return builder;
     }
 
-    private static FeedbackTimestepper timestepper(FeedbackTimestepping choice) {
+    /**
+     * The time-stepper that a scenario asks for.
+     *
+     * @throws IllegalArgumentException if it is none of a server
+     */
+    static FeedbackTimestepper timestepper(FeedbackTimestepping choice) {
         return switch (choice) {
             case FeedbackTimestepper own -> own;
             case FeedbackTimestepping.NoFeedbackTimestepper _ -> new NoFeedbackTimestepper();

@@ -1,6 +1,6 @@
 package org.auvsim.server.simulator;
 
-import org.auvsim.auvsml.message.lockstep.WhenLate;
+import org.auvsim.auvsml.document.WhenLate;
 import org.auvsim.server.feedback.AppliedFeedback;
 import org.auvsim.server.feedback.FeedbackAudience;
 import org.auvsim.server.feedback.ProjectedWorld;

@@ -2,17 +2,26 @@ package org.auvsim.server.simulator;
 
 import static java.util.stream.Collectors.toSet;
 
-import org.auvsim.auvsml.message.command.SimulatorControl;
+import org.auvsim.auvsml.document.FeedbackProcessorChoice;
+import org.auvsim.auvsml.document.FeedbackTimestepping;
+import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.auvsml.message.command.RefusedException;
+import org.auvsim.auvsml.message.control.SnapshotRestoredNotification;
 import org.auvsim.auvsml.message.feedback.HistoryRevisedNotification;
 import org.auvsim.core.world.World;
 import org.auvsim.server.feedback.AppliedFeedback;
 import org.auvsim.server.feedback.CorrectiveFeedbackSystem;
+import org.auvsim.server.feedback.FeedbackTimestepper;
 import org.auvsim.server.feedback.PastStep;
 import org.auvsim.server.feedback.PendingFeedback;
+import org.auvsim.server.feedback.ProcessorMemory;
+import org.auvsim.server.net.ClientSession;
 import org.auvsim.server.net.Notifications;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.LongSupplier;
 
@@ -32,6 +41,9 @@ final class Simulation {
     private final Requests requests;
     private final List<InputLog> logs;
 
+    private final Snapshots snapshots = new Snapshots();
+    private final SimulationState beginning;
+
     /** Commands of members that are carried out when the step that is under way is made. */
     private final List<Held> answers = new ArrayList<>();
 
@@ -44,13 +56,13 @@ final class Simulation {
      * A simulation at its beginning.
      *
      * @param source where a step that waits gets inputs from
-     * @param control what commands to the simulator reach
+     * @param time what decides when a step is made
      * @param nanoClock by which steps wait (ns)
      */
     Simulation(
             SimulationSettings settings,
             InputSource source,
-            SimulatorControl control,
+            TimeControl time,
             LongSupplier nanoClock) {
         world = settings.world();
         logs = settings.logs();
@@ -75,10 +87,11 @@ final class Simulation {
                                 members,
                                 history,
                                 notifications,
-                                control),
+                                new SimulatorPort(this, time)),
                         settings.serverName());
         world.addListener(news);
         world.addListener(controlled);
+        beginning = state();
     }
 
     World world() {
@@ -183,6 +196,73 @@ final class Simulation {
         world.restore(state.world());
         controlled.restore(state.holders());
         feedback.restore(state.pending(), state.memory());
+    }
+
+    /** Makes steps in another way from the next one on. */
+    void setTimestepper(FeedbackTimestepping choice) {
+        use(ScenarioSettings.timestepper(choice));
+    }
+
+    private void use(FeedbackTimestepper timestepper) {
+        feedback.setTimestepper(timestepper);
+        if (timestepper.isLockstep()) {
+            notifications.sessions().stream()
+                    .filter(ClientSession::hasName)
+                    .forEach(members::join);
+        } else {
+            members.dissolve().forEach(requests::carryOut);
+        }
+    }
+
+    /** Lets one processor do all corrections, or each that a message names. */
+    void setFeedbackProcessor(Optional<String> name) {
+        name.ifPresentOrElse(feedback.processors()::override, feedback.processors()::overrideNone);
+    }
+
+    Snapshots snapshots() {
+        return snapshots;
+    }
+
+    void takeSnapshot(String name) {
+        snapshots.keep(name, state());
+    }
+
+    void restoreSnapshot(String name) {
+        goTo(snapshots.named(name), name);
+    }
+
+    /** Goes back to how the simulation began; sessions go on, and control nothing. */
+    void reset() {
+        goTo(beginning, "*BEGINNING*");
+    }
+
+    /**
+     * Goes on with the world of another scenario, in the way that it states.
+     *
+     * @throws RefusedException if there is something in it that this simulator does not have; then
+     *     nothing has changed
+     */
+    void load(Scenario scenario) {
+        FeedbackTimestepper timestepper = ScenarioSettings.timestepper(scenario.feedbackTimestepping());
+        World other = scenario.world();
+        setFeedbackProcessor(scenario.feedbackProcessor().map(FeedbackProcessorChoice::override));
+        use(timestepper);
+        history.setHorizon(scenario.feedbackHorizon());
+        goTo(
+                new SimulationState(other, Map.of(), List.of(), new ProcessorMemory()),
+                "*SCENARIO*");
+    }
+
+    private void goTo(SimulationState state, String name) {
+        Set<Long> known = news.entityIds();
+        restore(state);
+        controlled.retain(notifications.sessions());
+        history.clear();
+        feedback.reachBackTo(history.reachesBackTo());
+        revision++;
+        notifications.toAll(new SnapshotRestoredNotification(revision, world.time(), name));
+        news.present(known);
+        news.flush();
     }
 
     /** Goes back to where late feedback is true, and makes the steps from there to now again. */

@@ -2,7 +2,6 @@ package org.auvsim.server.simulator;
 
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.message.command.RefusedException;
-import org.auvsim.auvsml.message.command.SimulatorControl;
 import org.auvsim.auvsml.message.command.SimulatorState;
 import org.auvsim.auvsml.message.session.ErrorResponse;
 import org.auvsim.auvsml.message.session.LaggingNotification;
@@ -17,7 +16,7 @@ import java.util.OptionalInt;
 import java.util.OptionalLong;
 
 /** The one loop in which time goes on, on the one thread that owns the world. */
-final class SimulationLoop implements SimulatorControl {
+final class SimulationLoop implements TimeControl {
     private static final Logger LOG = LoggerFactory.getLogger(SimulationLoop.class);
     private static final double ROUNDING = 1e-9;
 
@@ -146,6 +145,11 @@ final class SimulationLoop implements SimulatorControl {
     public void step(int count) {
         requirePaused();
         stepsAsked = (int) Math.min(Integer.MAX_VALUE, (long) stepsAsked + count);
+    }
+
+    @Override
+    public void timeHasJumped() {
+        pace.start(world.time());
     }
 
     /** Makes one step at once, while paused. */

@@ -1,5 +1,9 @@
 package org.auvsim.auvsml.message.command;
 
+import org.auvsim.auvsml.document.FeedbackTimestepping;
+import org.auvsim.auvsml.document.Scenario;
+
+import java.util.Optional;
 import java.util.OptionalDouble;
 
 /** What a {@link SimulatorCommand} can do: how time goes on. */
@@ -26,4 +30,43 @@ public interface SimulatorControl extends SimulatorView {
      * @throws RefusedException if the simulator is running
      */
     void step(int count);
+
+    /**
+     * Makes steps in another way from the next one on.
+     *
+     * @throws RefusedException if the simulator has no such time-stepper
+     */
+    void setTimestepper(FeedbackTimestepping choice);
+
+    /**
+     * Lets one feedback processor do all corrections; empty: the one that each message names.
+     *
+     * @throws RefusedException if there is none of this name
+     */
+    void setFeedbackProcessor(Optional<String> name);
+
+    /**
+     * Keeps the world, and who controls what, as they are now; a snapshot of the same name is
+     * replaced.
+     *
+     * @throws RefusedException if too many are kept
+     */
+    void takeSnapshot(String name);
+
+    /**
+     * Goes back to a snapshot. The world's time is then that of the snapshot; all clients are told.
+     *
+     * @throws RefusedException if there is none of this name
+     */
+    void restoreSnapshot(String name);
+
+    /** Begins again, with the world of the scenario, or as it was when the simulation began. */
+    void reset();
+
+    /**
+     * Goes on with another world, in the way that its scenario states; all clients are told.
+     *
+     * @throws RefusedException if the scenario's world cannot be had
+     */
+    void load(Scenario scenario);
 }

@@ -1,5 +1,6 @@
 package org.auvsim.auvsml.message.lockstep;
 
+import org.auvsim.auvsml.document.WhenLate;
 import org.auvsim.auvsml.message.Message;
 
 import java.util.List;

@@ -1,4 +1,4 @@
-package org.auvsim.auvsml.message.lockstep;
+package org.auvsim.auvsml.document;
 
 /** What a simulation in lock-step does when members have not answered in time. */
 public enum WhenLate {

@@ -29,6 +29,7 @@ import java.nio.file.Path;
             Validate.class,
             Vehicle.class,
             Watch.class,
+            Admin.class,
             Feed.class,
             Bench.class,
             CommandLine.HelpCommand.class,

@@ -59,6 +59,11 @@ public final class MessageCatalogue {
         return List.copyOf(types.values());
     }
 
+    /** The parts of a message of a type, in their order. */
+    public List<Part> parts(Class<?> type) {
+        return mapper.codec(type).slots().stream().map(Part::of).toList();
+    }
+
     /** The names of the roots that are read; the first one is written. */
     public static List<String> roots() {
         return List.of(ROOT, OTHER_ROOT);

@@ -1,0 +1,99 @@
+package org.auvsim.cli.admin;
+
+import org.auvsim.auvsml.client.AuvsmlClient;
+import org.auvsim.auvsml.mapping.MessageCatalogue;
+import org.auvsim.auvsml.message.Message;
+
+import org.jline.reader.LineReader;
+import org.jline.reader.LineReaderBuilder;
+import org.jline.reader.impl.DefaultParser;
+import org.jline.terminal.Terminal;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.function.Consumer;
+
+/** An administrator's commands to a simulator, from a terminal or from lines. */
+public final class Administration {
+    private final AuvsmlClient client;
+    private final MessageCatalogue catalogue;
+    private final Vocabulary vocabulary;
+    private final PlainText text;
+
+    /** Over a connection that stays the caller's to close. */
+    public Administration(AuvsmlClient client, MessageCatalogue catalogue) {
+        this.client = client;
+        this.catalogue = catalogue;
+        this.vocabulary = new Vocabulary(catalogue);
+        this.text = new PlainText(catalogue);
+    }
+
+    /**
+     * Performs lines until they end or one asks to leave; notices of the simulator stand between
+     * the answers.
+     *
+     * @throws org.auvsim.cli.report.UserError at the first fault, with the line's number
+     */
+    public void perform(BufferedReader lines, PrintWriter out)
+            throws IOException, InterruptedException {
+        Consumer<String> print = printer(out);
+        Conversation conversation = new Conversation(client);
+        ObjectNames names = new ObjectNames(conversation);
+        conversation.begin(notice -> print.accept(told(notice)), () -> {});
+        new Script(lines, conversation, operator(conversation, names, print)).run();
+    }
+
+    /**
+     * Reads and performs lines of a person, who leaves or is left by the simulator; notices are
+     * shown above the line that is being typed.
+     *
+     * @param history the file that holds what was typed, from session to session
+     */
+    public void converse(Terminal terminal, Path history) throws InterruptedException {
+        Conversation conversation = new Conversation(client);
+        ObjectNames names = new ObjectNames(conversation);
+        LineReader reader = reader(terminal, history, names);
+        PrintWriter out = terminal.writer();
+        Consumer<String> print = printer(out);
+        conversation.begin(
+                notice -> reader.printAbove(told(notice)),
+                () -> terminal.raise(Terminal.Signal.INT));
+        new Shell(reader, conversation, operator(conversation, names, print)).run();
+    }
+
+    private LineReader reader(Terminal terminal, Path history, ObjectNames names) {
+        DefaultParser parser = new DefaultParser();
+        parser.setEscapeChars(new char[0]);
+        return LineReaderBuilder.builder()
+                .terminal(terminal)
+                .appName("auvsim")
+                .parser(parser)
+                .completer(new Completion(vocabulary, names))
+                .variable(LineReader.HISTORY_FILE, history)
+                .option(LineReader.Option.DISABLE_EVENT_EXPANSION, true)
+                .build();
+    }
+
+    private Operator operator(
+            Conversation conversation, ObjectNames names, Consumer<String> print) {
+        return new Operator(
+                conversation,
+                new Interpreter(catalogue, vocabulary, names),
+                new Help(vocabulary),
+                text,
+                print);
+    }
+
+    private static Consumer<String> printer(PrintWriter out) {
+        return line -> {
+            out.println(line);
+            out.flush();
+        };
+    }
+
+    private String told(Message notice) {
+        return "* " + text.of(notice);
+    }
+}

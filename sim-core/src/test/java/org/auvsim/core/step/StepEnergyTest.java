@@ -45,7 +45,7 @@ class StepEnergyTest {
     }
 
     /** What the bodies are, and how finely what they do is stepped through. */
-    private enum Setting {
+    enum Setting {
         /** Solid bodies at the standard time step. */
         DRY(0.05) {
             @Override

@@ -207,12 +207,7 @@ public final class CorrectedStep {
         }
         forces.advance(world, pushed.isEmpty() ? wanted : projection().time() - world.time());
         made = true;
-        motionsOfCorrected()
-                .forEach(
-                        (id, end) ->
-                                courses.put(
-                                        id,
-                                        new StepCourse(start, starts.get(id), world.time(), end)));
+        starts.forEach(this::keepCourse);
         audience.advanced();
         for (StepCorrection correction : pushed) {
             if (world.find(correction.feedback().objectId()).isPresent()) {
@@ -229,6 +224,13 @@ public final class CorrectedStep {
             }
         }
         return motions;
+    }
+
+    private void keepCourse(long id, RigidMotion from) {
+        if (world.find(id).isPresent()) {
+            RigidMotion end = RigidMotion.of(world.object(id));
+            courses.put(id, new StepCourse(start, from, world.time(), end));
+        }
     }
 
     /** Tells that the step is over. */

@@ -25,18 +25,6 @@ final class SecantSolver {
     private double[] at;
     private double[] missed;
 
-    /**
-     * What was found.
-     *
-     * @param at the unknowns
-     * @param missed size of the residual there; infinite if nothing could be tried
-     */
-    record Solution(double[] at, double missed) {
-        boolean isExact() {
-            return missed <= TOLERANCE;
-        }
-    }
-
     private SecantSolver(Function<double[], Optional<double[]>> residual, int n) {
         this.residual = residual;
         inverse = Matrix.identity(n);
@@ -45,19 +33,34 @@ final class SecantSolver {
     }
 
     /**
-     * The unknowns with the smallest residual that was found, starting at zero.
+     * Looks for the unknowns with the smallest residual, starting at zero.
      *
      * @param residual empty where there is none
      */
-    static Solution solve(Function<double[], Optional<double[]>> residual, int unknowns) {
+    static SecantSolver solve(Function<double[], Optional<double[]>> residual, int unknowns) {
         SecantSolver solver = new SecantSolver(residual, unknowns);
         int steps = 0;
         while (steps < MOST_STEPS
                 && solver.isBeside()
-                && (solver.step() || solver.measure() && solver.step())) {
+                && (solver.step() || (solver.measure() && solver.step()))) {
             steps++;
         }
-        return new Solution(solver.at, norm(solver.missed));
+        return solver;
+    }
+
+    /** The unknowns that were found. */
+    double[] found() {
+        return at.clone();
+    }
+
+    /** The size of the residual there; infinite if nothing could be tried. */
+    double missed() {
+        return norm(missed);
+    }
+
+    /** Whether nothing is left of the residual. */
+    boolean isExact() {
+        return missed() <= TOLERANCE;
     }
 
     private boolean isBeside() {

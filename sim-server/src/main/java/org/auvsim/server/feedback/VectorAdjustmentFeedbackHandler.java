@@ -29,8 +29,8 @@ public record VectorAdjustmentFeedbackHandler(MomentumRule momentum) implements 
     @Override
     public void process(Correction correction) {
         PushProblem problem = new PushProblem(correction, momentum);
-        SecantSolver.Solution solution = SecantSolver.solve(problem::miss, problem.unknowns());
-        problem.push(solution.at());
+        SecantSolver solution = SecantSolver.solve(problem::miss, problem.unknowns());
+        problem.push(solution.found());
         if (!solution.isExact()) {
             correction.fellShort();
         }

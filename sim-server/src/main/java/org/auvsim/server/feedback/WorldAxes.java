@@ -4,7 +4,6 @@ import org.auvsim.auvsml.message.feedback.Covariance;
 import org.auvsim.auvsml.message.feedback.Measurement;
 import org.auvsim.core.math.Mat3;
 import org.auvsim.core.math.Quat;
-import org.auvsim.core.math.Vec3;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -13,8 +12,10 @@ import java.util.Optional;
 /** Turns a measurement into the world's axes. */
 final class WorldAxes {
     /** North, east, down into east, north, up: half a turn about the axis between x and y. */
-    private static final Quat NED_TO_WORLD =
-            new Quat(0, Math.sqrt(0.5), Math.sqrt(0.5), 0);
+    private static final Quat NED_TO_WORLD = new Quat(0, Math.sqrt(0.5), Math.sqrt(0.5), 0);
+
+    /** The same, without rounding. */
+    private static final Mat3 NED_AXES = new Mat3(0, 1, 0, 1, 0, 0, 0, 0, -1);
 
     /** Half a turn about x: from axes forward, left, up to axes forward, right, down. */
     private static final Quat DOWNWARD = new Quat(0, 1, 0, 0);
@@ -37,43 +38,52 @@ final class WorldAxes {
                             measured.velocity(),
                             measured.angularVelocity(),
                             measured.covariance().map(WorldAxes::matrix));
-            case NED -> turned(NED_TO_WORLD, NED_TO_WORLD);
+            case NED -> ofNed();
             case BODY -> ofBody();
         };
+    }
+
+    private Target ofNed() {
+        Optional<Quat> orientation =
+                measured.orientation()
+                        .map(q -> NED_TO_WORLD.times(q).times(DOWNWARD).normalized());
+        return turned(orientation, NED_AXES, NED_AXES);
     }
 
     /** Relative to the model's object, the velocities along the axes that the robot has. */
     private Target ofBody() {
         Quat body = model.orientation();
-        Quat robot = measured.orientation().map(q -> body.times(q).normalized()).orElse(body);
-        Target turned = turned(body, robot);
+        Optional<Quat> robot = measured.orientation().map(q -> body.times(q).normalized());
+        Target turned = turned(robot, body.toMatrix(), robot.orElse(body).toMatrix());
         return new Target(
                 turned.position().map(p -> p.plus(model.position())),
-                measured.orientation().map(_ -> robot),
+                robot,
                 turned.velocity(),
                 turned.angularVelocity(),
                 turned.covariance());
     }
 
-    private Target turned(Quat place, Quat motion) {
+    /**
+     * All in the world's axes.
+     *
+     * @param place from the axes of the position, and of the error of the orientation
+     * @param motion from the axes of the velocities
+     */
+    private Target turned(Optional<Quat> orientation, Mat3 place, Mat3 motion) {
         return new Target(
-                measured.position().map(p -> turn(place, p)),
-                measured.orientation().map(q -> place.times(q).times(DOWNWARD).normalized()),
-                measured.velocity().map(v -> turn(motion, v)),
-                measured.angularVelocity().map(w -> turn(motion, w)),
+                measured.position().map(place::times),
+                orientation,
+                measured.velocity().map(motion::times),
+                measured.angularVelocity().map(motion::times),
                 measured.covariance().map(c -> turned(c, place, motion)));
     }
 
-    private Vec3 turn(Quat turn, Vec3 v) {
-        return turn == NED_TO_WORLD ? new Vec3(v.y(), v.x(), -v.z()) : turn.rotate(v);
-    }
-
-    private Matrix turned(Covariance covariance, Quat place, Quat motion) {
+    private Matrix turned(Covariance covariance, Mat3 place, Mat3 motion) {
         List<Mat3> blocks = new ArrayList<>();
-        measured.position().ifPresent(_ -> blocks.add(place.toMatrix()));
-        measured.orientation().ifPresent(_ -> blocks.add(place.toMatrix()));
-        measured.velocity().ifPresent(_ -> blocks.add(motion.toMatrix()));
-        measured.angularVelocity().ifPresent(_ -> blocks.add(motion.toMatrix()));
+        measured.position().ifPresent(_ -> blocks.add(place));
+        measured.orientation().ifPresent(_ -> blocks.add(place));
+        measured.velocity().ifPresent(_ -> blocks.add(motion));
+        measured.angularVelocity().ifPresent(_ -> blocks.add(motion));
         return matrix(covariance).within(Matrix.blocks(blocks));
     }
 

@@ -18,15 +18,15 @@ class SecantSolverTest {
                                             at[1] + 0.2 * Math.sin(at[0]) - 0.5
                                         }),
                         2)
-                        .at();
+                        .found();
         assertThat(Math.abs(x[0] + 0.3 * x[1] * x[1] - 1)).isLessThan(2e-9);
         assertThat(Math.abs(x[1] + 0.2 * Math.sin(x[0]) - 0.5)).isLessThan(2e-9);
     }
 
     @Test
     void staysWhereNothingBringsItNearer() {
-        SecantSolver.Solution solution = SecantSolver.solve(_ -> Optional.of(new double[] {1}), 1);
-        assertThat(solution.at()).containsExactly(0);
+        SecantSolver solution = SecantSolver.solve(_ -> Optional.of(new double[] {1}), 1);
+        assertThat(solution.found()).containsExactly(0);
         assertThat(solution.missed()).isEqualTo(1);
         assertThat(solution.isExact()).isFalse();
     }
@@ -34,11 +34,11 @@ class SecantSolverTest {
     /** The unknowns act on each other's equations alone: the identity leads nowhere. */
     @Test
     void measuresWhatTheUnknownsDoWhereItsGuessLeadsNowhere() {
-        SecantSolver.Solution solution =
+        SecantSolver solution =
                 SecantSolver.solve(
                         at -> Optional.of(new double[] {1e3 * at[1] - 1, -1e3 * at[0] - 2}), 2);
         assertThat(solution.isExact()).isTrue();
-        assertThat(Math.abs(solution.at()[1] - 1e-3)).isLessThan(1e-11);
+        assertThat(Math.abs(solution.found()[1] - 1e-3)).isLessThan(1e-11);
     }
 
     @Test
@@ -50,12 +50,12 @@ class SecantSolverTest {
                                         ? Optional.empty()
                                         : Optional.of(new double[] {2 * at[0] - 1}),
                         1)
-                        .at();
+                        .found();
         assertThat(Math.abs(2 * x[0] - 1)).isLessThan(2e-9);
     }
 
     @Test
     void givesZeroIfNothingCanBeTried() {
-        assertThat(SecantSolver.solve(_ -> Optional.empty(), 3).at()).containsExactly(0, 0, 0);
+        assertThat(SecantSolver.solve(_ -> Optional.empty(), 3).found()).containsExactly(0, 0, 0);
     }
 }

@@ -31,6 +31,7 @@ import java.nio.file.Path;
             Watch.class,
             Admin.class,
             Feed.class,
+            Export.class,
             Bench.class,
             CommandLine.HelpCommand.class,
             GenerateCompletion.class

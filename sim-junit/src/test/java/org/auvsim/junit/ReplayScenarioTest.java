@@ -21,7 +21,7 @@ class ReplayScenarioTest {
             delimiter = '|',
             value = {
                 "missing | names none.auvsml.gz, which is neither a resource (relative to its"
-                    + " class) nor a file (relative to ",
+                        + " class) nor a file (relative to ",
                 "endless | drift.xml is a scenario, which has no end: say"
                         + " @ReplayScenario(value = \"drift.xml\", until = ...).",
                 "early | drift.xml begins at 0 s: until must be after that, but is -1 s.",

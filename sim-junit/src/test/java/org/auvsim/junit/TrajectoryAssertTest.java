@@ -31,7 +31,7 @@ class TrajectoryAssertTest {
             value = {
                 "box | 'AUV' leaves the box at 3.55 s: x = 3.55 m, allowed -1 to 3.52 m",
                 "ball | 'AUV' gets away from (0, 0, -2) at 2.55 s: 2.55 m away, allowed at most"
-                    + " 2.52 m",
+                        + " 2.52 m",
                 "escort | 'AUV' gets away from 'Escort' at 5.15 s: 3.04795 m from origin to origin,"
                         + " allowed at most 3 m",
                 "clear | 'Rock' is too near to 'AUV' at 4 s: 1 m from origin to origin,"
@@ -41,7 +41,7 @@ class TrajectoryAssertTest {
                         + " allowed 0.5 m",
                 "speed | 'Escort' is too fast at 0 s: 1 m/s, allowed 0.9 m/s",
                 "meeting | 'AUV' never collides with 'Buoy' and is nearest at 2 s: 3 m from origin"
-                    + " to origin, expected a collision; it collides with 'Rock'",
+                        + " to origin, expected a collision; it collides with 'Rock'",
                 "nothing | 'AUV' collides with 'Rock' at 4 s: at (4.5, 0, -2) with an impulse of"
                         + " 4 N s, expected no collision",
             },

@@ -25,6 +25,7 @@ public final class ClientSession {
     private final String peer;
     private volatile String name;
     private boolean hasName;
+    private boolean inLockstep;
     private final Role role;
     private final AuvsmlWriter writer;
     private final Outbox outbox =
@@ -102,8 +103,17 @@ public final class ClientSession {
         return registrations.wants(topic, time);
     }
 
-    void append(Delivery delivery) {
-        pending.add(delivery);
+    /** Whether the client answers every step, and so has to hear of every one. */
+    public void setInLockstep(boolean inLockstep) {
+        this.inLockstep = inLockstep;
+    }
+
+    /** Sends this with the next batch; what may be replaced by newer states is left out first. */
+    void append(byte[] message, Optional<Topic> replaced) {
+        pending.add(
+                replaced.isPresent() && !inLockstep
+                        ? Delivery.state(message, replaced.get())
+                        : Delivery.control(message));
     }
 
     void flush() {

@@ -10,7 +10,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
 import java.util.function.Supplier;
 
 /**
@@ -44,7 +43,7 @@ public final class Notifications {
     /** Tells of a state of an entity, which a newer one of the same type replaces. */
     public void state(EventType type, long entityId, double time, Supplier<Message> message) {
         Topic topic = new Topic(type, entityId);
-        tell(List.of(topic), time, bytes -> Delivery.state(bytes, topic), message);
+        tell(List.of(topic), time, Optional.of(topic), message);
     }
 
     /**
@@ -55,7 +54,7 @@ public final class Notifications {
     public void stepAdvanced(EventType closes, double time, Supplier<Message> message) {
         Topic topic = new Topic(EventType.TIMESTEP_ADVANCED, Topic.NOBODY);
         Topic replaced = new Topic(closes, Topic.NOBODY);
-        tell(List.of(topic), time, bytes -> Delivery.state(bytes, replaced), message);
+        tell(List.of(topic), time, Optional.of(replaced), message);
     }
 
     /** Tells how a step was kept from getting stuck or diverging; a newer one replaces it. */
@@ -67,21 +66,19 @@ public final class Notifications {
     public void event(
             EventType type, List<Long> entityIds, double time, Supplier<Message> message) {
         List<Topic> topics = entityIds.stream().map(id -> new Topic(type, id)).toList();
-        tell(topics, time, Delivery::control, message);
+        tell(topics, time, Optional.empty(), message);
     }
 
+    /** Tells; a newer message on the topic {@code replaced}, if there is one, replaces this one. */
     private void tell(
-            List<Topic> topics,
-            double time,
-            Function<byte[], Delivery> wrap,
-            Supplier<Message> message) {
-        Optional<Delivery> delivery = Optional.empty();
+            List<Topic> topics, double time, Optional<Topic> replaced, Supplier<Message> message) {
+        Optional<byte[]> bytes = Optional.empty();
         for (ClientSession session : sessions.values()) {
             if (topics.stream().anyMatch(topic -> session.wants(topic, time))) {
-                if (delivery.isEmpty()) {
-                    delivery = Optional.of(wrap.apply(writer.write(message.get())));
+                if (bytes.isEmpty()) {
+                    bytes = Optional.of(writer.write(message.get()));
                 }
-                session.append(delivery.get());
+                session.append(bytes.get(), replaced);
             }
         }
     }

@@ -55,6 +55,7 @@ final class Members {
      * @return the step that it has to answer first
      */
     long join(ClientSession session) {
+        session.setInLockstep(true);
         return byName.computeIfAbsent(session.name(), _ -> new Member(session, step)).owes();
     }
 
@@ -116,6 +117,7 @@ final class Members {
         of(session)
                 .ifPresent(
                         member -> {
+                            session.setInLockstep(false);
                             byName.remove(session.name());
                             ofThoseWhoLeft.addAll(member.takeAnswer());
                         });
@@ -125,7 +127,10 @@ final class Members {
     List<Held> dissolve() {
         List<Held> all = new ArrayList<>(ofThoseWhoLeft);
         ofThoseWhoLeft.clear();
-        byName.values().forEach(member -> all.addAll(member.takeAll()));
+        for (Member member : byName.values()) {
+            member.session().setInLockstep(false);
+            all.addAll(member.takeAll());
+        }
         byName.clear();
         all.sort(ORDER);
         return all;

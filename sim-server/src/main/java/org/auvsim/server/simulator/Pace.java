@@ -14,6 +14,7 @@ final class Pace {
     private final LongSupplier nanoClock;
     private OptionalDouble rate;
     private long startNanos;
+    private long lastNanos;
     private double startTime;
 
     /**
@@ -25,6 +26,7 @@ final class Pace {
     Pace(OptionalDouble rate, LongSupplier nanoClock) {
         this.rate = requirePositive(rate);
         this.nanoClock = nanoClock;
+        this.lastNanos = nanoClock.getAsLong();
     }
 
     private static OptionalDouble requirePositive(OptionalDouble rate) {
@@ -49,13 +51,18 @@ final class Pace {
 
     /** Goes on from a world time (s), now. */
     void start(double worldTime) {
-        startNanos = nanoClock.getAsLong();
+        startNanos = now();
         startTime = worldTime;
     }
 
-    /** The wall's clock (ns). */
+    /** The wall's clock (ns). When it goes back, no time has passed. */
     long now() {
-        return nanoClock.getAsLong();
+        long now = nanoClock.getAsLong();
+        if (now - lastNanos < 0) {
+            startNanos += now - lastNanos;
+        }
+        lastNanos = now;
+        return now;
     }
 
     /** How long (ns) until the step that begins at a world time (s) is due; 0 or less: it is. */
@@ -64,7 +71,8 @@ final class Pace {
             return 0;
         }
         double due = (worldTime - startTime) / rate.getAsDouble();
-        return (long) (due * 1e9) - (nanoClock.getAsLong() - startNanos);
+        long now = now(); // first: it may move the start
+        return (long) (due * 1e9) - (now - startNanos);
     }
 
     /**

@@ -40,6 +40,17 @@ class PaceTest {
     }
 
     @Test
+    void aClockThatGoesBackHoldsNothingUp() {
+        Pace pace = pace(1);
+        pass(0.5);
+        assertThat(pace.nanosUntil(11)).isEqualTo(500_000_000);
+        pass(-3600);
+        assertThat(pace.nanosUntil(11)).isEqualTo(500_000_000);
+        pass(0.2);
+        assertThat(pace.nanosUntil(11)).isEqualTo(300_000_000);
+    }
+
+    @Test
     void aShortDelayIsCaughtUpWithALongOneIsSkipped() {
         Pace pace = pace(2);
         pass(0.4);

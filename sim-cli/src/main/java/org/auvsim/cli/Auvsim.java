@@ -25,6 +25,7 @@ import java.nio.file.Path;
         subcommands = {
             Demo.class,
             Serve.class,
+            Replay.class,
             Run.class,
             Validate.class,
             Vehicle.class,

@@ -60,6 +60,8 @@ final class Serve implements Callable<Integer> {
             description = "Stands still until a client sends resume-simulator-command.")
     private boolean paused;
 
+    @Mixin private final RecordingOptions recordingOptions = new RecordingOptions();
+
     @Mixin private final LaneCount laneCount = new LaneCount();
 
     @Override
@@ -68,8 +70,10 @@ final class Serve implements Callable<Integer> {
         requireUntilAfter(scenario.startTime());
         TcpTransport transport = new TcpTransport(admission.address());
         try (ThreadLanes lanes = laneCount.open();
-                Simulator simulator = start(scenario, lanes, transport);
-                Interruption _ = new Interruption(simulator::close)) {
+                RecordingUnderWay recording = recordingOptions.start(scenario, version());
+                Simulator simulator = start(scenario, lanes, transport, recording);
+                Interruption _ = new Interruption(() -> end(simulator, recording))) {
+            recording.tellIfEnded(simulator);
             PrintWriter out = spec.commandLine().getOut();
             out.printf(
                     "serving %s at %s:%d%n",
@@ -82,7 +86,17 @@ final class Serve implements Callable<Integer> {
         return 0;
     }
 
-    private Simulator start(Scenario scenario, ThreadLanes lanes, TcpTransport transport)
+    /** The process may end when this is done. */
+    private static void end(Simulator simulator, RecordingUnderWay recording) {
+        simulator.close();
+        recording.close();
+    }
+
+    private Simulator start(
+            Scenario scenario,
+            ThreadLanes lanes,
+            TcpTransport transport,
+            RecordingUnderWay recording)
             throws IOException {
         SimulatorBuilder simulator =
                 ServedScenario.simulator(scenario, lanes, file)
@@ -90,8 +104,12 @@ final class Serve implements Callable<Integer> {
                         .role(admission.role())
                         .rate(rate.factor())
                         .until(until.map(OptionalDouble::of).orElseGet(OptionalDouble::empty))
-                        .serverName(new Version().getVersion()[0]);
-        return (paused ? simulator.paused() : simulator).start();
+                        .serverName(version());
+        return recording.of(paused ? simulator.paused() : simulator).start();
+    }
+
+    private static String version() throws IOException {
+        return new Version().getVersion()[0];
     }
 
     private void requireUntilAfter(double start) {

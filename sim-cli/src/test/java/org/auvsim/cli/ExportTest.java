@@ -78,8 +78,9 @@ class ExportTest {
                                                 new ListedWorldObject(1, "WorldObject", "AUV, old"),
                                                 new ListedWorldObject(2, "WorldObject", "Rock"))),
                                 movement(0, new Vec3(1, 2, 3)))),
-                new ClientCame(0, 0, false, 0, 7, "127.0.0.1:5000", Role.ADMIN),
+                new ClientCame(0, 0, 0, false, 0, 7, "127.0.0.1:5000", Role.ADMIN),
                 new ClientSent(
+                        0,
                         0,
                         1,
                         true,
@@ -108,8 +109,8 @@ class ExportTest {
                                         new Vec3(0, 0, 1),
                                         new Vec3(0, 0, 5)),
                                 movement(0.5, new Vec3(1, 2, 4)))),
-                new ClientWent(1, 0, false, 0.5, 7),
-                new RecordingEnded(1, 0.5, "the simulation has ended"));
+                new ClientWent(0, 1, 0, false, 0.5, 7),
+                new RecordingEnded(0, 1, 0.5, "the simulation has ended"));
     }
 
     private static MovementStateChangeMessage movement(double time, Vec3 position) {

@@ -7,6 +7,7 @@ import org.auvsim.core.description.Unit;
 /**
  * A client came.
  *
+ * @param revision how often the past had been revised or left
  * @param step so many steps had been made
  * @param index its place among the inputs since that step, from 0
  * @param duringStep whether it came while the next step waited for feedback
@@ -16,6 +17,7 @@ import org.auvsim.core.description.Unit;
  * @param role what it might do
  */
 public record ClientCame(
+        @Default("0") int revision,
         long step,
         int index,
         @Default("0") boolean duringStep,

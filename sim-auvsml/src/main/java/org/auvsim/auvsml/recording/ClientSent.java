@@ -10,6 +10,7 @@ import java.util.Optional;
 /**
  * Messages that a client sent in one root element.
  *
+ * @param revision how often the past had been revised or left
  * @param step so many steps had been made
  * @param index its place among the inputs since that step, from 0
  * @param duringStep whether it came while the next step waited for feedback
@@ -18,6 +19,7 @@ import java.util.Optional;
  * @param requestId the root's request-id
  */
 public record ClientSent(
+        @Default("0") int revision,
         long step,
         int index,
         @Default("0") boolean duringStep,

@@ -9,6 +9,7 @@ import java.util.Optional;
 /**
  * A root element, or other text, that could not be read; nothing of it counted.
  *
+ * @param revision how often the past had been revised or left
  * @param step so many steps had been made
  * @param index its place among the inputs since that step, from 0
  * @param duringStep whether it came while the next step waited for feedback
@@ -22,6 +23,7 @@ import java.util.Optional;
  * @param column the place's column, from 1
  */
 public record ClientSentUnreadable(
+        @Default("0") int revision,
         long step,
         int index,
         @Default("0") boolean duringStep,

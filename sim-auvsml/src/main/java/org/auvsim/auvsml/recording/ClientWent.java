@@ -6,6 +6,7 @@ import org.auvsim.core.description.Unit;
 /**
  * A client went, or its connection broke.
  *
+ * @param revision how often the past had been revised or left
  * @param step so many steps had been made
  * @param index its place among the inputs since that step, from 0
  * @param duringStep whether it came while the next step waited for feedback
@@ -13,6 +14,7 @@ import org.auvsim.core.description.Unit;
  * @param sessionId the client's session
  */
 public record ClientWent(
+        @Default("0") int revision,
         long step,
         int index,
         @Default("0") boolean duringStep,

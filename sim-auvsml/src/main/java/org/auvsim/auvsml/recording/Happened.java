@@ -10,7 +10,7 @@ import java.util.List;
  * What a step brought, or some of it: collisions, then movements in order of id. Step 0 is the
  * beginning, where all that can move has its state and its name told.
  *
- * @param revision how often history had been revised
+ * @param revision how often the past had been revised or left
  * @param step so many steps had been made
  * @param timestamp the world's time
  * @param message as listeners hear it

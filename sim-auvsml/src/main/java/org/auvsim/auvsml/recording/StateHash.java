@@ -8,7 +8,7 @@ import java.util.HexFormat;
 /**
  * The world's {@link org.auvsim.core.world.World#stateHash state hash} after a step.
  *
- * @param revision how often history had been revised
+ * @param revision how often the past had been revised or left
  * @param step so many steps had been made
  * @param timestamp the world's time
  * @param hash 16 hexadecimal digits

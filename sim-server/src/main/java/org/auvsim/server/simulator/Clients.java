@@ -23,16 +23,22 @@ final class Clients implements Reception {
     private final AuvsmlWriter writer;
     private final Limits limits;
     private final Role role;
-    private final AtomicLong lastId = new AtomicLong();
+    private final AtomicLong lastId;
     private final Map<Long, ClientSession> open = new ConcurrentHashMap<>();
 
     Clients(
-            Mailbox mailbox, RootDecoder decoder, AuvsmlWriter writer, Limits limits, Role role) {
+            Mailbox mailbox,
+            RootDecoder decoder,
+            AuvsmlWriter writer,
+            Limits limits,
+            Role role,
+            long firstId) {
         this.mailbox = mailbox;
         this.decoder = decoder;
         this.writer = writer;
         this.limits = limits;
         this.role = role;
+        this.lastId = new AtomicLong(firstId - 1);
     }
 
     @Override
@@ -72,6 +78,11 @@ final class Clients implements Reception {
     @Override
     public byte[] farewell(String reason) {
         return writer.write(new DisconnectedNotification(reason));
+    }
+
+    /** So many are connected. */
+    int count() {
+        return (int) open.values().stream().filter(session -> !session.isClosed()).count();
     }
 
     /** Ends all sessions when the simulation thread has done its work. */

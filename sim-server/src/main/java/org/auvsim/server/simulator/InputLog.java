@@ -1,10 +1,15 @@
 package org.auvsim.server.simulator;
 
+import org.auvsim.core.world.World;
+
 /**
  * Hears of all that decides the course of a simulation, in order and on the simulation thread,
  * which it must not hold up: a recording is made of it.
  */
 public interface InputLog {
+    /** The simulation is about to begin. */
+    void begun(World world);
+
     /** An input is about to be taken. */
     void taken(InputPlace place, Input input);
 

@@ -3,7 +3,7 @@ package org.auvsim.server.simulator;
 import java.util.Optional;
 
 /** Where a step that waits gets inputs from: the mailbox, or what was recorded. */
-interface InputSource {
+public interface InputSource {
     /**
      * The next input, after waiting at most so long (ns) for it; empty if none has come.
      *

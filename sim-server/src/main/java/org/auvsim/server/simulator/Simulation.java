@@ -26,9 +26,9 @@ import java.util.Set;
 import java.util.function.LongSupplier;
 
 /**
- * A world with its clients, without a clock: all that happens follows from the inputs that it
- * takes and from the steps that it is told to make. Whoever gives the same inputs at the same
- * places, as a recording does, gets the same simulation, bit for bit.
+ * A world with its clients, without a clock: all that happens follows from the inputs that it takes
+ * and from the steps that it is told to make. Whoever gives the same inputs at the same places, as
+ * a recording does, gets the same simulation, bit for bit.
  */
 final class Simulation {
     private final World world;
@@ -92,6 +92,7 @@ final class Simulation {
         world.addListener(news);
         world.addListener(controlled);
         beginning = state();
+        logs.forEach(log -> log.begun(world));
     }
 
     World world() {
@@ -120,7 +121,7 @@ final class Simulation {
     }
 
     private InputPlace place() {
-        return new InputPlace(steps, inputs, stepIsUnderWay, world.time());
+        return new InputPlace(revision, steps, inputs, stepIsUnderWay, world.time());
     }
 
     /**
@@ -278,8 +279,7 @@ final class Simulation {
         news.silently(() -> remake(moments, late, corrections));
         revision++;
         notifications.toAll(
-                new HistoryRevisedNotification(
-                        revision, moments.getFirst().step.start(), now));
+                new HistoryRevisedNotification(revision, moments.getFirst().step.start(), now));
         corrections.forEach(news::applied);
         news.present(known);
         news.flush();

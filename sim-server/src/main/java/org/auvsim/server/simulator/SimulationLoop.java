@@ -1,6 +1,7 @@
 package org.auvsim.server.simulator;
 
 import org.auvsim.auvsml.ErrorCode;
+import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.command.SimulatorState;
 import org.auvsim.auvsml.message.session.ErrorResponse;
@@ -99,20 +100,27 @@ final class SimulationLoop implements TimeControl {
                         .formatted(world.time(), why.getMessage());
         LOG.error(text);
         LOG.debug("the step failed here", why);
-        simulation.notifications().toAll(
-                new ErrorResponse(
-                        ErrorCode.STEP_FAILED, text, OptionalInt.empty(), OptionalInt.empty()));
+        simulation
+                .notifications()
+                .toAll(
+                        new ErrorResponse(
+                                ErrorCode.STEP_FAILED,
+                                text,
+                                OptionalInt.empty(),
+                                OptionalInt.empty()));
     }
 
     private void tellLag() {
-        OptionalLong skipped = running ? lag.skippedSteps(world.time(), world.timeStep()) : OptionalLong.empty();
+        OptionalLong skipped =
+                running ? lag.skippedSteps(world.time(), world.timeStep()) : OptionalLong.empty();
         if (skipped.isPresent()) {
             LOG.warn(
                     "too slow for {} times real time: {} steps skipped",
                     pace.rate().orElse(Double.POSITIVE_INFINITY),
                     skipped.getAsLong());
-            simulation.notifications().toAll(
-                    new LaggingNotification(LaggingSide.SIMULATOR, skipped.getAsLong()));
+            simulation
+                    .notifications()
+                    .toAll(new LaggingNotification(LaggingSide.SIMULATOR, skipped.getAsLong()));
         }
     }
 
@@ -150,6 +158,11 @@ final class SimulationLoop implements TimeControl {
     @Override
     public void timeHasJumped() {
         pace.start(world.time());
+    }
+
+    /** Tells all clients. */
+    void tell(Message message) {
+        simulation.notifications().toAll(message);
     }
 
     /** Makes one step at once, while paused. */

@@ -1,6 +1,7 @@
 package org.auvsim.server.simulator;
 
 import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.SimulatorState;
 import org.auvsim.core.step.Lanes;
 import org.auvsim.core.world.World;
@@ -116,11 +117,19 @@ public final class Simulator implements AutoCloseable {
         return onSimulationThread(() -> question.apply(world));
     }
 
+    /** Tells all clients, soon. */
+    public void tell(Message message) {
+        try {
+            mailbox.post(new Input.Asked(() -> loop.tell(message)));
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
     private <T> T onSimulationThread(Supplier<T> question) {
         CompletableFuture<T> answer = new CompletableFuture<>();
         try {
-            mailbox.post(
-                    new Input.Asked(() -> answer.completeAsync(question, Runnable::run)));
+            mailbox.post(new Input.Asked(() -> answer.completeAsync(question, Runnable::run)));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new IllegalStateException("interrupted before the simulator could answer", e);

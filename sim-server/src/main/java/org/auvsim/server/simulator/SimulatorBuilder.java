@@ -7,12 +7,10 @@ import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.xml.Limits;
 import org.auvsim.core.world.World;
-import org.auvsim.server.feedback.CorrectiveFeedbackSystem;
 import org.auvsim.server.feedback.FeedbackProcessor;
 import org.auvsim.server.feedback.FeedbackProcessors;
 import org.auvsim.server.feedback.FeedbackTimestepper;
 import org.auvsim.server.feedback.NoFeedbackTimestepper;
-import org.auvsim.server.net.Notifications;
 import org.auvsim.server.net.Transport;
 import org.auvsim.server.net.TransportException;
 
@@ -26,6 +24,9 @@ import java.util.function.LongSupplier;
 public final class SimulatorBuilder {
     /** So many inputs may wait for the simulation thread. */
     private static final int MAILBOX_CAPACITY = 1024;
+
+    /** Viewers of a replay have ids beyond those of the sessions that are replayed. */
+    private static final long FIRST_VIEWER = 1_000_000_001;
 
     private final World world;
     private final List<Transport> transports = new ArrayList<>();
@@ -148,20 +149,58 @@ public final class SimulatorBuilder {
      *     that which overrides the others
      */
     public Simulator start() {
-        override.ifPresent(this::override);
-        MessageCatalogue messages =
-                catalogue.orElseGet(
-                        () -> MessageCatalogue.load(SimulatorBuilder.class.getClassLoader()));
-        AuvsmlWriter writer = new AuvsmlWriter(messages);
+        MessageCatalogue messages = messages();
         Mailbox mailbox = new Mailbox(MAILBOX_CAPACITY);
-        Pace pace = new Pace(rate, nanoClock);
-        SimulationSettings settings =
-                new SimulationSettings(
-                        world, timestepper, processors, horizon, writer, serverName, logs);
-        SimulationLoop loop = new SimulationLoop(settings, mailbox, pace, running, until);
-        RootDecoder decoder = RootDecoder.strict(messages, limits);
-        Clients clients = new Clients(mailbox, decoder, writer, limits, role);
+        SimulationSettings settings = settings(messages);
+        SimulationLoop loop =
+                new SimulationLoop(settings, mailbox, new Pace(rate, nanoClock), running, until);
+        Clients clients = clients(messages, mailbox, settings.writer(), role, 1);
         return new Simulator(world, loop, mailbox, clients, transports).start();
+    }
+
+    /**
+     * Builds a simulation that is given its inputs and makes its steps when it is told to. Those
+     * who connect are viewers.
+     *
+     * @param during where a step that waits for feedback gets its inputs from
+     * @throws TransportException if a transport cannot be opened
+     * @throws IllegalArgumentException as {@link #start}
+     */
+    public SimulationReplay replay(InputSource during) {
+        MessageCatalogue messages = messages();
+        Mailbox mailbox = new Mailbox(MAILBOX_CAPACITY);
+        SimulationSettings settings = settings(messages);
+        Clients viewers = clients(messages, mailbox, settings.writer(), Role.VIEWER, FIRST_VIEWER);
+        return new SimulationReplay(
+                        settings, during, mailbox, new Pace(rate, nanoClock), viewers, transports)
+                .start();
+    }
+
+    private MessageCatalogue messages() {
+        return catalogue.orElseGet(
+                () -> MessageCatalogue.load(SimulatorBuilder.class.getClassLoader()));
+    }
+
+    private SimulationSettings settings(MessageCatalogue messages) {
+        override.ifPresent(this::override);
+        return new SimulationSettings(
+                world,
+                timestepper,
+                processors,
+                horizon,
+                new AuvsmlWriter(messages),
+                serverName,
+                logs);
+    }
+
+    private Clients clients(
+            MessageCatalogue messages,
+            Mailbox mailbox,
+            AuvsmlWriter writer,
+            Role role,
+            long firstId) {
+        RootDecoder decoder = RootDecoder.strict(messages, limits);
+        return new Clients(mailbox, decoder, writer, limits, role, firstId);
     }
 
     private void override(String name) {

@@ -1,22 +1,19 @@
 package org.auvsim.auvsml.document.recording;
 
 import org.auvsim.auvsml.recording.Entry;
-import org.auvsim.auvsml.recording.Happened;
 import org.auvsim.auvsml.recording.RecordedInput;
 import org.auvsim.auvsml.recording.RecordingEnded;
-import org.auvsim.auvsml.recording.StateHash;
-import org.auvsim.auvsml.recording.StepFailed;
 
 import java.util.Optional;
 
 /**
- * The order in which entries must stand: steps and times never go back, but that a revision of the
- * past begins at an earlier step; inputs of one step are counted up.
+ * The order in which entries must stand: revisions, and steps, never go back, nor does time but
+ * with a new revision; inputs of one step are counted up.
  */
 final class EntryOrder {
+    private int revision;
     private long step;
     private double time;
-    private int revision;
     private long inputStep;
     private int inputIndex = -1;
     private boolean ended;
@@ -31,49 +28,34 @@ final class EntryOrder {
         if (ended) {
             return Optional.of("nothing may follow the recording's end");
         }
-        if (entry.step() < 0) {
-            return Optional.of("its step %d is below 0".formatted(entry.step()));
+        if (entry.revision() < revision) {
+            return goesBack("revision", entry.revision(), revision);
         }
-        ended = entry instanceof RecordingEnded;
-        return switch (entry) {
-            case RecordedInput input -> ofInput(input);
-            case Happened happened -> ofNews(happened.revision(), happened);
-            case StateHash hash -> ofNews(hash.revision(), hash);
-            case StepFailed failed -> ofNews(revision, failed);
-            case RecordingEnded end -> ofNews(revision, end);
-        };
-    }
-
-    private Optional<String> ofInput(RecordedInput input) {
-        if (input.step() == inputStep && input.index() <= inputIndex) {
-            return Optional.of(
-                    "its index %d must be above %d, that of the input before at this step"
-                            .formatted(input.index(), inputIndex));
+        if (entry.step() < step) {
+            return goesBack("step", entry.step(), step);
         }
-        inputStep = input.step();
-        inputIndex = input.index();
-        return ofNews(revision, input);
-    }
-
-    private Optional<String> ofNews(int itsRevision, Entry entry) {
-        if (itsRevision < revision) {
-            return Optional.of(
-                    "its revision %d is below %d, that of an entry before"
-                            .formatted(itsRevision, revision));
+        if (entry.revision() == revision && entry.timestamp() < time) {
+            return goesBack("timestamp", entry.timestamp(), time);
         }
-        if (itsRevision == revision && entry.step() < step) {
-            return Optional.of(
-                    "its step %d is below %d, that of an entry before"
-                            .formatted(entry.step(), step));
+        if (entry instanceof RecordedInput input) {
+            if (input.step() == inputStep && input.index() <= inputIndex) {
+                return Optional.of(
+                        "its index must be above %d, that of the input before, but is %d"
+                                .formatted(inputIndex, input.index()));
+            }
+            inputStep = input.step();
+            inputIndex = input.index();
         }
-        if (itsRevision == revision && entry.timestamp() < time) {
-            return Optional.of(
-                    "its time %s s is before %s s, that of an entry before"
-                            .formatted(entry.timestamp(), time));
-        }
-        revision = itsRevision;
+        revision = entry.revision();
         step = entry.step();
         time = entry.timestamp();
+        ended = entry instanceof RecordingEnded;
         return Optional.empty();
+    }
+
+    private static Optional<String> goesBack(String what, Number is, Number before) {
+        return Optional.of(
+                "its %s must be %s or more, as in the entry before, but is %s"
+                        .formatted(what, before, is));
     }
 }

@@ -97,7 +97,7 @@ final class GzipMembers implements Blocks {
     private DocumentException damaged(String how) {
         return new DocumentException(
                 ("%s: the recording is damaged or was changed: its gzip member %d, from byte %d on,"
-                     + " is not as it was written: %s")
+                                + " is not as it was written: %s")
                         .formatted(file, member, offset, how));
     }
 

@@ -133,7 +133,7 @@ public final class RecordingReader implements Closeable {
                 throw refused(root, ErrorCode.INVALID_VALUE, fault.get());
             }
             reach =
-                    entry instanceof RecordingEnded(long step, double time, String reason)
+                    entry instanceof RecordingEnded(int _, long step, double time, String reason)
                             ? new Reach(true, step, time, reason)
                             : new Reach(false, entry.step(), entry.timestamp(), CUT_OFF);
             return Optional.of(entry);
@@ -179,7 +179,7 @@ public final class RecordingReader implements Closeable {
                         root,
                         ErrorCode.INVALID_VALUE,
                         ("the recording has the format's version %s, but this auvsim reads version"
-                             + " %d; replay it with the auvsim that wrote it")
+                                        + " %d; replay it with the auvsim that wrote it")
                                 .formatted(version, Recording.VERSION));
             }
             return mapper.decode(Recording.class, tree);

@@ -53,11 +53,12 @@ final class Recordings {
     /** The entries of so many steps of 0.05 s, with random movements. */
     static List<Entry> entries(int steps, Random random) {
         List<Entry> entries = new ArrayList<>();
-        entries.add(new ClientCame(0, 0, false, 3, 1, "127.0.0.1:4000", Role.ADMIN));
+        entries.add(new ClientCame(0, 0, 0, false, 3, 1, "127.0.0.1:4000", Role.ADMIN));
         for (int step = 0; step < steps; step++) {
             double time = 3 + 0.05 * step;
             entries.add(
                     new ClientSent(
+                            0,
                             step,
                             1,
                             step % 2 == 0,
@@ -67,6 +68,7 @@ final class Recordings {
                             List.of(new PauseSimulatorCommand())));
             entries.add(
                     new ClientSentUnreadable(
+                            0,
                             step,
                             2,
                             false,
@@ -78,14 +80,14 @@ final class Recordings {
                             "auvsml/step-command@count",
                             7,
                             12));
-            entries.add(new WaitTimedOut(step, 3, true, time));
+            entries.add(new WaitTimedOut(0, step, 3, true, time));
             double after = 3 + 0.05 * (step + 1);
             entries.add(new Happened(0, step + 1, after, List.of(movement(after, random))));
             entries.add(StateHash.of(0, step + 1, after, random.nextLong()));
         }
-        entries.add(new StepFailed(steps, 3 + 0.05 * steps));
-        entries.add(new ClientWent(steps, 0, false, 3 + 0.05 * steps, 1));
-        entries.add(new RecordingEnded(steps, 3 + 0.05 * steps, "the simulation has ended"));
+        entries.add(new StepFailed(0, steps, 3 + 0.05 * steps));
+        entries.add(new ClientWent(0, steps, 0, false, 3 + 0.05 * steps, 1));
+        entries.add(new RecordingEnded(0, steps, 3 + 0.05 * steps, "the simulation has ended"));
         return entries;
     }
 

@@ -1,0 +1,77 @@
+package org.auvsim.cli;
+
+import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.auvsml.document.recording.RecordingWriter;
+import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.auvsml.recording.Recording;
+import org.auvsim.cli.report.FileTrouble;
+import org.auvsim.cli.report.UserError;
+import org.auvsim.server.replay.Recorder;
+
+import picocli.CommandLine.Option;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.OpenOption;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.Optional;
+
+/** The options {@code --record}, {@code --hash-every} and {@code --force}. */
+final class RecordingOptions {
+    @Option(
+            names = "--record",
+            paramLabel = "FILE.auvsml.gz",
+            description =
+                    "Records all that decides the simulation's course, and what comes of it, for"
+                            + " 'auvsim replay'.")
+    private Optional<Path> file = Optional.empty();
+
+    @Option(
+            names = "--hash-every",
+            paramLabel = "STEPS",
+            defaultValue = "" + Recording.USUAL_HASH_EVERY,
+            description =
+                    "The recording has a hash of the state each so many steps; by default"
+                            + " ${DEFAULT-VALUE}.")
+    private int hashEvery;
+
+    @Option(names = "--force", description = "Overwrites a recording that is there already.")
+    private boolean force;
+
+    /**
+     * Begins the recording of a scenario, if one is wanted.
+     *
+     * @throws UserError if that cannot be done
+     */
+    RecordingUnderWay start(Scenario scenario, String server) {
+        if (hashEvery < 1) {
+            throw new UserError("--hash-every must be 1 or more, but is %d.".formatted(hashEvery));
+        }
+        Recording recording = new Recording(Recording.VERSION, server, hashEvery);
+        return new RecordingUnderWay(file.map(target -> start(target, recording, scenario)));
+    }
+
+    private Recorder start(Path target, Recording recording, Scenario scenario) {
+        AuvsmlMapper mapper = AuvsmlMapper.load(RecordingOptions.class.getClassLoader());
+        try {
+            return Recorder.start(new RecordingWriter(open(target), mapper), recording, scenario);
+        } catch (FileAlreadyExistsException e) {
+            throw new UserError(
+                    "%s is there already; name another file, or overwrite it with --force."
+                            .formatted(target),
+                    e);
+        } catch (IOException e) {
+            throw FileTrouble.writing(target, e);
+        }
+    }
+
+    private OutputStream open(Path target) throws IOException {
+        OpenOption ifThere =
+                force ? StandardOpenOption.TRUNCATE_EXISTING : StandardOpenOption.CREATE_NEW;
+        return Files.newOutputStream(
+                target, StandardOpenOption.CREATE, StandardOpenOption.WRITE, ifThere);
+    }
+}

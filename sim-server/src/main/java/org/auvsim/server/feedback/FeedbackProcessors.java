@@ -55,7 +55,7 @@ public final class FeedbackProcessors {
      * @throws RefusedException if there is none of this name
      */
     public void override(String name) {
-        override = Optional.of(named(name));
+        override = Optional.of(existing(name));
     }
 
     /** Lets each message name the processor again. */
@@ -69,13 +69,17 @@ public final class FeedbackProcessors {
      * @throws RefusedException if there is none of this name
      */
     public FeedbackProcessor named(String name) {
-        return override.or(() -> Optional.ofNullable(byName.get(name)))
-                .orElseThrow(
-                        () ->
-                                new RefusedException(
-                                        ErrorCode.UNKNOWN_ENTITY,
-                                        "no feedback processor has the name '%s'; there are %s"
-                                                .formatted(
-                                                        name, String.join(", ", byName.keySet()))));
+        return override.orElseGet(() -> existing(name));
+    }
+
+    private FeedbackProcessor existing(String name) {
+        FeedbackProcessor processor = byName.get(name);
+        if (processor == null) {
+            throw new RefusedException(
+                    ErrorCode.UNKNOWN_ENTITY,
+                    "no feedback processor has the name '%s'; there are %s"
+                            .formatted(name, String.join(", ", byName.keySet())));
+        }
+        return processor;
     }
 }

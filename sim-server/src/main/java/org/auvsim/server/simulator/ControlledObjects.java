@@ -1,6 +1,7 @@
 package org.auvsim.server.simulator;
 
 import org.auvsim.auvsml.ErrorCode;
+import org.auvsim.auvsml.document.ReleasedObject;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.world.World;
@@ -9,36 +10,60 @@ import org.auvsim.core.world.WorldListener;
 import org.auvsim.server.net.ClientSession;
 
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /** Which client controls which world object: the first that commands it or corrects it. */
 final class ControlledObjects implements WorldListener {
     private final World world;
     private final Map<Long, ClientSession> holders = new HashMap<>();
+    private ReleaseRule rule;
 
-    /** Nobody controls anything. */
-    ControlledObjects(World world) {
+    /**
+     * Nobody controls anything.
+     *
+     * @param released what becomes of objects that clients let go
+     */
+    ControlledObjects(World world, ReleasedObject released) {
         this.world = world;
+        this.rule = new ReleaseRule(released);
+    }
+
+    /** Sets what becomes of objects that clients let go from now on. */
+    void setReleased(ReleasedObject released) {
+        rule = new ReleaseRule(released);
     }
 
     /**
-     * Gives an object to a client.
+     * Gives an object to a client; nothing happens if it has it already.
      *
-     * @return false if it had it already
      * @throws RefusedException if there is no such object or another client holds it
      */
-    boolean take(ClientSession client, long objectId) {
+    void take(ClientSession client, long objectId) {
+        requireFree(client, objectId);
+        if (holders.putIfAbsent(objectId, client) == null) {
+            rule.takeUp(world, world.object(objectId));
+        }
+    }
+
+    /**
+     * Nothing if a client holds an object or could take it.
+     *
+     * @throws RefusedException if there is no such object or another client holds it
+     */
+    void requireFree(ClientSession client, long objectId) {
         WorldObject object = WorldPort.object(world, objectId);
-        ClientSession holder = holders.putIfAbsent(objectId, client);
-        if (holder != null && holder != client) {
+        ClientSession holder = holders.getOrDefault(objectId, client);
+        if (holder != client) {
             throw new RefusedException(
                     ErrorCode.NOT_IN_CONTROL,
                     "%s controls '%s' (id %d); wait until it lets go"
                             .formatted(holder, object.name(), objectId));
         }
-        return holder == null;
     }
 
     /**
@@ -48,13 +73,17 @@ final class ControlledObjects implements WorldListener {
      * @throws RefusedException if there is no such object
      */
     boolean release(ClientSession client, long objectId) {
-        WorldPort.object(world, objectId);
-        return holders.remove(objectId, client);
+        WorldObject object = WorldPort.object(world, objectId);
+        boolean isReleased = holders.remove(objectId, client);
+        if (isReleased) {
+            rule.letGo(world, object);
+        }
+        return isReleased;
     }
 
     /** Takes from a client all that it holds. */
     void releaseAll(ClientSession client) {
-        holders.values().removeIf(holder -> holder == client);
+        of(client).forEach(id -> release(client, id));
     }
 
     /** The ids of the objects that a client controls, in order. */
@@ -73,7 +102,11 @@ final class ControlledObjects implements WorldListener {
 
     /** Frees what is controlled by others than these. */
     void retain(Collection<ClientSession> clients) {
-        holders.values().retainAll(clients);
+        Set<ClientSession> others = new LinkedHashSet<>(holders.values());
+        others.removeAll(clients);
+        others.stream()
+                .sorted(Comparator.comparingLong(ClientSession::id))
+                .forEach(this::releaseAll);
     }
 
     /** Lets everything be controlled as it was before. */

@@ -191,16 +191,9 @@ final class Execution {
     /** Does something to an object that the client holds or, if it succeeds, gets hold of. */
     private Optional<Message> holding(
             ClientSession session, long objectId, Supplier<Optional<Message>> action) {
-        boolean isNew = controlled.take(session, objectId);
-        boolean done = false;
-        try {
-            Optional<Message> response = action.get();
-            done = true;
-            return response;
-        } finally {
-            if (isNew && !done) {
-                controlled.release(session, objectId);
-            }
-        }
+        controlled.requireFree(session, objectId);
+        Optional<Message> response = action.get();
+        controlled.take(session, objectId);
+        return response;
     }
 }

@@ -134,6 +134,12 @@ final class Requests {
         }
     }
 
+    /** Ends the session of a client, which is told the reason. */
+    void disconnect(ClientSession session, String reason) {
+        session.close(reason);
+        leave(session);
+    }
+
     private void end(ClientSession session) {
         LOG.info("{} has gone", session);
         leaving.remove(session);

@@ -22,6 +22,7 @@ final class ScenarioSettings {
                 new SimulatorBuilder(scenario.world(lanes))
                         .timestepper(timestepper(scenario.feedbackTimestepping()))
                         .feedbackHorizon(scenario.feedbackHorizon());
+        scenario.releasedObject().ifPresent(builder::releasedObject);
         scenario.feedbackProcessor()
                 .map(FeedbackProcessorChoice::override)
                 .ifPresent(builder::overrideProcessors);

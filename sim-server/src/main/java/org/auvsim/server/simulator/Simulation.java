@@ -4,6 +4,7 @@ import static java.util.stream.Collectors.toSet;
 
 import org.auvsim.auvsml.document.FeedbackProcessorChoice;
 import org.auvsim.auvsml.document.FeedbackTimestepping;
+import org.auvsim.auvsml.document.ReleasedObject;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.control.SnapshotRestoredNotification;
@@ -42,7 +43,7 @@ final class Simulation {
     private final List<InputLog> logs;
 
     private final Snapshots snapshots = new Snapshots();
-    private final SimulationState beginning;
+    private SimulationState beginning;
 
     /** Commands of members that are carried out when the step that is under way is made. */
     private final List<Held> answers = new ArrayList<>();
@@ -68,7 +69,7 @@ final class Simulation {
         logs = settings.logs();
         notifications = new Notifications(settings.writer());
         news = new WorldNews(world, notifications);
-        controlled = new ControlledObjects(world);
+        controlled = new ControlledObjects(world, settings.released());
         history = new History(settings.horizon());
         feedback =
                 new CorrectiveFeedbackSystem(
@@ -220,6 +221,15 @@ final class Simulation {
         name.ifPresentOrElse(feedback.processors()::override, feedback.processors()::overrideNone);
     }
 
+    ConnectedClients clients() {
+        return new ConnectedClients(notifications, controlled);
+    }
+
+    /** Ends the session of a client, which is told the reason. */
+    void disconnect(ClientSession client, String reason) {
+        requests.disconnect(client, reason);
+    }
+
     Snapshots snapshots() {
         return snapshots;
     }
@@ -232,7 +242,7 @@ final class Simulation {
         goTo(snapshots.named(name), name);
     }
 
-    /** Goes back to how the simulation began; sessions go on, and control nothing. */
+    /** Goes back to how the scenario began; sessions go on, and control nothing. */
     void reset() {
         goTo(beginning, "*BEGINNING*");
     }
@@ -249,9 +259,11 @@ final class Simulation {
         setFeedbackProcessor(scenario.feedbackProcessor().map(FeedbackProcessorChoice::override));
         use(timestepper);
         history.setHorizon(scenario.feedbackHorizon());
+        controlled.setReleased(scenario.releasedObject().orElse(ReleasedObject.UNCHANGED));
         goTo(
                 new SimulationState(other, Map.of(), List.of(), new ProcessorMemory()),
                 "*SCENARIO*");
+        beginning = state();
     }
 
     private void goTo(SimulationState state, String name) {

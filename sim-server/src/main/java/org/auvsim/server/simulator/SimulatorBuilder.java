@@ -1,5 +1,6 @@
 package org.auvsim.server.simulator;
 
+import org.auvsim.auvsml.document.ReleasedObject;
 import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.framing.RootDecoder;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
@@ -34,6 +35,7 @@ public final class SimulatorBuilder {
     private FeedbackTimestepper timestepper = new NoFeedbackTimestepper();
     private final List<InputLog> logs = new ArrayList<>();
     private double horizon;
+    private ReleasedObject released = ReleasedObject.UNCHANGED;
     private OptionalDouble rate = OptionalDouble.of(1);
     private OptionalDouble until = OptionalDouble.empty();
     private Optional<String> override = Optional.empty();
@@ -78,6 +80,12 @@ public final class SimulatorBuilder {
                     "the feedback horizon must be 0 s or more, but is " + horizon + " s");
         }
         this.horizon = horizon;
+        return this;
+    }
+
+    /** What becomes of objects that clients let go; by default nothing. */
+    public SimulatorBuilder releasedObject(ReleasedObject released) {
+        this.released = released;
         return this;
     }
 
@@ -188,6 +196,7 @@ public final class SimulatorBuilder {
                 timestepper,
                 processors,
                 horizon,
+                released,
                 new AuvsmlWriter(messages),
                 serverName,
                 logs);

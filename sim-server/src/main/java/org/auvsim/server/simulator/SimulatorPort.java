@@ -3,6 +3,7 @@ package org.auvsim.server.simulator;
 import org.auvsim.auvsml.document.FeedbackTimestepping;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.message.command.KeptSnapshot;
+import org.auvsim.auvsml.message.command.ListedClient;
 import org.auvsim.auvsml.message.command.SimulatorControl;
 import org.auvsim.auvsml.message.command.SimulatorState;
 
@@ -78,5 +79,15 @@ record SimulatorPort(Simulation simulation, TimeControl time) implements Simulat
     public void load(Scenario scenario) {
         simulation.load(scenario);
         time.timeHasJumped();
+    }
+
+    @Override
+    public List<ListedClient> clients() {
+        return simulation.clients().list();
+    }
+
+    @Override
+    public void disconnect(String client, String reason) {
+        simulation.disconnect(simulation.clients().named(client), reason);
     }
 }

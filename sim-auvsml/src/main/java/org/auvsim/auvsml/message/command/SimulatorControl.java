@@ -69,4 +69,12 @@ public interface SimulatorControl extends SimulatorView {
      * @throws RefusedException if the scenario's world cannot be had
      */
     void load(Scenario scenario);
+
+    /**
+     * Ends the session of a client, which is told the reason.
+     *
+     * @param client its session id or its name
+     * @throws RefusedException if there is no such client
+     */
+    void disconnect(String client, String reason);
 }

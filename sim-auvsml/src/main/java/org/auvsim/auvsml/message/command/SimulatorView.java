@@ -9,4 +9,7 @@ public interface SimulatorView {
 
     /** The snapshots that are kept, in the order in which they were taken. */
     List<KeptSnapshot> snapshots();
+
+    /** The clients that are connected, in the order in which they came. */
+    List<ListedClient> clients();
 }

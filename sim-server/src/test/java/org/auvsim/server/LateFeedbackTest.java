@@ -3,9 +3,11 @@ package org.auvsim.server;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.MovementState;
 import org.auvsim.core.entity.NamedForce;
+import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.world.World;
 import org.auvsim.server.feedback.AsynchronousFeedbackTimestepper;
@@ -149,8 +151,7 @@ class LateFeedbackTest {
     }
 
     @Test
-    void anObjectThatWasAddedSinceKeepsItsIdAndACommandThatFailsNowIsReported()
-            throws IOException {
+    void anObjectThatWasAddedSinceKeepsItsId() throws IOException {
         steps(2);
         String added =
                 client().ask(
@@ -174,5 +175,71 @@ class LateFeedbackTest {
                 .contains("its past can be corrected back to");
         steps(1);
         assertThat(this.<Double>world(w -> w.object(1).position().y())).isZero();
+    }
+
+    /** Breaks where the past, as it was, did not bring it. */
+    private record Fragile(String name) implements Behavior {
+        @Override
+        public void act(double time, WorldObject self) {
+            if (self.position().y() > 5) {
+                throw new IllegalStateException("the rudder of '%s' broke".formatted(self.name()));
+            }
+        }
+    }
+
+    @Test
+    void aPastThatCannotBeMadeAgainStaysAsItWas() throws IOException {
+        world(
+                w -> {
+                    w.object(1).add(new Fragile("rudder"));
+                    return true;
+                });
+        steps(6);
+        long before = world(World::stateHash);
+        client().send("<auvsml>" + position(1, 0.1, DIRECT, 9) + "</auvsml>");
+        client().ask("s", "<get-simulator-state-request/>");
+        simulator().advanceTimestep();
+        assertThat(client().next("error-response"))
+                .contains("the past cannot be corrected with this feedback")
+                .contains("the rudder of 'Bob' broke");
+        World alone = Tank.world();
+        for (int i = 0; i < 7; i++) {
+            alone.advanceTimestep();
+        }
+        assertThat(this.<Long>world(World::stateHash))
+                .isNotEqualTo(before)
+                .isEqualTo(alone.stateHash());
+    }
+
+    /** Lets its engine go where the past, as it was, did not bring it. */
+    private record LetsGo(String name) implements Behavior {
+        @Override
+        public void act(double time, WorldObject self) {
+            if (self.position().y() > 5) {
+                self.removeForce("engine");
+            }
+        }
+    }
+
+    @Test
+    void aCommandThatFailsInTheCorrectedPastIsReportedToItsSender() throws IOException {
+        world(
+                w -> {
+                    w.object(1).add(new LetsGo("let go"));
+                    return true;
+                });
+        client().ask("m", pushing(1, 1));
+        steps(6);
+        client()
+                .ask(
+                        "x",
+                        "<remove-force-command world-object-id=\"1\" force-name=\"engine\"/>");
+        steps(1);
+        client().ask("f", position(1, 0.1, DIRECT, 9));
+        steps(1);
+        client().next("history-revised");
+        assertThat(client().next("error-response"))
+                .contains("remove-force-command, carried out before, is refused now")
+                .contains("'Bob' has no force 'engine'");
     }
 }

@@ -68,6 +68,14 @@ class LockstepTest {
         return client;
     }
 
+    /** Waits for the next step that is shown ({@code PROJECTED}) or made ({@code ACTUAL}). */
+    private static void nextStep(RawClient client, String stateType) throws IOException {
+        String root = client.next("timestep-advanced");
+        while (!root.contains(stateType)) {
+            root = client.next("timestep-advanced");
+        }
+    }
+
     private static String push(int object, String name, double x) {
         return ("<auvsml><apply-direct-force-command world-object-id=\"%d\" name=\"%s\""
                         + " orientation=\"WORLD\"><force-vector x=\"%s\" y=\"0.0\" z=\"0.0\"/>"
@@ -176,19 +184,23 @@ class LockstepTest {
         }
     }
 
+    private static String feedback(String time, double x) {
+        return ("<auvsml><different-position-feedback-message world-object-id=\"1\""
+                        + " timestamp=\"%s\" handler-name=\"DirectPositionChangeFeedbackHandler\">"
+                        + "<virtual-position x=\"0.0\" y=\"0.0\" z=\"0.0\"/>"
+                        + "<actual-position x=\"%s\" y=\"0.0\" z=\"0.0\"/>"
+                        + "<old-position x=\"0.0\" y=\"0.0\" z=\"0.0\"/>"
+                        + "</different-position-feedback-message></auvsml>")
+                .formatted(time, x);
+    }
+
     @Test
     void feedbackIsAnAnswer() throws IOException {
         start(new LockstepTimestepper());
         RawClient a = member("a");
         a.send(ready(0) + "<auvsml><step-command/></auvsml>");
         a.next("timestep-advanced");
-        a.send(
-                "<auvsml><different-position-feedback-message world-object-id=\"1\""
-                        + " timestamp=\"0.05\" handler-name=\"DirectPositionChangeFeedbackHandler\">"
-                        + "<virtual-position x=\"0.0\" y=\"0.0\" z=\"0.0\"/>"
-                        + "<actual-position x=\"0.5\" y=\"0.0\" z=\"0.0\"/>"
-                        + "<old-position x=\"0.0\" y=\"0.0\" z=\"0.0\"/>"
-                        + "</different-position-feedback-message></auvsml>");
+        a.send(feedback("0.05", 0.5));
         assertThat(a.next("timestep-advanced")).contains("ACTUAL");
         assertThat(x(1)).isEqualTo(0.5);
     }
@@ -249,5 +261,43 @@ class LockstepTest {
         assertThat(a.next("lockstep-timeout")).contains("then=\"wait\"");
         a.send(ready(1));
         assertThat(a.next("timestep-advanced")).contains("ACTUAL");
+    }
+
+    /** What a member sent at the start is still there when the first step is made again. */
+    @Test
+    void lateFeedbackCorrectsThePastOfALockstep() throws IOException {
+        simulator =
+                Optional.of(
+                        Simulator.of(Tank.world())
+                                .timestepper(new LockstepTimestepper())
+                                .feedbackHorizon(1)
+                                .rate(OptionalDouble.empty())
+                                .paused()
+                                .transport(tcp)
+                                .start());
+        RawClient a = member("a");
+        a.send(push(1, "engine", 4) + ready(0) + "<auvsml><step-command count=\"3\"/></auvsml>");
+        for (int step = 1; step <= 2; step++) {
+            nextStep(a, "PROJECTED");
+            a.send(ready(step));
+        }
+        nextStep(a, "PROJECTED");
+        a.send(feedback("0.05", 7) + ready(3));
+        assertThat(a.next("timestep-advanced")).contains("ACTUAL");
+        send(a, "<auvsml><step-command/></auvsml>");
+        assertThat(a.next("history-revised")).contains("from=\"0.0\" to=\"0.15");
+        World alone = Tank.world();
+        alone.object(1).applyForce(force(4));
+        for (int step = 1; step <= 3; step++) {
+            alone.advanceTimestep();
+            if (step == 1) {
+                alone.object(1).setPosition(new Vec3(7, 0, 0));
+            }
+        }
+        nextStep(a, "PROJECTED");
+        a.send(ready(4));
+        nextStep(a, "ACTUAL");
+        alone.advanceTimestep();
+        assertThat(this.<Long>world(World::stateHash)).isEqualTo(alone.stateHash());
     }
 }

@@ -10,24 +10,18 @@ import java.util.List;
 
 /** The steps of the recent past, with all that is needed to make them again. */
 final class History {
-    /** One step, and what clients did after it. */
-    static final class Moment {
-        /** As things were when the step began. */
-        SimulationState before;
-
-        final PastStep step;
-
-        /** The feedback that was used in the step. */
-        final List<PendingFeedback> feedback = new ArrayList<>();
-
-        /** What was done between this step and the next one. */
-        final List<Deed> after = new ArrayList<>();
-
-        private Moment(SimulationState before, PastStep step) {
-            this.before = before;
-            this.step = step;
-        }
-    }
+    /**
+     * One step, and what clients did after it.
+     *
+     * @param before as things were when the step began
+     * @param feedback what was used in the step
+     * @param after what was done between this step and the next one
+     */
+    record Moment(
+            SimulationState before,
+            PastStep step,
+            List<PendingFeedback> feedback,
+            List<Deed> after) {}
 
     private final Deque<Moment> moments = new ArrayDeque<>();
     private double horizon;
@@ -49,15 +43,13 @@ final class History {
 
     /** The world's time (s) back to which steps can be made again; infinite: none can. */
     double reachesBackTo() {
-        return moments.isEmpty() ? Double.POSITIVE_INFINITY : moments.getFirst().step.start();
+        return moments.isEmpty() ? Double.POSITIVE_INFINITY : moments.getFirst().step().start();
     }
 
     /** A step was made. */
     void add(SimulationState before, PastStep step, List<PendingFeedback> feedback) {
-        Moment moment = new Moment(before, step);
-        moment.feedback.addAll(feedback);
-        moments.add(moment);
-        while (moments.getFirst().step.end() < step.end() - horizon) {
+        moments.add(new Moment(before, step, List.copyOf(feedback), new ArrayList<>()));
+        while (moments.getFirst().step().end() < step.end() - horizon) {
             moments.removeFirst();
         }
     }
@@ -65,13 +57,20 @@ final class History {
     /** Something was done after the last step. */
     void add(Deed deed) {
         if (!moments.isEmpty()) {
-            moments.getLast().after.add(deed);
+            moments.getLast().after().add(deed);
         }
     }
 
-    /** The steps from that on in which a time (s) lies. */
-    List<Moment> from(double time) {
-        return moments.stream().dropWhile(moment -> !moment.step.contains(time)).toList();
+    /** The steps from that on in which the first of late feedback is true. */
+    List<Moment> from(List<PendingFeedback> late) {
+        double time = late.getFirst().message().timestamp();
+        return moments.stream().dropWhile(moment -> !moment.step().contains(time)).toList();
+    }
+
+    /** Puts steps that were made again in the place of as many at the end. */
+    void replaceLast(List<Moment> again) {
+        again.forEach(_ -> moments.removeLast());
+        moments.addAll(again);
     }
 
     /** Forgets everything: time has jumped. */

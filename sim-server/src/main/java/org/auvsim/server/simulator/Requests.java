@@ -213,21 +213,21 @@ final class Requests {
     }
 
     /**
-     * Does again what was done before the past was corrected; who did it is told if it is refused
-     * now.
+     * Does again what was done before the past was corrected.
+     *
+     * @return if it is refused now: what tells that to who did it
      */
-    boolean isRefusedNow(Deed deed) {
+    Optional<Runnable> repeat(Deed deed) {
         try {
             deed.action().run();
-            return false;
+            return Optional.empty();
         } catch (RefusedException | WorldException | IllegalArgumentException e) {
-            deed.session()
-                    .send(
-                            error(
-                                    ErrorCode.REFUSED,
-                                    "%s, carried out before, is refused now that the past is corrected: %s"
-                                            .formatted(deed.name(), e.getMessage())));
-            return true;
+            ErrorResponse told =
+                    error(
+                            ErrorCode.REFUSED,
+                            "%s, carried out before, is refused now that the past is corrected: %s"
+                                    .formatted(deed.name(), e.getMessage()));
+            return Optional.of(() -> deed.session().send(told));
         }
     }
 

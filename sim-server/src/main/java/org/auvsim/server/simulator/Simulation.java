@@ -1,7 +1,5 @@
 package org.auvsim.server.simulator;
 
-import static java.util.stream.Collectors.toSet;
-
 import org.auvsim.auvsml.document.FeedbackProcessorChoice;
 import org.auvsim.auvsml.document.FeedbackTimestepping;
 import org.auvsim.auvsml.document.ReleasedObject;
@@ -10,7 +8,6 @@ import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.control.SnapshotRestoredNotification;
 import org.auvsim.auvsml.message.feedback.HistoryRevisedNotification;
 import org.auvsim.core.world.World;
-import org.auvsim.server.feedback.AppliedFeedback;
 import org.auvsim.server.feedback.CorrectiveFeedbackSystem;
 import org.auvsim.server.feedback.FeedbackTimestepper;
 import org.auvsim.server.feedback.PastStep;
@@ -47,6 +44,9 @@ final class Simulation {
 
     /** Commands of members that are carried out when the step that is under way is made. */
     private final List<Held> answers = new ArrayList<>();
+
+    /** As things were when the step that is under way, or was made last, began. */
+    private SimulationState stepBegan;
 
     private long steps;
     private int inputs;
@@ -93,6 +93,7 @@ final class Simulation {
         world.addListener(news);
         world.addListener(controlled);
         beginning = state();
+        stepBegan = beginning;
         logs.forEach(log -> log.begun(world));
     }
 
@@ -160,9 +161,9 @@ final class Simulation {
         }
         double wanted = world.timeStep();
         double start = world.time();
-        SimulationState before = state();
+        stepBegan = state();
         feedback.advanceTimestep();
-        history.add(before, new PastStep(start, wanted, world.time()), feedback.takenInStep());
+        history.add(stepBegan, new PastStep(start, wanted, world.time()), feedback.takenInStep());
         feedback.reachBackTo(history.reachesBackTo());
     }
 
@@ -185,6 +186,7 @@ final class Simulation {
             answers.addAll(taken.commands());
         } else {
             taken.commands().forEach(requests::carryOut);
+            stepBegan = history.isKept() ? state() : stepBegan;
         }
     }
 
@@ -194,7 +196,8 @@ final class Simulation {
                 world.copy(), controlled.holders(), feedback.pending(), feedback.memory());
     }
 
-    private void restore(SimulationState state) {
+    /** Goes on from there. */
+    void restore(SimulationState state) {
         world.restore(state.world());
         controlled.restore(state.holders());
         feedback.restore(state.pending(), state.memory());
@@ -278,60 +281,31 @@ final class Simulation {
         news.flush();
     }
 
-    /** Goes back to where late feedback is true, and makes the steps from there to now again. */
+    /**
+     * Goes back to where late feedback is true, and makes the steps from there to now again. If
+     * they cannot be made with it, everything stays as it is.
+     */
     private void reviseHistory() {
         List<PendingFeedback> late = feedback.takeLate();
         if (late.isEmpty()) {
             return;
         }
-        double now = world.time();
+        SimulationState now = state();
         Set<Long> known = news.entityIds();
-        List<History.Moment> moments = history.from(late.getFirst().message().timestamp());
-        List<AppliedFeedback> corrections = new ArrayList<>();
-        news.silently(() -> remake(moments, late, corrections));
+        Revision made = new Revision(this, feedback, requests, history.from(late), late);
+        try {
+            news.silently(made::make);
+        } catch (RuntimeException e) {
+            restore(now);
+            made.refuse(e);
+            return;
+        }
         revision++;
-        notifications.toAll(
-                new HistoryRevisedNotification(revision, moments.getFirst().step.start(), now));
-        corrections.forEach(news::applied);
+        history.replaceLast(made.again());
+        notifications.toAll(new HistoryRevisedNotification(revision, made.from(), world.time()));
+        made.corrections().forEach(news::applied);
+        made.tellRefused();
         news.present(known);
         news.flush();
-    }
-
-    private void remake(
-            List<History.Moment> moments,
-            List<PendingFeedback> late,
-            List<AppliedFeedback> corrections) {
-        restore(moments.getFirst().before);
-        for (History.Moment moment : moments) {
-            List<PendingFeedback> added =
-                    late.stream()
-                            .filter(l -> moment.step.contains(l.message().timestamp()))
-                            .toList();
-            Set<Long> corrected =
-                    added.stream().map(l -> l.message().worldObjectId()).collect(toSet());
-            moment.before = state();
-            moment.feedback.addAll(added);
-            remake(moment).stream()
-                    .filter(applied -> corrected.contains(applied.objectId()))
-                    .forEach(corrections::add);
-            moment.after.removeIf(requests::isRefusedNow);
-        }
-    }
-
-    /** Makes a step again, up to where it ended, be it cut short by a collision or not. */
-    private List<AppliedFeedback> remake(History.Moment moment) {
-        PastStep step = moment.step;
-        List<AppliedFeedback> applied = new ArrayList<>();
-        SilentAudience audience = new SilentAudience(applied::add);
-        feedback.remake(step.wanted(), moment.feedback, audience);
-        if (step.isPassed(world.time())) { // the collision that ended it does not happen now
-            restore(moment.before);
-            applied.clear();
-            feedback.remake(step.end() - step.start(), moment.feedback, audience);
-        }
-        while (!step.isOver(world.time())) {
-            feedback.remake(step.end() - world.time(), List.of(), audience);
-        }
-        return applied;
     }
 }

@@ -1,5 +1,6 @@
 package org.auvsim.cli;
 
+import org.auvsim.auvsml.document.FeedbackProcessorChoice;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.cli.report.UserError;
@@ -20,7 +21,9 @@ final class ServedScenario {
      * @throws UserError if the scenario asks for something that the simulator does not have
      */
     static SimulatorBuilder simulator(Scenario scenario, Lanes lanes, Path file) {
-        scenario.feedbackProcessor().ifPresent(c -> requireProcessor(c.override(), file));
+        scenario.feedbackProcessor()
+                .flatMap(FeedbackProcessorChoice::override)
+                .ifPresent(name -> requireProcessor(name, file));
         try {
             return Simulator.of(scenario, lanes);
         } catch (IllegalArgumentException e) {

@@ -1,8 +1,19 @@
 package org.auvsim.auvsml.document;
 
+import java.util.List;
+import java.util.Optional;
+
 /**
- * Which feedback processor the server uses, whatever the messages name.
+ * How feedback is used.
  *
- * @param override the processor's name
+ * @param override the processor that the server uses, whatever the messages name; empty: the one
+ *     that each names
+ * @param processor those that are to work otherwise than by default
  */
-public record FeedbackProcessorChoice(String override) {}
+public record FeedbackProcessorChoice(
+        Optional<String> override, List<FeedbackProcessing> processor) {
+    /** The processor of a name, as it is by default. */
+    public FeedbackProcessorChoice(String override) {
+        this(Optional.of(override), List.of());
+    }
+}

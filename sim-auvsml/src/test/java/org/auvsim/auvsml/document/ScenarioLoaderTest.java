@@ -69,6 +69,33 @@ class ScenarioLoaderTest {
             ScenarioLoader.load(ScenarioLoaderTest.class.getClassLoader());
 
     @Test
+    void readsHowFeedbackProcessorsWork() throws Exception {
+        String scenario =
+                """
+                <scenario>
+                  <feedback-processor>
+                    <vector-adjustment-feedback-handler momentum="as-thesis"/>
+                    <kalman-filter-feedback-handler acceleration="0.02">
+                      <initial position="5" angle="0.1" velocity="1" angular-velocity="0.1"/>
+                    </kalman-filter-feedback-handler>
+                  </feedback-processor>
+                </scenario>
+                """;
+        assertThat(loader.parse(scenario.getBytes(UTF_8)).feedbackProcessor())
+                .contains(
+                        new FeedbackProcessorChoice(
+                                Optional.empty(),
+                                List.of(
+                                        new FeedbackProcessing.VectorAdjustmentFeedbackHandler(
+                                                MomentumRule.AS_THESIS),
+                                        new FeedbackProcessing.KalmanFilterFeedbackHandler(
+                                                0.02,
+                                                0.1,
+                                                new Deviations(0.1, 0.02, 0.05, 0.01),
+                                                new Deviations(5, 0.1, 1, 0.1)))));
+    }
+
+    @Test
     void readsAllThatAScenarioCanHave() throws Exception {
         Scenario scenario = loader.parse(TANK.getBytes(UTF_8));
 

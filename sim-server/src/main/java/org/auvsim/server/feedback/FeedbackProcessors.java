@@ -3,16 +3,20 @@ package org.auvsim.server.feedback;
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.message.command.RefusedException;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 
 /** The feedback processors of a simulator, by name. */
 public final class FeedbackProcessors {
     private final Map<String, FeedbackProcessor> byName = new TreeMap<>();
-    private Optional<FeedbackProcessor> override = Optional.empty();
+    private final Map<String, FeedbackProcessor> byScenario = new TreeMap<>();
+    private Optional<String> override = Optional.empty();
 
     /**
      * Direct alteration and vector adjustment, as the thesis names them, the others of this package,
@@ -50,12 +54,31 @@ public final class FeedbackProcessors {
     }
 
     /**
+     * Lets a scenario say which processors work otherwise than by default, and which one does all
+     * corrections, whichever the messages name.
+     *
+     * @throws RefusedException if there is none of that name; then nothing has changed
+     */
+    public void configure(List<FeedbackProcessor> stated, Optional<String> overriding) {
+        Map<String, FeedbackProcessor> before = Map.copyOf(byScenario);
+        byScenario.clear();
+        stated.forEach(processor -> byScenario.put(processor.name(), processor));
+        try {
+            override = overriding.map(this::known).map(FeedbackProcessor::name);
+        } catch (RefusedException e) {
+            byScenario.clear();
+            byScenario.putAll(before);
+            throw e;
+        }
+    }
+
+    /**
      * Lets one processor do all corrections, whichever the messages name.
      *
      * @throws RefusedException if there is none of this name
      */
     public void override(String name) {
-        override = Optional.of(existing(name));
+        override = Optional.of(known(name).name());
     }
 
     /** Lets each message name the processor again. */
@@ -69,16 +92,18 @@ public final class FeedbackProcessors {
      * @throws RefusedException if there is none of this name
      */
     public FeedbackProcessor named(String name) {
-        return override.orElseGet(() -> existing(name));
+        return known(override.orElse(name));
     }
 
-    private FeedbackProcessor existing(String name) {
-        FeedbackProcessor processor = byName.get(name);
+    private FeedbackProcessor known(String name) {
+        FeedbackProcessor processor = byScenario.getOrDefault(name, byName.get(name));
         if (processor == null) {
+            Set<String> names = new TreeSet<>(byName.keySet());
+            names.addAll(byScenario.keySet());
             throw new RefusedException(
                     ErrorCode.UNKNOWN_ENTITY,
                     "no feedback processor has the name '%s'; there are %s"
-                            .formatted(name, String.join(", ", byName.keySet())));
+                            .formatted(name, String.join(", ", names)));
         }
         return processor;
     }

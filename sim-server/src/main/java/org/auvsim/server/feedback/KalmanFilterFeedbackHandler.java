@@ -1,6 +1,9 @@
 package org.auvsim.server.feedback;
 
+import org.auvsim.auvsml.document.Deviations;
 import org.auvsim.core.entity.Domain;
+
+import java.util.Arrays;
 
 /**
  * An extended Kalman filter on the motion of a rigid body: weighs what was measured against the
@@ -54,7 +57,7 @@ public record KalmanFilterFeedbackHandler(
         Target target = correction.target();
         Matrix noise =
                 target.covariance()
-                        .orElseGet(() -> KalmanUpdate.measured(target, measurement.covariance()));
+                        .orElseGet(() -> KalmanUpdate.measured(target, covariance(measurement)));
         KalmanUpdate update =
                 KalmanUpdate.of(
                         RigidMotion.of(correction.object()), predicted(correction), target, noise);
@@ -70,7 +73,15 @@ public record KalmanFilterFeedbackHandler(
                 .filter(memory -> memory.time() <= correction.time())
                 .map(memory -> carried(memory, correction))
                 .filter(Matrix::isFinite)
-                .orElseGet(initial::covariance);
+                .orElseGet(() -> covariance(initial));
+    }
+
+    /** The variances on the diagonal, three of each. */
+    private static Matrix covariance(Deviations of) {
+        double[] deviations = {of.position(), of.angle(), of.velocity(), of.angularVelocity()};
+        double[] variances = new double[RigidMotion.SIZE];
+        Arrays.setAll(variances, i -> deviations[i / 3] * deviations[i / 3]);
+        return Matrix.diagonal(variances);
     }
 
     private Matrix carried(FilterMemory memory, Correction correction) {

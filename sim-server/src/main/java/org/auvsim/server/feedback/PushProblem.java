@@ -1,5 +1,6 @@
 package org.auvsim.server.feedback;
 
+import org.auvsim.auvsml.document.MomentumRule;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.Wrench;
 import org.auvsim.core.math.Mat3;

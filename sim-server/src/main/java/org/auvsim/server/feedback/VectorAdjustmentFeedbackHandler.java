@@ -1,5 +1,6 @@
 package org.auvsim.server.feedback;
 
+import org.auvsim.auvsml.document.MomentumRule;
 /**
  * Vector adjustment: finds forces and torques that, over this step alone and beside all that act
  * anyway, bring the object to where the robot is (thesis, section 7.2); collisions are met on the

@@ -9,6 +9,7 @@ import org.auvsim.auvsml.message.control.SnapshotRestoredNotification;
 import org.auvsim.auvsml.message.feedback.HistoryRevisedNotification;
 import org.auvsim.core.world.World;
 import org.auvsim.server.feedback.CorrectiveFeedbackSystem;
+import org.auvsim.server.feedback.FeedbackProcessor;
 import org.auvsim.server.feedback.FeedbackTimestepper;
 import org.auvsim.server.feedback.PastStep;
 import org.auvsim.server.feedback.PendingFeedback;
@@ -258,8 +259,12 @@ final class Simulation {
      */
     void load(Scenario scenario) {
         FeedbackTimestepper timestepper = ScenarioSettings.timestepper(scenario.feedbackTimestepping());
+        Optional<FeedbackProcessorChoice> choice = scenario.feedbackProcessor();
+        List<FeedbackProcessor> processors =
+                choice.map(ScenarioSettings::processors).orElse(List.of());
         World other = scenario.world();
-        setFeedbackProcessor(scenario.feedbackProcessor().map(FeedbackProcessorChoice::override));
+        feedback.processors()
+                .configure(processors, choice.flatMap(FeedbackProcessorChoice::override));
         use(timestepper);
         history.setHorizon(scenario.feedbackHorizon());
         controlled.setReleased(scenario.releasedObject().orElse(ReleasedObject.UNCHANGED));

@@ -1,5 +1,6 @@
 package org.auvsim.server.simulator;
 
+import org.auvsim.auvsml.document.FeedbackProcessorChoice;
 import org.auvsim.auvsml.document.ReleasedObject;
 import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.framing.RootDecoder;
@@ -38,6 +39,7 @@ public final class SimulatorBuilder {
     private ReleasedObject released = ReleasedObject.UNCHANGED;
     private OptionalDouble rate = OptionalDouble.of(1);
     private OptionalDouble until = OptionalDouble.empty();
+    private List<FeedbackProcessor> stated = List.of();
     private Optional<String> override = Optional.empty();
     private boolean running = true;
     private Role role = Role.ADMIN;
@@ -98,6 +100,13 @@ public final class SimulatorBuilder {
     /** Adds a feedback processor, in place of one of the same name. */
     public SimulatorBuilder processor(FeedbackProcessor processor) {
         processors.add(processor);
+        return this;
+    }
+
+    /** Lets processors work as a scenario states. */
+    SimulatorBuilder processors(FeedbackProcessorChoice choice) {
+        stated = ScenarioSettings.processors(choice);
+        override = choice.override();
         return this;
     }
 
@@ -190,7 +199,7 @@ public final class SimulatorBuilder {
     }
 
     private SimulationSettings settings(MessageCatalogue messages) {
-        override.ifPresent(this::override);
+        configureProcessors();
         return new SimulationSettings(
                 world,
                 timestepper,
@@ -212,9 +221,9 @@ public final class SimulatorBuilder {
         return new Clients(mailbox, decoder, writer, limits, role, firstId);
     }
 
-    private void override(String name) {
+    private void configureProcessors() {
         try {
-            processors.override(name);
+            processors.configure(stated, override);
         } catch (RefusedException e) {
             throw new IllegalArgumentException(e.getMessage(), e);
         }

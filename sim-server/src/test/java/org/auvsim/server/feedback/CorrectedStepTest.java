@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import org.auvsim.auvsml.document.MomentumRule;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Frame;

@@ -3,6 +3,8 @@ package org.auvsim.server.feedback;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import org.auvsim.auvsml.document.MomentumRule;
+import org.auvsim.auvsml.message.command.RefusedException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -11,6 +13,8 @@ import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
 
 class FeedbackProcessorsTest {
     /** A user's own. */
@@ -52,5 +56,32 @@ class FeedbackProcessorsTest {
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("org.example.Missing")
                 .hasMessageContaining("a public class with a public constructor");
+    }
+
+    @Test
+    void anotherOverrideTakesTheFirstOnesPlace() {
+        FeedbackProcessors processors = FeedbackProcessors.standard();
+        processors.override("IgnoreFeedbackHandler");
+        processors.override("DirectPositionChangeFeedbackHandler");
+        assertThat(processors.named("VectorAdjustmentFeedbackHandler"))
+                .isEqualTo(new DirectPositionChangeFeedbackHandler());
+        processors.overrideNone();
+        assertThat(processors.named("IgnoreFeedbackHandler"))
+                .isEqualTo(new IgnoreFeedbackHandler());
+    }
+
+    @Test
+    void whatAScenarioStatesHoldsUntilTheNextOne() {
+        FeedbackProcessors processors = FeedbackProcessors.standard();
+        FeedbackProcessor stated = new VectorAdjustmentFeedbackHandler(MomentumRule.AS_THESIS);
+        processors.configure(List.of(stated), Optional.of("VectorAdjustmentFeedbackHandler"));
+        assertThat(processors.named("IgnoreFeedbackHandler")).isEqualTo(stated);
+        assertThatThrownBy(() -> processors.configure(List.of(), Optional.of("Magic")))
+                .isInstanceOf(RefusedException.class)
+                .hasMessageStartingWith("no feedback processor has the name 'Magic'");
+        assertThat(processors.named("IgnoreFeedbackHandler")).isEqualTo(stated);
+        processors.configure(List.of(), Optional.empty());
+        assertThat(processors.named("VectorAdjustmentFeedbackHandler"))
+                .isEqualTo(new VectorAdjustmentFeedbackHandler());
     }
 }

@@ -1,5 +1,6 @@
 package org.auvsim.server.feedback;
 
+import org.auvsim.auvsml.document.Deviations;
 /** A filter that trusts measurements alone does as direct alteration. */
 class KalmanFilterFeedbackHandlerTest extends FeedbackProcessorContract {
     @Override

@@ -11,6 +11,7 @@ import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.ArrayRealVector;
 import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
+import org.auvsim.auvsml.document.Deviations;
 import org.auvsim.auvsml.message.feedback.Covariance;
 import org.auvsim.core.effect.Damping;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -277,10 +278,10 @@ class KalmanFilterTest {
     @Test
     void itsMemoryIsAValueThatGoesWithACopyOfTheWorld() {
         ProcessorMemory memory = new ProcessorMemory();
-        memory.remember(1, "K", new FilterMemory(1, INITIAL.covariance(), 0));
+        memory.remember(1, "K", new FilterMemory(1, Matrix.identity(12), 0));
         ProcessorMemory copy = memory.copy();
-        memory.remember(1, "K", new FilterMemory(2, INITIAL.covariance(), 0));
-        memory.remember(2, "K", new FilterMemory(2, INITIAL.covariance(), 0));
+        memory.remember(1, "K", new FilterMemory(2, Matrix.identity(12), 0));
+        memory.remember(2, "K", new FilterMemory(2, Matrix.identity(12), 0));
         assertThat(copy.recall(1, "K", FilterMemory.class).orElseThrow().time()).isEqualTo(1);
         memory.restore(copy);
         assertThat(memory.recall(1, "K", FilterMemory.class).orElseThrow().time()).isEqualTo(1);

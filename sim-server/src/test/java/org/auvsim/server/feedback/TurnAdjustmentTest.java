@@ -3,6 +3,7 @@ package org.auvsim.server.feedback;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.auvsim.auvsml.document.MomentumRule;
 import org.auvsim.auvsml.message.feedback.DifferentOrientationFeedbackMessage;
 import org.auvsim.auvsml.message.feedback.DifferentVelocityFeedbackMessage;
 import org.auvsim.core.effect.Damping;

@@ -1,6 +1,7 @@
 package org.auvsim.cli;
 
 import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.control.SnapshotRestoredNotification;
 import org.auvsim.auvsml.message.entity.EntityAddedMessage;
 import org.auvsim.auvsml.message.entity.EntityRemovedMessage;
 import org.auvsim.auvsml.message.feedback.FeedbackAppliedNotification;
@@ -82,6 +83,8 @@ final class EventLines {
                                             s.unsolvedIslands()));
             case LaggingNotification l ->
                     Optional.of("(too slow: %d left out)".formatted(l.skipped()));
+            case SnapshotRestoredNotification s ->
+                    Optional.of("(time goes on from %s s: %s)".formatted(s.timestamp(), s.name()));
             case DisconnectedNotification d -> Optional.of("the simulator ends: " + d.reason());
             case ErrorResponse e -> Optional.of("the simulator refuses: " + e.text());
             default -> Optional.empty();

@@ -3,7 +3,14 @@ package org.auvsim.auvsml.message;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import org.auvsim.auvsml.document.FeedbackTimestepping;
 import org.auvsim.auvsml.message.command.Command;
+import org.auvsim.auvsml.message.session.DisconnectClientCommand;
+import org.auvsim.auvsml.message.control.TakeSnapshotCommand;
+import org.auvsim.auvsml.message.control.SetTimestepperCommand;
+import org.auvsim.auvsml.message.control.SetFeedbackProcessorCommand;
+import org.auvsim.auvsml.message.control.RestoreSnapshotCommand;
+import org.auvsim.auvsml.message.control.ResetCommand;
 import org.auvsim.auvsml.message.command.ListedWorldObject;
 import org.auvsim.auvsml.message.command.ListenedObject;
 import org.auvsim.auvsml.message.command.Listener;
@@ -73,6 +80,7 @@ import java.lang.reflect.Proxy;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 
 /** What each command asks of its port, and what it answers. */
@@ -81,6 +89,9 @@ class CommandsTest {
 
     private static final Gravity WEIGHT = new Gravity(9.8);
     private static final UniformCurrent TIDE = new UniformCurrent(5, "Tide", UP);
+
+    private static final FeedbackTimestepping NEVER =
+            new FeedbackTimestepping.NoFeedbackTimestepper();
 
     private final List<String> calls = new ArrayList<>();
 
@@ -111,6 +122,12 @@ class CommandsTest {
         silent(SimulatorControl.class, new SetRateCommand("2.5"));
         silent(SimulatorControl.class, new SetRateCommand("max"));
         silent(SimulatorControl.class, new StepCommand(3));
+        silent(SimulatorControl.class, new TakeSnapshotCommand("a"));
+        silent(SimulatorControl.class, new RestoreSnapshotCommand("a"));
+        silent(SimulatorControl.class, new ResetCommand());
+        silent(SimulatorControl.class, new SetFeedbackProcessorCommand(Optional.of("b")));
+        silent(SimulatorControl.class, new SetTimestepperCommand(NEVER));
+        silent(SimulatorControl.class, new DisconnectClientCommand("c", "out"));
 
         assertThat(calls)
                 .containsExactly(
@@ -119,7 +136,13 @@ class CommandsTest {
                         "shutdown[]",
                         "setRate[OptionalDouble[2.5]]",
                         "setRate[OptionalDouble.empty]",
-                        "step[3]");
+                        "step[3]",
+                        "takeSnapshot[a]",
+                        "restoreSnapshot[a]",
+                        "reset[]",
+                        "setFeedbackProcessor[Optional[b]]",
+                        "setTimestepper[" + NEVER + "]",
+                        "disconnect[c, out]");
     }
 
     @Test

@@ -81,7 +81,7 @@ public final class TcpTransport implements Transport {
                     e);
         }
         if (!server.getInetAddress().isLoopbackAddress()) {
-            LOG.warn("clients of other machines may connect, and every client may do everything");
+            LOG.warn("clients of other machines may connect, and none of them proves who it is");
         }
         Thread.ofVirtual().name("accept").start(() -> accept(reception));
         Thread.ofVirtual().name("watch").start(this::watch);

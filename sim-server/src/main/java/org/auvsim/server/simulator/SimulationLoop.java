@@ -157,6 +157,7 @@ final class SimulationLoop implements TimeControl {
 
     @Override
     public void timeHasJumped() {
+        stepsAsked = 0;
         pace.start(world.time());
     }
 

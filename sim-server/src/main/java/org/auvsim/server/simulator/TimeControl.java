@@ -29,6 +29,9 @@ interface TimeControl {
     /** How things stand. */
     SimulatorState state();
 
-    /** The world's time has jumped: what is due when has to be found anew. */
+    /**
+     * The world's time has jumped: what is due when has to be found anew, and steps that were asked
+     * for from where it was are not made.
+     */
     void timeHasJumped();
 }

@@ -28,9 +28,14 @@ final class Recorded {
 
     /** A robot in a current between two balls that it hits, with this time-stepper. */
     static Scenario scenario(String timestepper) {
+        return scenario(timestepper, "");
+    }
+
+    /** The same with more attributes. */
+    static Scenario scenario(String timestepper, String attributes) {
         String text =
                 """
-                <scenario start-time="1.5">
+                <scenario start-time="1.5" %s>
                   %s
                   <world-object id="1" name="Robot" mass="2">
                     <sphere radius="0.5"/>
@@ -45,7 +50,7 @@ final class Recorded {
                   </world-object>
                 </scenario>
                 """
-                        .formatted(timestepper);
+                        .formatted(attributes, timestepper);
         try {
             return ScenarioLoader.load(Recorded.class.getClassLoader()).parse(text.getBytes(UTF_8));
         } catch (AuvsmlException e) {

@@ -152,14 +152,7 @@ final class WorldNews implements WorldListener {
                 EventType.COLLISION,
                 List.of(contact.self().id(), contact.other().id()),
                 collided.time(),
-                () ->
-                        new CollisionNotification(
-                                collided.time(),
-                                contact.self().id(),
-                                contact.other().id(),
-                                contact.point(),
-                                contact.normal(),
-                                collision.impulse()));
+                () -> CollisionNotification.of(collided.time(), collision));
     }
 
     private void tell(WorldEvent.SignalReceived received, TextMessage message) {
@@ -217,7 +210,9 @@ final class WorldNews implements WorldListener {
                                         EventType.PROJECTED_MOVEMENT,
                                         id,
                                         time,
-                                        () -> movement(time, id, true, state)));
+                                        () ->
+                                                MovementStateChangeMessage.of(
+                                                        time, id, true, state)));
         stepAdvanced(EventType.PROJECTED_MOVEMENT, time, StateType.PROJECTED);
     }
 
@@ -235,24 +230,15 @@ final class WorldNews implements WorldListener {
     private void tell(long id, MovementState state) {
         double time = world.time();
         notifications.state(
-                EventType.MOVEMENT_STATE_CHANGE, id, time, () -> movement(time, id, false, state));
+                EventType.MOVEMENT_STATE_CHANGE,
+                id,
+                time,
+                () -> MovementStateChangeMessage.of(time, id, false, state));
         notifications.state(
                 EventType.KINEMATIC_STATE,
                 id,
                 time,
                 () -> kinematics(time, world.object(id), state));
-    }
-
-    private static MovementStateChangeMessage movement(
-            double time, long id, boolean projected, MovementState state) {
-        return new MovementStateChangeMessage(
-                time,
-                id,
-                projected,
-                state.position(),
-                state.orientation().toMatrix(),
-                state.linearMomentum(),
-                state.angularMomentum());
     }
 
     private static KinematicStateMessage kinematics(

@@ -18,6 +18,7 @@ import org.auvsim.auvsml.recording.WaitTimedOut;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.world.World;
+import org.auvsim.server.RawClient;
 import org.auvsim.server.simulator.Simulator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -75,6 +76,34 @@ class ReplayerTest {
             byte[] recording = session.recording();
 
             assertThat(Recorded.entries(recording)).last().returns(5, Entry::revision);
+            assertThat(equalHash(recording)).isEqualTo(hash);
+        }
+    }
+
+    @Test
+    void whatTheWorldWasReplacedByReplacesItInTheReplayToo() throws Exception {
+        try (RecordedSession session = new RecordedSession(Recorded.scenario(ASYNCHRONOUS))) {
+            RawClient client = session.client();
+            session.steps(4);
+            client.ask("1", "<take-snapshot-command name='then'/>");
+            session.push(3);
+            session.steps(7);
+            client.ask("2", "<restore-snapshot-command name='then'/>");
+            session.steps(3);
+            client.ask(
+                    "3",
+                    "<load-scenario-command><scenario><no-feedback-timestepper/>"
+                            + "<world-object id='1' name='Other' mass='1'><sphere radius='1'/>"
+                            + "<velocity x='1' y='0' z='0'/></world-object>"
+                            + "</scenario></load-scenario-command>");
+            session.push(2);
+            session.steps(6);
+            client.ask("4", "<reset-command/>");
+            session.steps(5);
+            long hash = session.simulator().ask(World::stateHash);
+            byte[] recording = session.recording();
+
+            assertThat(Recorded.entries(recording)).last().returns(3, Entry::revision);
             assertThat(equalHash(recording)).isEqualTo(hash);
         }
     }

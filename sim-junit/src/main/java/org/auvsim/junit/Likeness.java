@@ -3,10 +3,14 @@ package org.auvsim.junit;
 import static org.auvsim.junit.Figures.requireLimit;
 import static org.auvsim.junit.Figures.text;
 
+import java.util.List;
 import java.util.Optional;
 
 /** How a body's replay differs from its recording, at the times that the recording has. */
 final class Likeness {
+    /** Steps of equal bodies are made at equal times, but for rounding (s). */
+    private static final double MOMENT = 1e-6;
+
     private final Trajectory body;
     private final double tolerance;
     private final double angle;
@@ -31,18 +35,38 @@ final class Likeness {
                     "a scenario has no movements to match; record it with 'auvsim serve --record'"
                             + " and name the recording in @ReplayScenario");
         }
-        if (body.recorded().isEmpty()) {
-            return Optional.of(
-                    new Finding(
-                            "is not in the recording, but here",
-                            body.first(),
-                            "it is at " + text(body.first().position()),
-                            "expected no such body"));
-        }
-        return body.recorded().stream().flatMap(pose -> at(pose).stream()).findFirst();
+        return body.recorded().map(this::difference).orElseGet(() -> Optional.of(surplus()));
     }
 
-    private Optional<Finding> at(Pose pose) {
+    private Optional<Finding> difference(List<Pose> recorded) {
+        return recorded.stream()
+                .flatMap(pose -> at(pose, recorded).stream())
+                .findFirst()
+                .or(() -> lasting(recorded));
+    }
+
+    private Finding surplus() {
+        return new Finding(
+                "is here, and not in the recording,",
+                body.first(),
+                "at " + text(body.first().position()),
+                "expected no such body");
+    }
+
+    /** Of a body that left the world when it was recorded, and does not leave it now. */
+    private Optional<Finding> lasting(List<Pose> recorded) {
+        if (recorded.isEmpty() || !(body.last().time() > recorded.getLast().time() + MOMENT)) {
+            return Optional.empty();
+        }
+        return Optional.of(
+                new Finding(
+                        "is there longer than in the recording, still",
+                        body.last(),
+                        "at " + text(body.last().position()),
+                        "expected to leave at %s s".formatted(text(recorded.getLast().time()))));
+    }
+
+    private Optional<Finding> at(Pose pose, List<Pose> recorded) {
         if (!body.isThereAt(pose.time())) {
             return Optional.of(
                     new Finding(
@@ -54,19 +78,21 @@ final class Likeness {
         Sample sample = body.at(pose.time());
         double distance = sample.position().distance(pose.position());
         if (distance > tolerance) {
-            return Optional.of(elsewhere(sample, pose, distance));
+            return Optional.of(elsewhere(sample, pose, worst(recorded)));
         }
         double turn = pose.angle(sample.orientation());
         return turn > angle ? Optional.of(turned(sample, turn)) : Optional.empty();
     }
 
-    private Finding elsewhere(Sample sample, Pose pose, double distance) {
+    private Finding elsewhere(Sample sample, Pose pose, Approach worst) {
+        double distance = sample.position().distance(pose.position());
         return new Finding(
                 "differs from the recording",
                 sample,
                 "%s, %s m from the recorded %s"
                         .formatted(text(sample.position()), text(distance), text(pose.position())),
-                "allowed %s m%s".formatted(text(tolerance), worst()));
+                "allowed %s m; most, %s m, at %s s"
+                        .formatted(text(tolerance), text(worst.distance()), text(worst.time())));
     }
 
     private Finding turned(Sample sample, double turn) {
@@ -77,14 +103,14 @@ final class Likeness {
                 "allowed %s rad".formatted(text(angle)));
     }
 
-    private String worst() {
+    private Approach worst(List<Pose> recorded) {
         Approach worst = new Approach(0, 0);
-        for (Pose pose : body.recorded()) {
+        for (Pose pose : recorded) {
             if (body.isThereAt(pose.time())) {
                 double distance = body.at(pose.time()).position().distance(pose.position());
                 worst = distance > worst.distance() ? new Approach(pose.time(), distance) : worst;
             }
         }
-        return "; most, %s m, at %s s".formatted(text(worst.distance()), text(worst.time()));
+        return worst;
     }
 }

@@ -7,51 +7,70 @@ import org.auvsim.core.world.WorldListener;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
+import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.function.LongFunction;
 
-/** Watches a world from the time on at which it is made. */
+/**
+ * Watches a world from the time on at which it is made. Where late feedback has steps made again,
+ * what was seen of the past stays; where a client goes back to an earlier state, it is forgotten.
+ */
 final class Observation implements WorldListener {
     private final World world;
     private final SortedMap<Long, Seen> bodies = new TreeMap<>();
     private final List<Encounter> encounters = new ArrayList<>();
+    private final List<Encounter> sinceLook = new ArrayList<>();
+    private double lookedAt;
 
     private record Seen(String name, List<Sample> samples) {}
 
     Observation(World world) {
         this.world = world;
+        this.lookedAt = world.time();
         world.addListener(this);
         look();
     }
 
     @Override
     public void happened(WorldEvent event) {
-        switch (event) {
-            case WorldEvent.Collided collided -> encounters.add(Encounter.of(collided));
-            case WorldEvent.StepAdvanced _ -> look();
-            default -> {}
+        if (event instanceof WorldEvent.Collided collided) {
+            sinceLook.add(Encounter.of(collided));
         }
     }
 
-    private void look() {
+    /** Looks where the bodies are; called after each step. */
+    void look() {
+        lookAtCollisions();
         for (WorldObject object : world.objects()) {
-            List<Sample> of =
-                    bodies.computeIfAbsent(
-                                    object.id(), _ -> new Seen(object.name(), new ArrayList<>()))
-                            .samples();
-            if (isStale(of, object)) {
-                of.removeLast();
-            }
-            of.add(sample(object));
+            look(object);
         }
+        lookedAt = world.time();
     }
 
-    /** A state at the same time is newer; of what is fixed the first and the last are enough. */
-    private boolean isStale(List<Sample> before, WorldObject object) {
-        return !before.isEmpty()
-                && (before.getLast().time() >= world.time()
-                        || (object.isFixed() && before.size() > 1));
+    private void lookAtCollisions() {
+        double now = world.time();
+        if (now < lookedAt) {
+            encounters.removeIf(seen -> seen.time() > now);
+        } else {
+            // those of a step that was made again
+            sinceLook.removeIf(again -> again.time() < lookedAt - Trajectory.SAME_TIME);
+        }
+        encounters.addAll(sinceLook);
+        sinceLook.clear();
+    }
+
+    private void look(WorldObject object) {
+        List<Sample> samples =
+                bodies.computeIfAbsent(object.id(), _ -> new Seen(object.name(), new ArrayList<>()))
+                        .samples();
+        while (!samples.isEmpty() && samples.getLast().time() >= world.time()) {
+            samples.removeLast();
+        }
+        if (object.isFixed() && samples.size() > 1) {
+            samples.removeLast();
+        }
+        samples.add(sample(object));
     }
 
     private Sample sample(WorldObject object) {
@@ -67,8 +86,8 @@ final class Observation implements WorldListener {
         return List.copyOf(encounters);
     }
 
-    /** What was seen, with what a recording has of it. */
-    List<Track> tracks(Map<Long, List<Pose>> recorded) {
+    /** What was seen, with where a recording has the body of an id. */
+    List<Track> tracks(LongFunction<Optional<List<Pose>>> recorded) {
         return bodies.entrySet().stream()
                 .map(
                         body ->
@@ -76,7 +95,7 @@ final class Observation implements WorldListener {
                                         body.getKey(),
                                         body.getValue().name(),
                                         body.getValue().samples(),
-                                        recorded.getOrDefault(body.getKey(), List.of())))
+                                        recorded.apply(body.getKey())))
                 .toList();
     }
 }

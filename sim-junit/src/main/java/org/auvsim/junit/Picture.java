@@ -33,9 +33,7 @@ final class Picture {
 
     private static CoursePlot plot(Trajectory body, Finding finding) {
         List<Course> courses = new ArrayList<>();
-        if (!body.recorded().isEmpty()) {
-            courses.add(recorded(body));
-        }
+        body.recorded().ifPresent(poses -> courses.add(recorded(body.name(), poses)));
         finding.beside().forEach(other -> courses.add(course(other)));
         courses.add(course(body));
         return new CoursePlot(
@@ -48,14 +46,11 @@ final class Picture {
         return course;
     }
 
-    private static Course recorded(Trajectory body) {
-        Course course = new Course(body.name() + ", recorded");
-        body.recorded()
-                .forEach(
-                        pose ->
-                                course.add(
-                                        new Course.Sample(
-                                                pose.time(), pose.position(), Double.NaN)));
+    private static Course recorded(String name, List<Pose> poses) {
+        Course course = new Course(name + ", recorded");
+        for (Pose pose : poses) {
+            course.add(new Course.Sample(pose.time(), pose.position(), Double.NaN));
+        }
         return course;
     }
 

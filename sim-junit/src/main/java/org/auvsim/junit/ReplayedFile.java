@@ -61,7 +61,9 @@ record ReplayedFile(String name, Path path, ClassLoader loader) {
      * @throws ReplayException if that cannot be done
      */
     Observed replay(double until) throws ReplayException {
-        return new ScenarioRun(name, scenario(), until).replay();
+        return name.endsWith(".gz")
+                ? new RecordingRun(this, until).replay()
+                : new ScenarioRun(name, scenario(), until).replay();
     }
 
     private Scenario scenario() throws ReplayException {

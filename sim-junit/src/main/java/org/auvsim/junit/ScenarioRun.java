@@ -7,7 +7,6 @@ import org.auvsim.core.step.StepException;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldException;
 
-import java.util.Map;
 import java.util.Optional;
 
 /** A scenario that is run on its own, without clients. */
@@ -18,13 +17,14 @@ record ScenarioRun(String name, Scenario scenario, double until) {
         Observation observation = new Observation(world);
         while (world.time() < until - Trajectory.SAME_TIME) {
             step(world);
+            observation.look();
         }
         return new Observed(
                 name,
                 /* ofRecording= */ false,
                 scenario,
                 world.time(),
-                observation.tracks(Map.of()),
+                observation.tracks(_ -> Optional.empty()),
                 observation.encounters(),
                 Optional.empty());
     }

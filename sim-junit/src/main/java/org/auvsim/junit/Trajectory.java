@@ -119,8 +119,8 @@ public final class Trajectory {
         return replay.collisions().stream().filter(c -> c.involves(id())).toList();
     }
 
-    /** Where the recording has it; empty if there is no recording, or it is not in it. */
-    List<Pose> recorded() {
+    /** Where the recording has it, of a fixed body nothing; empty if it is in no recording. */
+    Optional<List<Pose>> recorded() {
         return track.recorded();
     }
 

@@ -10,6 +10,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 
 /** The classes of all modules, as they were compiled last. */
 final class Compiled {
@@ -24,9 +25,11 @@ final class Compiled {
     }
 
     private static JavaClasses in(String folder) {
-        try (var modules = Files.list(Repository.root())) {
+        try (var modules = Files.list(Repository.root());
+                var examples = Files.list(Repository.root().resolve("examples"))) {
             List<Path> folders =
-                    modules.map(module -> module.resolve("target").resolve(folder))
+                    Stream.concat(modules, examples)
+                            .map(module -> module.resolve("target").resolve(folder))
                             .filter(Files::isDirectory)
                             .toList();
             return new ClassFileImporter().importPaths(folders);

@@ -34,15 +34,6 @@ public record StageCost(
                 stages.restricter(),
                 stages.partitioner(),
                 stages.finder(),
-                wallTime(workload, seconds, stop));
-    }
-
-    private static double wallTime(Workload workload, double seconds, BooleanSupplier stop) {
-        World world = workload.world().stepper(SnapshotStepper.standard()).build();
-        long begin = System.nanoTime();
-        while (world.time() < seconds && !stop.getAsBoolean()) {
-            world.advanceTimestep();
-        }
-        return (System.nanoTime() - begin) * 1e-9;
+                WallTime.of(workload.world().stepper(SnapshotStepper.standard()).build(), seconds, stop));
     }
 }

@@ -1,0 +1,118 @@
+package org.auvsim.cli;
+
+import org.auvsim.cli.report.FileTrouble;
+import org.auvsim.cli.report.UserError;
+import org.auvsim.experiments.Conduct;
+import org.auvsim.experiments.ThesisExperiment;
+import org.auvsim.experiments.report.Report;
+import org.auvsim.experiments.report.ReportPage;
+import org.auvsim.experiments.runtime.RuntimeExperiment;
+
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+
+/** {@code auvsim experiment}: chapter 8 of the thesis again. */
+@Command(
+        name = "experiment",
+        description = {
+            "Runs an experiment of the thesis' chapter 8 again and writes a page of what came of"
+                + " it: our figures beside what the thesis reported, and what changed.",
+            "The page is one file that needs no network; any browser shows it."
+        },
+        footer = {
+            "",
+            "Ctrl-C ends it early, and no page is written.",
+            "",
+            "Example: auvsim experiment runtime --out runtime"
+        })
+final class Experiment implements Callable<Integer> {
+    @Spec private CommandSpec spec;
+
+    @Parameters(
+            paramLabel = "NAME",
+            description = {
+                "runtime: operations of the stages, and real time against world time (8.2)."
+            })
+    private Choice choice = Choice.RUNTIME;
+
+    @Option(
+            names = "--out",
+            paramLabel = "FOLDER",
+            defaultValue = "auvsim-experiment",
+            description = "Where report.html goes (default: ${DEFAULT-VALUE}).")
+    private Path folder = Path.of("auvsim-experiment");
+
+    @Option(
+            names = "--quick",
+            description = "A small run of some seconds: whether it works at all.")
+    private boolean quick;
+
+    @Override
+    public Integer call() {
+        prepareFolder();
+        try (Interruption interruption = new Interruption(() -> {})) {
+            Conduct conduct = new Conduct(quick, this::tellProgress, interruption::isRequested);
+            Optional<Report> report = choice.experiment().run(conduct);
+            if (report.isEmpty()) {
+                tellProgress("ended early: no page is written");
+                return ExitCode.OK;
+            }
+            tellReport(report.get());
+            return ExitCode.OK;
+        } catch (IOException e) {
+            throw new UserError("The experiment broke off: %s".formatted(e.getMessage()), e);
+        }
+    }
+
+    private void prepareFolder() {
+        try {
+            Files.createDirectories(folder);
+        } catch (IOException e) {
+            throw FileTrouble.writing(folder, e);
+        }
+    }
+
+    private void tellReport(Report report) {
+        PrintWriter out = spec.commandLine().getOut();
+        try {
+            Path page = ReportPage.write(folder, report);
+            out.println(report.summary());
+            out.printf("The page: %s%n", page.toAbsolutePath());
+            out.flush();
+        } catch (IOException e) {
+            throw FileTrouble.writing(folder, e);
+        }
+    }
+
+    private void tellProgress(String line) {
+        PrintWriter err = spec.commandLine().getErr();
+        err.println(line);
+        err.flush();
+    }
+
+    /** The experiments. */
+    enum Choice {
+        RUNTIME(new RuntimeExperiment());
+
+        private final ThesisExperiment experiment;
+
+        Choice(ThesisExperiment experiment) {
+            this.experiment = experiment;
+        }
+
+        ThesisExperiment experiment() {
+            return experiment;
+        }
+    }
+}

@@ -1,0 +1,48 @@
+package org.auvsim.experiments.report;
+
+import java.util.List;
+
+/** A part of a section. */
+public sealed interface Block {
+    /** Plain sentences. */
+    record Text(String sentences) implements Block {}
+
+    /**
+     * Rows below a header; numbers are right-aligned.
+     *
+     * @param reading what the figures say, in a sentence
+     */
+    record Table(List<String> header, List<List<String>> rows, String reading) implements Block {
+        /**
+         * A checked table.
+         *
+         * @throws IllegalArgumentException if a row is not as long as the header
+         */
+        public Table {
+            header = List.copyOf(header);
+            rows = rows.stream().map(List::copyOf).toList();
+            for (List<String> row : rows) {
+                if (row.size() != header.size()) {
+                    throw new IllegalArgumentException(
+                            "a row of %d cells does not fit a header of %d: %s"
+                                    .formatted(row.size(), header.size(), row));
+                }
+            }
+        }
+    }
+
+    /**
+     * Curves over two axes.
+     *
+     * @param x what the axis across shows, with its unit
+     * @param y what the axis up shows, with its unit
+     * @param reading what the curves say, in a sentence
+     */
+    record Chart(String title, String x, String y, List<Curve> curves, String reading)
+            implements Block {
+        /** A chart whose curves stay as they are. */
+        public Chart {
+            curves = List.copyOf(curves);
+        }
+    }
+}

@@ -1,0 +1,71 @@
+package org.auvsim.experiments.report;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** A named curve of a chart. */
+public record Curve(String name, Mark mark, List<Point> points) {
+    /** How a curve is drawn. */
+    public enum Mark {
+        /** A line through its points. */
+        LINE,
+        /** The same, dashed: what others coincide with, or a fit. */
+        DASHED,
+        /** The points alone. */
+        POINTS
+    }
+
+    /** A point of a curve. */
+    public record Point(double x, double y) {}
+
+    /** A curve whose points stay as they are. */
+    public Curve {
+        points = List.copyOf(points);
+    }
+
+    /** A line. */
+    public static Curve line(String name, List<Point> points) {
+        return new Curve(name, Mark.LINE, points);
+    }
+
+    /**
+     * The same with {@code most} points at most, those of a single-valued curve in the order of x:
+     * of each of equal runs of points the lowest and the highest one stay, in their order, so that
+     * no peak is lost.
+     *
+     * @throws IllegalArgumentException if fewer than 4 may stay
+     */
+    public Curve decimated(int most) {
+        if (most < 4) {
+            throw new IllegalArgumentException(
+                    "a curve keeps its shape with 4 or more points, not " + most);
+        }
+        if (points.size() <= most) {
+            return this;
+        }
+        int runs = (most - 2) / 2;
+        int inner = points.size() - 2;
+        List<Point> kept = new ArrayList<>();
+        kept.add(points.getFirst());
+        for (int k = 0; k < runs; k++) {
+            int from = 1 + (int) ((long) inner * k / runs);
+            int to = 1 + (int) ((long) inner * (k + 1) / runs);
+            keepExtremes(points.subList(from, to), kept);
+        }
+        kept.add(points.getLast());
+        return new Curve(name, mark, kept);
+    }
+
+    private static void keepExtremes(List<Point> run, List<Point> kept) {
+        int lowest = 0;
+        int highest = 0;
+        for (int i = 1; i < run.size(); i++) {
+            lowest = run.get(i).y() < run.get(lowest).y() ? i : lowest;
+            highest = run.get(i).y() > run.get(highest).y() ? i : highest;
+        }
+        kept.add(run.get(Math.min(lowest, highest)));
+        if (lowest != highest) {
+            kept.add(run.get(Math.max(lowest, highest)));
+        }
+    }
+}

@@ -33,6 +33,7 @@ import java.nio.file.Path;
             Admin.class,
             Feed.class,
             Export.class,
+            Mirror.class,
             Bench.class,
             Experiment.class,
             CommandLine.HelpCommand.class,

@@ -4,6 +4,7 @@ import org.auvsim.cli.report.FileTrouble;
 import org.auvsim.cli.report.UserError;
 import org.auvsim.experiments.Conduct;
 import org.auvsim.experiments.ThesisExperiment;
+import org.auvsim.experiments.distributed.DistributedExperiment;
 import org.auvsim.experiments.report.Report;
 import org.auvsim.experiments.report.ReportPage;
 import org.auvsim.experiments.runtime.RuntimeExperiment;
@@ -42,7 +43,9 @@ final class Experiment implements Callable<Integer> {
     @Parameters(
             paramLabel = "NAME",
             description = {
-                "runtime: operations of the stages, and real time against world time (8.2)."
+                "runtime: operations of the stages, and real time against world time (8.2);",
+                "distributed: five clients against one process, asynchronous and in lock-step"
+                        + " (8.3)."
             })
     private Choice choice = Choice.RUNTIME;
 
@@ -103,7 +106,8 @@ final class Experiment implements Callable<Integer> {
 
     /** The experiments. */
     enum Choice {
-        RUNTIME(new RuntimeExperiment());
+        RUNTIME(new RuntimeExperiment()),
+        DISTRIBUTED(new DistributedExperiment());
 
         private final ThesisExperiment experiment;
 

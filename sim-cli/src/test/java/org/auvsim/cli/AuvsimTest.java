@@ -46,10 +46,10 @@ class AuvsimTest {
 
     @Test
     void anUnknownCommandIsExplained() {
-        assertThat(run("swim")).isEqualTo(2);
+        assertThat(run("zzz")).isEqualTo(2);
         assertThat(err.toString())
                 .isEqualToNormalizingNewlines(
-                        "Unmatched argument at index 0: 'swim'\nTry 'auvsim --help'.\n");
+                        "Unmatched argument at index 0: 'zzz'\nTry 'auvsim --help'.\n");
     }
 
     @Test

@@ -4,6 +4,7 @@ import org.auvsim.cli.report.FileTrouble;
 import org.auvsim.cli.report.UserError;
 import org.auvsim.experiments.Conduct;
 import org.auvsim.experiments.ThesisExperiment;
+import org.auvsim.experiments.cfs.CfsExperiment;
 import org.auvsim.experiments.distributed.DistributedExperiment;
 import org.auvsim.experiments.report.Report;
 import org.auvsim.experiments.report.ReportPage;
@@ -43,6 +44,7 @@ final class Experiment implements Callable<Integer> {
     @Parameters(
             paramLabel = "NAME",
             description = {
+                "cfs: one object alone, with hiccups, and led by a client (8.1);",
                 "runtime: operations of the stages, and real time against world time (8.2);",
                 "distributed: five clients against one process, asynchronous and in lock-step"
                         + " (8.3)."
@@ -106,6 +108,7 @@ final class Experiment implements Callable<Integer> {
 
     /** The experiments. */
     enum Choice {
+        CFS(new CfsExperiment()),
         RUNTIME(new RuntimeExperiment()),
         DISTRIBUTED(new DistributedExperiment());
 

@@ -148,6 +148,9 @@ class DistributedRunTest {
         private final List<Long> found = Collections.synchronizedList(new ArrayList<>());
 
         @Override
+        public void begun(World world) {}
+
+        @Override
         public void taken(InputPlace place, Input input) {}
 
         @Override

@@ -7,7 +7,6 @@ import org.auvsim.experiments.live.LiveRun;
 import org.auvsim.experiments.live.Participant;
 import org.auvsim.experiments.report.Report;
 import org.auvsim.server.feedback.AsynchronousFeedbackTimestepper;
-import org.auvsim.server.feedback.FeedbackTimestepper;
 import org.auvsim.server.feedback.LockstepTimestepper;
 
 import java.io.IOException;
@@ -24,32 +23,36 @@ public final class DistributedExperiment implements ThesisExperiment {
     private static final double SECONDS = 60;
     private static final double QUICK_SECONDS = 10;
 
-    /** So much faster than real time the asynchronous runs go: a step is 2.5 ms. */
-    private static final double RATE = 20;
+    /** So much faster than real time the asynchronous runs go: a step is 5 ms. */
+    private static final double RATE = 10;
+
+    /** World time (s) of runs before that do not count, in which the machine code gets ready. */
+    private static final double WARM_UP = 5;
 
     private static final int DISTRIBUTED_RUNS = 3;
 
     @Override
     public Optional<Report> run(Conduct conduct) throws IOException {
         double seconds = conduct.quick() ? QUICK_SECONDS : SECONDS;
+        conduct.tell("a first run that is not counted, in which the machine code gets ready");
+        lockstep(WARM_UP).run(Scene.world(Optional.empty()), drivers(), _ -> {});
+        asynchronous(WARM_UP).run(Scene.world(Optional.empty()), drivers(), _ -> {});
         conduct.tell("run 1, inside the simulator, %s s of world time", seconds);
         Trace local = local(seconds);
-        List<Trace> asynchronous =
-                distributed(
-                        "asynchronous",
-                        new LiveRun(
-                                new AsynchronousFeedbackTimestepper(),
-                                OptionalDouble.of(RATE),
-                                seconds),
-                        conduct);
-        List<Trace> lockstep =
-                distributed(
-                        "lock-step",
-                        new LiveRun(new LockstepTimestepper(), OptionalDouble.empty(), seconds),
-                        conduct);
+        List<Trace> asynchronous = distributed("asynchronous", asynchronous(seconds), conduct);
+        List<Trace> lockstep = distributed("lock-step", lockstep(seconds), conduct);
         return conduct.isStopped()
                 ? Optional.empty()
                 : Optional.of(new DistributedReport(RATE, local, asynchronous, lockstep).report());
+    }
+
+    private static LiveRun asynchronous(double seconds) {
+        return new LiveRun(
+                new AsynchronousFeedbackTimestepper(), OptionalDouble.of(RATE), seconds);
+    }
+
+    private static LiveRun lockstep(double seconds) {
+        return new LiveRun(new LockstepTimestepper(), OptionalDouble.empty(), seconds);
     }
 
     private static Trace local(double seconds) {

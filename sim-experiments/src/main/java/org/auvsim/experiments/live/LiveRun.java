@@ -121,6 +121,11 @@ public record LiveRun(FeedbackTimestepper timestepper, OptionalDouble rate, doub
         }
 
         @Override
+        public void begun(World world) {
+            // The world is watched from its first step on.
+        }
+
+        @Override
         public void taken(InputPlace place, Input input) {
             // What robots send is seen in what the world does.
         }

@@ -1,0 +1,116 @@
+package org.auvsim.experiments.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import org.auvsim.experiments.report.Block.Chart;
+import org.auvsim.experiments.report.Block.Table;
+import org.auvsim.experiments.report.Block.Text;
+import org.auvsim.experiments.report.Curve.Mark;
+import org.auvsim.experiments.report.Curve.Point;
+import org.auvsim.experiments.report.Report.Section;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.security.MessageDigest;
+import java.util.Base64;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+class ReportPageTest {
+    @TempDir private Path folder;
+    private String page = "";
+
+    @BeforeEach
+    void write() throws IOException {
+        List<Point> points = List.of(new Point(0, 1), new Point(0.5, Double.NaN));
+        Report report =
+                new Report(
+                        "A & B",
+                        "less < more",
+                        List.of(
+                                Section.of(
+                                        "First",
+                                        new Text("Said."),
+                                        new Table(
+                                                List.of("a", "b"),
+                                                List.of(List.of("1", "<2>")),
+                                                "Read."),
+                                        new Chart(
+                                                "Curves",
+                                                "t (s)",
+                                                "y \"(m)\"",
+                                                List.of(
+                                                        new Curve(
+                                                                "</script>", Mark.DASHED, points)),
+                                                "Seen."))));
+        page = Files.readString(ReportPage.write(folder, report));
+    }
+
+    @Test
+    void textsAreEscaped() {
+        assertThat(page)
+                .contains("<title>A &amp; B</title>")
+                .contains("<p class=\"summary\">less &lt; more</p>")
+                .contains("<td>1</td><td>&lt;2&gt;</td>")
+                .contains("<figcaption>Seen.</figcaption>");
+    }
+
+    @Test
+    void chartsAreDataThatEndNoScript() {
+        assertThat(page)
+                .contains(
+                        "[{\"title\":\"Curves\",\"x\":\"t (s)\",\"y\":\"y \\u0022(m)\\u0022\","
+                                + "\"curves\":[{\"name\":\"\\u003c/script\\u003e\","
+                                + "\"mark\":\"dashed\",\"x\":[0.0,0.5],\"y\":[1.0,null]}]}]");
+    }
+
+    /** What the policy lets run is what the page has in it, and nothing comes from elsewhere. */
+    @Test
+    void thePolicyNamesWhatIsInThePageAndNothingIsLoaded() throws GeneralSecurityException {
+        String policy = first("Content-Security-Policy\" content=\"([^\"]*)\"", page);
+        assertThat(policy)
+                .startsWith("default-src 'none'; ")
+                .doesNotContain("unsafe")
+                .doesNotContain("http");
+        List<String> scripts =
+                Pattern.compile("<script>(.*?)</script>", Pattern.DOTALL)
+                        .matcher(page)
+                        .results()
+                        .map(m -> m.group(1))
+                        .toList();
+        assertThat(scripts).hasSize(2).first().asString().contains("Chart.js v4");
+        for (String script : scripts) {
+            assertThat(policy).contains("'sha256-" + digest(script) + "'");
+        }
+        assertThat(policy)
+                .contains("style-src 'sha256-" + digest(first("<style>(.*?)</style>", page)) + "'");
+        assertThat(page).doesNotContain("<link").doesNotContain(" src=");
+    }
+
+    private static String first(String pattern, String text) {
+        Matcher matcher = Pattern.compile(pattern, Pattern.DOTALL).matcher(text);
+        assertThat(matcher.find()).as(pattern).isTrue();
+        return matcher.group(1);
+    }
+
+    private static String digest(String text) throws GeneralSecurityException {
+        byte[] hash = MessageDigest.getInstance("SHA-256").digest(text.getBytes(UTF_8));
+        return Base64.getEncoder().encodeToString(hash);
+    }
+
+    @Test
+    void aRowThatDoesNotFitItsHeaderIsRefused() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Table(List.of("a"), List.of(List.of("1", "2")), ""))
+                .withMessage("a row of 2 cells does not fit a header of 1: [1, 2]");
+    }
+}

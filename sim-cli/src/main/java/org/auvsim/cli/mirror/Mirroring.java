@@ -35,6 +35,7 @@ public final class Mirroring {
     private final Map<Long, Vec3> served = new TreeMap<>();
     private final Map<Long, Disagreement> disagreements = new TreeMap<>();
     private boolean projects;
+    private boolean isOver;
     private int sent;
     private int applied;
     private int refused;
@@ -59,7 +60,7 @@ public final class Mirroring {
     }
 
     /**
-     * Goes along until the simulation has ended.
+     * Goes along until the simulation has ended, be a correction on its way or not.
      *
      * @throws ConnectionException if the connection breaks
      */
@@ -69,7 +70,7 @@ public final class Mirroring {
             for (Message message : received.get().messages()) {
                 take(message);
             }
-            received = client.next();
+            received = isOver ? Optional.empty() : client.next();
         }
     }
 
@@ -80,7 +81,7 @@ public final class Mirroring {
         return new MirrorTally(rows, sent, applied, refused, refusal, skipped);
     }
 
-    private void take(Message message) throws ConnectionException {
+    private void take(Message message) {
         switch (message) {
             case MovementStateChangeMessage moved -> {
                 projects |= moved.isProjectedState() && processor.isPresent();
@@ -107,7 +108,7 @@ public final class Mirroring {
         }
     }
 
-    private void stepped(double time) throws ConnectionException {
+    private void stepped(double time) {
         mirror.advanceTo(time);
         List<Message> corrections = new ArrayList<>();
         for (Map.Entry<Long, Vec3> entry : served.entrySet()) {
@@ -118,9 +119,19 @@ public final class Mirroring {
                 processor.ifPresent(name -> corrections.add(correction(time, id, name, image.get())));
             }
         }
-        for (Message correction : corrections) {
-            client.request(REQUEST_ID, correction);
-            sent++;
+        if (!isOver) {
+            send(corrections);
+        }
+    }
+
+    private void send(List<Message> corrections) {
+        try {
+            for (Message correction : corrections) {
+                client.request(REQUEST_ID, correction);
+                sent++;
+            }
+        } catch (ConnectionException _) {
+            isOver = true; // the simulator ended before it could hear of them
         }
     }
 

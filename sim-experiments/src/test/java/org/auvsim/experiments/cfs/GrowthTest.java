@@ -2,6 +2,7 @@ package org.auvsim.experiments.cfs;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import org.auvsim.experiments.Conduct;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -30,7 +31,9 @@ class GrowthTest {
         Growth growth = Growth.of(timeStep, until, CONDUCT);
         assertThat(growth.turns()).hasSizeGreaterThan(20);
         double farthest = growth.turns().stream().mapToDouble(p -> p.y()).max().orElseThrow();
-        assertThat(farthest).isCloseTo(farthest(timeStep, growth.turns().getLast().x()), within(0.01));
+        // Where it is at the limit but for rounding, rounding decides whether it is pushed.
+        assertThat(farthest)
+                .isCloseTo(farthest(timeStep, growth.turns().getLast().x()), withinPercentage(5));
         assertThat(growth.last()).isGreaterThan(growth.first());
     }
 

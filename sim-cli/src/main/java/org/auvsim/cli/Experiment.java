@@ -29,7 +29,7 @@ import java.util.concurrent.Callable;
         name = "experiment",
         description = {
             "Runs an experiment of the thesis' chapter 8 again and writes a page of what came of"
-                + " it: our figures beside what the thesis reported, and what changed.",
+                    + " it: our figures beside what the thesis reported, and what changed.",
             "The page is one file that needs no network; any browser shows it."
         },
         footer = {

@@ -42,7 +42,7 @@ import java.util.concurrent.Callable;
         name = "mirror",
         description =
                 "Runs a world of its own beside a simulator's, compares the objects that have the"
-                    + " same names in both, and corrects the simulator's with its own.",
+                        + " same names in both, and corrects the simulator's with its own.",
         footer = {
             "",
             "The scenario is the other model: the same objects, with other effects, a finer step or"
@@ -151,8 +151,15 @@ final class Mirror implements Callable<Integer> {
             throws ConnectionException {
         try (CsvWriter rows = CsvWriter.builder().build(to, UTF_8)) {
             rows.writeRecord(
-                    "time_s", "object", "served_x_m", "served_y_m", "served_z_m", "mirrored_x_m",
-                    "mirrored_y_m", "mirrored_z_m", "distance_m");
+                    "time_s",
+                    "object",
+                    "served_x_m",
+                    "served_y_m",
+                    "served_z_m",
+                    "mirrored_x_m",
+                    "mirrored_y_m",
+                    "mirrored_z_m",
+                    "distance_m");
             run(
                     new Mirroring(
                             client,

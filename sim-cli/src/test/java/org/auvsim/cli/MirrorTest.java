@@ -14,8 +14,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * A ship that a simulator takes to go north at 1 m/s, and a mirror at 1.2 m/s, in steps of 0.1 s and
- * 0.03 s, over 2 s.
+ * A ship that a simulator takes to go north at 1 m/s, and a mirror at 1.2 m/s, in steps of 0.1 s
+ * and 0.03 s, over 2 s.
  */
 @Timeout(60)
 class MirrorTest {

@@ -32,8 +32,8 @@ import java.util.OptionalDouble;
 import java.util.Random;
 
 /**
- * Five robots, each a process of its own in another language, in lock-step with the simulator: their
- * run is the run in one process, bit for bit, whoever joins first and however long they take.
+ * Five robots, each a process of its own in another language, in lock-step with the simulator:
+ * their run is the run in one process, bit for bit, whoever joins first and however long they take.
  */
 @Timeout(60)
 class DistributedRunTest {

@@ -16,7 +16,12 @@ import java.util.Optional;
  * @param skipped movements that it did not send since this side was slow
  */
 public record MirrorTally(
-        List<Row> rows, int sent, int applied, int refused, Optional<String> refusal, long skipped) {
+        List<Row> rows,
+        int sent,
+        int applied,
+        int refused,
+        Optional<String> refusal,
+        long skipped) {
     /**
      * An object.
      *
@@ -32,12 +37,22 @@ public record MirrorTally(
         List<String> lines = new ArrayList<>();
         int width = Math.max(6, rows.stream().mapToInt(r -> r.name().length()).max().orElse(0));
         lines.add(
-                line("%-" + width + "s %10s %12s %12s %12s", "object", "compared", "rms (m)",
-                        "largest (m)", "at end (m)"));
+                line(
+                        "%-" + width + "s %10s %12s %12s %12s",
+                        "object",
+                        "compared",
+                        "rms (m)",
+                        "largest (m)",
+                        "at end (m)"));
         for (Row row : rows) {
             lines.add(
-                    line("%-" + width + "s %10d %12.6f %12.6f %12.6f", row.name(), row.compared(),
-                            row.rms(), row.largest(), row.last()));
+                    line(
+                            "%-" + width + "s %10d %12.6f %12.6f %12.6f",
+                            row.name(),
+                            row.compared(),
+                            row.rms(),
+                            row.largest(),
+                            row.last()));
         }
         if (sent > 0) {
             lines.add(line("corrections: %d sent, %d applied, %d refused", sent, applied, refused));

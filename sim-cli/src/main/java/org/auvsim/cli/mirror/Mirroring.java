@@ -21,9 +21,10 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /**
- * Goes along with a server step by step (thesis, section 9.3): brings the mirror's world to the time
- * of each step, compares, and, if it is to correct, answers with the mirror's motion. A server that
- * projects its steps is then compared and answered where it projects, else where it is after each.
+ * Goes along with a server step by step (thesis, section 9.3): brings the mirror's world to the
+ * time of each step, compares, and, if it is to correct, answers with the mirror's motion. A server
+ * that projects its steps is then compared and answered where it projects, else where it is after
+ * each.
  */
 public final class Mirroring {
     private static final String REQUEST_ID = "correction";
@@ -116,7 +117,8 @@ public final class Mirroring {
             Optional<WorldObject> image = mirror.image(id);
             if (image.isPresent()) {
                 compare(time, id, image.get(), entry.getValue());
-                processor.ifPresent(name -> corrections.add(correction(time, id, name, image.get())));
+                processor.ifPresent(
+                        name -> corrections.add(correction(time, id, name, image.get())));
             }
         }
         if (!isOver) {

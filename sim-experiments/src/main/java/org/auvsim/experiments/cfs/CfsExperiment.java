@@ -45,16 +45,14 @@ public final class CfsExperiment implements ThesisExperiment {
                 growth(conduct.quick() ? QUICK_GROWTH_SECONDS : GROWTH_SECONDS, conduct);
         return conduct.isStopped()
                 ? Optional.empty()
-                : Optional.of(
-                        new CfsReport(RATE, alone, asynchronous, lockstep, growth).report());
+                : Optional.of(new CfsReport(RATE, alone, asynchronous, lockstep, growth).report());
     }
 
     /** B and C with the same time-stepper. */
     record Runs(FeedbackRun b, FeedbackRun c) {}
 
     private static LiveRun asynchronous(double seconds) {
-        return new LiveRun(
-                new AsynchronousFeedbackTimestepper(), OptionalDouble.of(RATE), seconds);
+        return new LiveRun(new AsynchronousFeedbackTimestepper(), OptionalDouble.of(RATE), seconds);
     }
 
     private static LiveRun lockstep(double seconds) {

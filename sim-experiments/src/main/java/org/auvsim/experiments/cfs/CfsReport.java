@@ -28,9 +28,10 @@ record CfsReport(
         return new Report(
                 "Corrective feedback (thesis, section 8.1)",
                 text(
-                        "When the simulator does not wait, object C is off its client's own position"
-                            + " by %.3g m (RMS), which is %.3g s at its speed: the lag that the thesis"
-                            + " saw. In lock-step, which the thesis proposed, it is off by %.3g m.",
+                        "When the simulator does not wait, object C is off its client's own"
+                            + " position by %.3g m (RMS), which is %.3g s at its speed: the lag"
+                            + " that the thesis saw. In lock-step, which the thesis proposed, it is"
+                            + " off by %.3g m.",
                         asynchronous.c().rmsError(),
                         asynchronous.c().rmsError() / OwnWay.SPEED,
                         lockstep.c().rmsError()),
@@ -39,18 +40,20 @@ record CfsReport(
                                 "Asynchronous, as in the thesis",
                                 text(
                                         "The simulator goes on at %.0f times real time and uses"
-                                            + " feedback between two steps, whenever it has arrived.",
+                                            + " feedback between two steps, whenever it has"
+                                            + " arrived.",
                                         rate),
                                 asynchronous,
                                 "As in the thesis: A is smooth, B a jerky copy of it, C goes where"
-                                    + " its client says, and late."),
+                                        + " its client says, and late."),
                         threeObjects(
                                 "In lock-step, which the thesis left to future work",
-                                "The simulator shows each step before it makes it, and waits for the"
-                                    + " answer: feedback is used in the step that it is for.",
+                                "The simulator shows each step before it makes it, and waits for"
+                                    + " the answer: feedback is used in the step that it is for.",
                                 lockstep,
-                                "B is as jerky, for its client means it; C is where its client is."),
-                                errors(),
+                                "B is as jerky, for its client means it; C is where its client"
+                                    + " is."),
+                        errors(),
                         growthSection()));
     }
 
@@ -83,7 +86,8 @@ record CfsReport(
                                 "C's client's own S",
                                 Mark.DASHED,
                                 around(middle, asynchronous.c().told()))),
-                "The object follows its client late, stops for a while, and catches up with a jump.");
+                "The object follows its client late, stops for a while, and catches up with a"
+                    + " jump.");
     }
 
     private static List<Point> around(double middle, List<Point> points) {
@@ -108,7 +112,7 @@ record CfsReport(
                                 Curve.line("asynchronous", asynchronous.c().errors()),
                                 Curve.line("lock-step", lockstep.c().errors())),
                         "Asynchronous feedback comes a step or more late, a different number each"
-                            + " time; in lock-step there is nothing to see."),
+                                + " time; in lock-step there is nothing to see."),
                 new Table(
                         List.of(
                                 "object",
@@ -116,15 +120,11 @@ record CfsReport(
                                 "RMS error (m)",
                                 "largest (m)",
                                 "steps at a standstill"),
-                        Stream.of(
-                                        asynchronous.b(),
-                                        lockstep.b(),
-                                        asynchronous.c(),
-                                        lockstep.c())
+                        Stream.of(asynchronous.b(), lockstep.b(), asynchronous.c(), lockstep.c())
                                 .map(CfsReport::row)
                                 .toList(),
                         "The short stops of C that the thesis mentions are steps into which no"
-                            + " feedback came; in lock-step there are none."));
+                                + " feedback came; in lock-step there are none."));
     }
 
     private static List<String> row(FeedbackRun run) {
@@ -140,9 +140,9 @@ record CfsReport(
         return Section.of(
                 "Why A goes farther each time",
                 new Text(
-                        "A's behavior looks once a step where it is. The push begins and ends up to a"
-                            + " step late, so that it takes a little less energy on the way out than"
-                            + " it gives on the way back."),
+                        "A's behavior looks once a step where it is. The push begins and ends up to"
+                            + " a step late, so that it takes a little less energy on the way out"
+                            + " than it gives on the way back."),
                 new Chart(
                         "A's turning points",
                         TIME,
@@ -151,12 +151,12 @@ record CfsReport(
                                 .map(g -> Curve.line(text("step %s s", g.timeStep()), g.turns()))
                                 .toList(),
                         "The thesis saw A go farther in both directions over time; it is an effect"
-                            + " of the time step, and goes with it."),
+                                + " of the time step, and goes with it."),
                 new Table(
                         List.of("time step (s)", "first turn (m)", "last turn (m)", "at (s)"),
                         growth.stream().map(CfsReport::row).toList(),
                         "With a push that is switched where the limit is, every turn would be 2.5 m"
-                            + " from the middle."));
+                                + " from the middle."));
     }
 
     private static List<String> row(Growth growth) {

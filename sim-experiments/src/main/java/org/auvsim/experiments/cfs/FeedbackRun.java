@@ -20,8 +20,7 @@ import java.util.TreeMap;
  * @param told where the robot said that it was
  */
 record FeedbackRun(String name, List<Point> simulated, List<Point> told) {
-    static FeedbackRun of(String name, LiveRun run, World world, Telling robot)
-            throws IOException {
+    static FeedbackRun of(String name, LiveRun run, World world, Telling robot) throws IOException {
         List<Point> simulated = new ArrayList<>();
         run.run(
                 world,

@@ -47,8 +47,7 @@ public final class DistributedExperiment implements ThesisExperiment {
     }
 
     private static LiveRun asynchronous(double seconds) {
-        return new LiveRun(
-                new AsynchronousFeedbackTimestepper(), OptionalDouble.of(RATE), seconds);
+        return new LiveRun(new AsynchronousFeedbackTimestepper(), OptionalDouble.of(RATE), seconds);
     }
 
     private static LiveRun lockstep(double seconds) {

@@ -13,8 +13,7 @@ import java.util.List;
 import java.util.Locale;
 
 /** What the experiment found, beside what the thesis reported. */
-record DistributedReport(
-        double rate, Trace local, List<Trace> asynchronous, List<Trace> lockstep) {
+record DistributedReport(double rate, Trace local, List<Trace> asynchronous, List<Trace> lockstep) {
     Report report() {
         return new Report(
                 "Distributed and non-distributed simulation (thesis, section 8.3)",
@@ -40,9 +39,9 @@ record DistributedReport(
                                 lockstep,
                                 agrees()
                                         ? "One curve: the dashed ones lie upon the run inside the"
-                                            + " simulator."
+                                                + " simulator."
                                         : "The curves are not one: this is a fault of the"
-                                            + " simulator."),
+                                                + " simulator."),
                         hashes()));
     }
 
@@ -55,9 +54,9 @@ record DistributedReport(
                 asynchronous.stream().mapToDouble(t -> t.largestDifference(local)).max().orElse(0);
         return text(
                 "Five clients that do not wait for the simulator, nor it for them, end up to %.2g m"
-                    + " away from the run inside the simulator, differently each time, as the"
-                    + " thesis found. In lock-step, %d of %d runs are that run bit for bit: the"
-                    + " state's hash is %016x in each.",
+                        + " away from the run inside the simulator, differently each time, as the"
+                        + " thesis found. In lock-step, %d of %d runs are that run bit for bit: the"
+                        + " state's hash is %016x in each.",
                 apart,
                 lockstep.stream().filter(t -> t.firstDifference(local).isEmpty()).count(),
                 lockstep.size(),

@@ -39,8 +39,7 @@ final class Driver implements Robot {
         if (distance > law.radius()) {
             isPushing = true;
             Vec3 push = way.times(law.force() / distance);
-            return List.of(
-                    new ApplyDirectForceCommand(objectId, law.name(), Frame.WORLD, push));
+            return List.of(new ApplyDirectForceCommand(objectId, law.name(), Frame.WORLD, push));
         }
         boolean wasPushing = isPushing;
         isPushing = false;

@@ -70,7 +70,8 @@ final class RobotLink implements AutoCloseable {
         while (true) {
             Received received =
                     client.next()
-                            .orElseThrow(() -> new IllegalStateException("the simulator ended at once"));
+                            .orElseThrow(
+                                    () -> new IllegalStateException("the simulator ended at once"));
             for (Message message : received.messages()) {
                 refuseError(message);
                 if (type.isInstance(message)) {

@@ -38,8 +38,7 @@ record Measured(StageCost snapshots, double eventSeconds) {
     private Measured orFaster(Measured other) {
         boolean isFaster = other.snapshots.wallSeconds() < snapshots.wallSeconds();
         return new Measured(
-                isFaster ? other.snapshots : snapshots,
-                Math.min(eventSeconds, other.eventSeconds));
+                isFaster ? other.snapshots : snapshots, Math.min(eventSeconds, other.eventSeconds));
     }
 
     int bodies() {

@@ -20,8 +20,7 @@ import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
 
 /** What the runtime experiment found, beside what the thesis reported. */
-record RuntimeReport(
-        double seconds, List<Measured> own, List<Measured> common, CubeSize watched) {
+record RuntimeReport(double seconds, List<Measured> own, List<Measured> common, CubeSize watched) {
     private static final String BODIES = "bodies";
 
     Report report() {
@@ -29,10 +28,10 @@ record RuntimeReport(
         return new Report(
                 "Runtime of the thesis' algorithms (thesis, section 8.2)",
                 text(
-                        "%.0f s of world time with %d spheres take %.3g s with SnapshotStepper, which"
-                            + " is built of the thesis' three stages, and %.3g s with EventStepper. In"
-                            + " the thesis, 120 s with 100 objects took about 120 s on a machine that"
-                            + " it does not state.",
+                        "%.0f s of world time with %d spheres take %.3g s with SnapshotStepper,"
+                            + " which is built of the thesis' three stages, and %.3g s with"
+                            + " EventStepper. In the thesis, 120 s with 100 objects took about 120"
+                            + " s on a machine that it does not state.",
                         seconds,
                         last.bodies(),
                         last.snapshots().wallSeconds(),
@@ -54,13 +53,22 @@ record RuntimeReport(
                                 + StageCost.ADVANCEMENTS
                                 + " advancements as the thesis counted them: 1 for an assignment or"
                                 + " an arithmetic operation, n for a call on a list of n."));
-        blocks.add(stage(Trend.RESTRICTER, "Each sphere is asked once how far it goes, and once more"
-                + " for each halving: linear, as in the thesis."));
-        blocks.add(stage(Trend.OCTREE, "Nearly linear, as in the thesis: what is left are the numbers of"
-                + " spheres at which the tree gets deeper."));
-        blocks.add(stage(Trend.FINDER, "The thesis found a parabola. A larger cube meets later and"
-                + " each time spends more of its 100 advancements on the way there, so that ours"
-                + " need not be one: see R² below."));
+        blocks.add(
+                stage(
+                        Trend.RESTRICTER,
+                        "Each sphere is asked once how far it goes, and once more"
+                                + " for each halving: linear, as in the thesis."));
+        blocks.add(
+                stage(
+                        Trend.OCTREE,
+                        "Nearly linear, as in the thesis: what is left are the numbers of"
+                                + " spheres at which the tree gets deeper."));
+        blocks.add(
+                stage(
+                        Trend.FINDER,
+                        "The thesis found a parabola. A larger cube meets later and each time"
+                            + " spends more of its 100 advancements on the way there, so that ours"
+                            + " need not be one: see R² below."));
         blocks.add(fits(own));
         return new Section("Operations of the three stages", blocks);
     }
@@ -102,17 +110,22 @@ record RuntimeReport(
                                         quadratic),
                                 fitted(text("cubic fit, R² = %.4f", cubic.rSquared()), cubic)),
                         text(
-                                "The cubic fit's leading coefficient is %.3g here and 9.91985e-5 in the"
-                                    + " thesis. Real time would be %.0f s. EventStepper needs less"
-                                    + " since it does not shorten the steps of all bodies when two of"
-                                    + " them meet. Best of %d runs.",
+                                "The cubic fit's leading coefficient is %.3g here and 9.91985e-5 in"
+                                    + " the thesis. Real time would be %.0f s. EventStepper needs"
+                                    + " less since it does not shorten the steps of all bodies when"
+                                    + " two of them meet. Best of %d runs.",
                                 cubic.leading(), seconds, Measured.RUNS));
         return Section.of(heading, chart, times(measured));
     }
 
     private Table times(List<Measured> measured) {
         return new Table(
-                List.of(BODIES, "SnapshotStepper (s)", "× real time", "EventStepper (s)", "× real time"),
+                List.of(
+                        BODIES,
+                        "SnapshotStepper (s)",
+                        "× real time",
+                        "EventStepper (s)",
+                        "× real time"),
                 measured.stream().map(this::times).toList(),
                 "World time by real time says how much faster than real time a run is.");
     }
@@ -158,10 +171,11 @@ record RuntimeReport(
                         List.of(
                                 Curve.line("one target for all", watched.oneTarget()),
                                 Curve.line("targets of their own", watched.ownTargets())),
-                        "Both cubes fall together and bounce back to nearly their old size. The thesis saw one"
-                            + " with one target do so over and over; here positions that differ by"
-                            + " a micrometre from a perfect lattice break its symmetry in the first"
-                            + " collisions, and a swarm without a beat is left."));
+                        "Both cubes fall together and bounce back to nearly their old size. The"
+                            + " thesis saw one with one target do so over and over; here positions"
+                            + " that differ by a micrometre from a perfect lattice break its"
+                            + " symmetry in the first collisions, and a swarm without a beat is"
+                            + " left."));
     }
 
     private static List<StageCost> snapshots(List<Measured> measured) {

@@ -34,6 +34,9 @@ public record StageCost(
                 stages.restricter(),
                 stages.partitioner(),
                 stages.finder(),
-                WallTime.of(workload.world().stepper(SnapshotStepper.standard()).build(), seconds, stop));
+                WallTime.of(
+                        workload.world().stepper(SnapshotStepper.standard()).build(),
+                        seconds,
+                        stop));
     }
 }

@@ -11,8 +11,7 @@ import java.util.stream.IntStream;
 
 class CurveTest {
     private static Curve sawtooth(int points) {
-        List<Point> course =
-                IntStream.range(0, points).mapToObj(i -> new Point(i, i % 7)).toList();
+        List<Point> course = IntStream.range(0, points).mapToObj(i -> new Point(i, i % 7)).toList();
         return Curve.line("saw", course);
     }
 

@@ -21,19 +21,34 @@ record KalmanUpdate(RigidMotion motion, Matrix covariance, double surprise) {
      *
      * @param predicted covariance of the model's error
      * @param noise covariance of what was measured
+     * @throws IllegalArgumentException if the two are so far apart that they cannot be weighed
      */
     static KalmanUpdate of(RigidMotion model, Matrix predicted, Target measured, Matrix noise) {
         int[] rows = rows(measured);
         double[] innovation = picked(measured.replacing(model).minus(model), rows);
         Matrix pick = pick(rows);
         Matrix carried = predicted.times(pick.transposed());
-        Cholesky size = new Cholesky(pick.times(carried).plus(noise).elements(), rows.length);
+        Cholesky size = factor(pick.times(carried).plus(noise));
         Matrix gain = gain(carried, size);
         Matrix left = Matrix.identity(RigidMotion.SIZE).minus(gain.times(pick));
         return new KalmanUpdate(
                 model.plus(gain.times(innovation)),
                 predicted.within(left).plus(noise.within(gain)),
                 dot(innovation, size.solve(innovation)));
+    }
+
+    private static Cholesky factor(Matrix expected) {
+        try {
+            return new Cholesky(expected.elements(), expected.rows());
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException(
+                    "the errors of model and measurement cannot be weighed against each other,"
+                            + " since in their sum one is lost in the other's rounding; state a"
+                            + " larger covariance ("
+                            + e.getMessage()
+                            + ")",
+                    e);
+        }
     }
 
     /** The rows of a 12 x 12 covariance that belong to what was measured. */

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.Random;
 
@@ -208,6 +209,28 @@ class KalmanFilterTest {
         assertThat(robot.world.object(1).position().distance(new Vec3(STEP, 0, 0)))
                 .isLessThan(1e-14);
         assertThat(robot.world.object(1).velocity().distance(new Vec3(1, 0, 0))).isLessThan(1e-14);
+    }
+
+    /** All errors are one and the same, and the measurement's are below their rounding. */
+    @Test
+    void whatCannotBeWeighedIsOneSentence() {
+        RigidMotion motion =
+                new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
+        double[] ones = new double[144];
+        Arrays.fill(ones, 1);
+        Target measured =
+                new Target(
+                        Optional.of(Vec3.ZERO),
+                        Optional.empty(),
+                        Optional.empty(),
+                        Optional.empty(),
+                        Optional.empty());
+        Matrix exact = Matrix.diagonal(1e-30, 1e-30, 1e-30);
+        assertThatThrownBy(
+                        () -> KalmanUpdate.of(motion, Matrix.of(ones, 12), measured, exact))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("cannot be weighed against each other")
+                .hasMessageContaining("row 2");
     }
 
     /** Position and velocity err together after a while: a position tells of the velocity, too. */

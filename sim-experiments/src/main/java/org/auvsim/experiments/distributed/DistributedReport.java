@@ -28,9 +28,10 @@ record DistributedReport(double rate, Trace local, List<Trace> asynchronous, Lis
                                             + " four curves of Figure 8.8 differ.",
                                         rate),
                                 asynchronous,
-                                "A force acts some steps late, a different number each time; after"
-                                    + " the first collisions the runs have nothing in common but"
-                                    + " their beginning."),
+                                "A force acts some steps late, a different number each time. What"
+                                    + " comes late gives energy each time round, so that spheres"
+                                    + " fly farther; after the first collisions the runs have"
+                                    + " nothing in common but their beginning."),
                         section(
                                 "In lock-step, which the thesis left to future work",
                                 "The same clients compute the same law from where each step is"

@@ -40,7 +40,7 @@ public final class Administration {
             throws IOException, InterruptedException {
         Consumer<String> print = printer(out);
         Conversation conversation = new Conversation(client);
-        ObjectNames names = new ObjectNames(conversation);
+        KnownNames names = new KnownNames(conversation);
         conversation.begin(notice -> print.accept(told(notice)), () -> {});
         new Script(lines, conversation, operator(conversation, names, print)).run();
     }
@@ -53,7 +53,7 @@ public final class Administration {
      */
     public void converse(Terminal terminal, Path history) throws InterruptedException {
         Conversation conversation = new Conversation(client);
-        ObjectNames names = new ObjectNames(conversation);
+        KnownNames names = new KnownNames(conversation);
         LineReader reader = reader(terminal, history, names);
         PrintWriter out = terminal.writer();
         Consumer<String> print = printer(out);
@@ -63,7 +63,7 @@ public final class Administration {
         new Shell(reader, conversation, operator(conversation, names, print)).run();
     }
 
-    private LineReader reader(Terminal terminal, Path history, ObjectNames names) {
+    private LineReader reader(Terminal terminal, Path history, KnownNames names) {
         DefaultParser parser = new DefaultParser();
         parser.setEscapeChars(new char[0]);
         return LineReaderBuilder.builder()
@@ -77,7 +77,7 @@ public final class Administration {
     }
 
     private Operator operator(
-            Conversation conversation, ObjectNames names, Consumer<String> print) {
+            Conversation conversation, KnownNames names, Consumer<String> print) {
         return new Operator(
                 conversation,
                 new Interpreter(catalogue, vocabulary, names),

@@ -1,7 +1,6 @@
 package org.auvsim.cli.admin;
 
 import org.auvsim.auvsml.mapping.Part;
-import org.auvsim.auvsml.message.command.ListedWorldObject;
 import org.auvsim.cli.report.UserError;
 
 import org.jline.reader.Candidate;
@@ -18,9 +17,9 @@ final class Completion implements Completer {
     private static final String HELP = "help";
 
     private final Vocabulary vocabulary;
-    private final ObjectNames names;
+    private final KnownNames names;
 
-    Completion(Vocabulary vocabulary, ObjectNames names) {
+    Completion(Vocabulary vocabulary, KnownNames names) {
         this.vocabulary = vocabulary;
         this.names = names;
     }
@@ -50,26 +49,24 @@ final class Completion implements Completer {
         if (said.isEmpty()) {
             return Stream.of();
         }
-        int given = words.size() - said.get().words();
-        List<Part> attributes = said.get().phrase().attributes();
-        if (given < attributes.size()) {
-            return choices(attributes.get(given));
+        Phrase phrase = said.get().phrase();
+        List<String> given = words.subList(said.get().words(), words.size());
+        List<Part> attributes = phrase.attributes();
+        if (given.size() < attributes.size()) {
+            Part next = attributes.get(given.size());
+            return Stream.concat(next.choices().stream(), known(phrase, next, given));
         }
-        return said.get().phrase().parts().stream()
+        return phrase.parts().stream()
                 .filter(part -> !part.isAttribute())
                 .flatMap(part -> part.choices().stream())
                 .map(element -> "<" + element);
     }
 
-    private Stream<String> choices(Part part) {
-        return Interpreter.IDS.contains(part.name()) ? objects() : part.choices().stream();
-    }
-
-    private Stream<String> objects() {
+    private Stream<String> known(Phrase phrase, Part attribute, List<String> given) {
         try {
-            return names.all().stream().map(ListedWorldObject::name);
+            return names.of(phrase.element(), attribute.name(), given);
         } catch (UserError _) {
-            return Stream.of(); // the next command tells that the simulator has gone
+            return Stream.of(); // the command itself tells what is wrong
         }
     }
 }

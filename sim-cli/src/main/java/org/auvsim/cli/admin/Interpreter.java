@@ -34,10 +34,10 @@ final class Interpreter {
     private static final int MOST_SUGGESTED = 8;
 
     private final Vocabulary vocabulary;
-    private final ObjectNames names;
+    private final KnownNames names;
     private final RootDecoder decoder;
 
-    Interpreter(MessageCatalogue catalogue, Vocabulary vocabulary, ObjectNames names) {
+    Interpreter(MessageCatalogue catalogue, Vocabulary vocabulary, KnownNames names) {
         this.vocabulary = vocabulary;
         this.names = names;
         this.decoder = RootDecoder.strict(catalogue, LIMITS);
@@ -116,9 +116,7 @@ final class Interpreter {
     }
 
     private String id(String attribute, String value) {
-        return IDS.contains(attribute) && !value.matches("[0-9]+")
-                ? Long.toString(names.id(value))
-                : value;
+        return IDS.contains(attribute) ? Long.toString(names.id(value)) : value;
     }
 
     private static String escaped(String value) {

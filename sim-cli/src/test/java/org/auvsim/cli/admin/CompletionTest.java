@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Sphere;
 import org.auvsim.core.world.World;
 import org.auvsim.server.net.TcpTransport;
@@ -29,6 +31,9 @@ import java.util.List;
 /** What Tab offers, with a simulator that tells its objects. */
 @Timeout(60)
 class CompletionTest {
+    private static final Propulsor TAIL =
+            new Propulsor("Tail", 10, 0, Vec3.ZERO, new Vec3(1, 0, 0));
+
     private final TcpTransport tcp = TcpTransport.onLoopback(0);
     private final MessageCatalogue catalogue =
             MessageCatalogue.load(CompletionTest.class.getClassLoader());
@@ -39,6 +44,7 @@ class CompletionTest {
                                             WorldObjectDefinition.named("Red Fish")
                                                     .mass(2)
                                                     .volume(new Sphere(1))
+                                                    .component(TAIL)
                                                     .build())
                                     .build())
                     .transport(tcp)
@@ -52,7 +58,7 @@ class CompletionTest {
         client = AuvsmlClient.connect("127.0.0.1", tcp.port(), catalogue);
         Conversation conversation = new Conversation(client);
         conversation.begin(_ -> {}, () -> {});
-        completion = new Completion(new Vocabulary(catalogue), new ObjectNames(conversation));
+        completion = new Completion(new Vocabulary(catalogue), new KnownNames(conversation));
     }
 
     @AfterEach
@@ -88,6 +94,13 @@ class CompletionTest {
     void namesOfObjectsForTheirIds() throws IOException {
         assertThat(offered("set propulsor ")).containsExactly("Red Fish");
         assertThat(offered("remove entity ")).containsExactly("Red Fish");
+    }
+
+    @Test
+    void whatElseHasAName() throws IOException {
+        assertThat(offered("set propulsor \"Red Fish\" ")).containsExactly("Tail");
+        assertThat(offered("disconnect client ")).containsExactly("client 1");
+        assertThat(offered("restore snapshot ")).isEmpty();
     }
 
     @Test

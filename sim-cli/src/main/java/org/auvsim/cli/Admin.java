@@ -6,7 +6,6 @@ import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.cli.admin.Administration;
-
 import org.jline.terminal.Terminal;
 import org.jline.terminal.TerminalBuilder;
 

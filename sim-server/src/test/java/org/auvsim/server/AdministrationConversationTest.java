@@ -28,8 +28,7 @@ class AdministrationConversationTest {
                     + "</load-scenario-command>";
 
     private final TcpTransport tcp = TcpTransport.onLoopback(0);
-    private final Simulator simulator =
-            Simulator.of(Tank.world()).transport(tcp).paused().start();
+    private final Simulator simulator = Simulator.of(Tank.world()).transport(tcp).paused().start();
     private final List<RawClient> clients = new ArrayList<>();
     private RawClient admin;
 
@@ -126,7 +125,8 @@ class AdministrationConversationTest {
         step(1);
         done("<take-snapshot-command name=\"b\"/>");
         assertThat(admin.ask("2", "<list-snapshots-request/>"))
-                .contains("<snapshot name=\"a\" time=\"0.0\"/><snapshot name=\"b\" time=\"0.05\"/>");
+                .contains(
+                        "<snapshot name=\"a\" time=\"0.0\"/><snapshot name=\"b\" time=\"0.05\"/>");
         assertThat(admin.ask("3", "<restore-snapshot-command name=\"c\"/>"))
                 .contains("code=\"UNKNOWN_ENTITY\"")
                 .contains("there is no snapshot 'c'; there are a, b");
@@ -243,8 +243,7 @@ class AdministrationConversationTest {
                         + "</set-timestepper-command>");
         step(1);
         assertThat(listener.next("timestep-advanced")).contains("state-type=\"PROJECTED\"");
-        assertThat(admin.ask("1", "<set-timestepper-command/>"))
-                .contains("code=\"MISSING_VALUE\"");
+        assertThat(admin.ask("1", "<set-timestepper-command/>")).contains("code=\"MISSING_VALUE\"");
     }
 
     @Test

@@ -63,9 +63,11 @@ class ReleaseConversationTest {
     private static void fly(RawClient pilot) throws IOException {
         pilot.ask(
                 "1",
-                "<apply-direct-force-command world-object-id=\"1\" name=\"tow\" orientation=\"BODY\">"
-                        + "<force-vector x=\"0\" y=\"1\" z=\"0\"/></apply-direct-force-command>");
-        pilot.ask("2", "<set-propulsor-command world-object-id=\"1\" name=\"Tail\" level=\"0.5\"/>");
+                "<apply-direct-force-command world-object-id=\"1\" name=\"tow\""
+                    + " orientation=\"BODY\"><force-vector x=\"0\" y=\"1\""
+                    + " z=\"0\"/></apply-direct-force-command>");
+        pilot.ask(
+                "2", "<set-propulsor-command world-object-id=\"1\" name=\"Tail\" level=\"0.5\"/>");
     }
 
     private static void letGo(RawClient pilot, boolean byCommand) throws IOException {
@@ -133,7 +135,9 @@ class ReleaseConversationTest {
                             v -> assertThat(v.x()).isCloseTo(0, within(1e-6)),
                             v -> assertThat(v.y()).isCloseTo(0, within(1e-6)),
                             v -> assertThat(v.z()).isCloseTo(0.25 / (20 + 1), within(1e-6)));
-            assertThat(ReleaseConversationTest.<Double>vehicle(simulator, v -> v.angularVelocity().norm()))
+            assertThat(
+                            ReleaseConversationTest.<Double>vehicle(
+                                    simulator, v -> v.angularVelocity().norm()))
                     .isCloseTo(0, within(1e-6));
             other.ask("1", "<take-control-command world-object-id=\"1\"/>");
             assertThat(vehicle(simulator, WorldObject::effects)).containsExactly(WATER);

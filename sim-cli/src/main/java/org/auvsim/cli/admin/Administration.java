@@ -3,7 +3,6 @@ package org.auvsim.cli.admin;
 import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.Message;
-
 import org.jline.reader.LineReader;
 import org.jline.reader.LineReaderBuilder;
 import org.jline.reader.impl.DefaultParser;
@@ -76,8 +75,7 @@ public final class Administration {
                 .build();
     }
 
-    private Operator operator(
-            Conversation conversation, KnownNames names, Consumer<String> print) {
+    private Operator operator(Conversation conversation, KnownNames names, Consumer<String> print) {
         return new Operator(
                 conversation,
                 new Interpreter(catalogue, vocabulary, names),

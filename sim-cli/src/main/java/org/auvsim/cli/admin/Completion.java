@@ -2,7 +2,6 @@ package org.auvsim.cli.admin;
 
 import org.auvsim.auvsml.mapping.Part;
 import org.auvsim.cli.report.UserError;
-
 import org.jline.reader.Candidate;
 import org.jline.reader.Completer;
 import org.jline.reader.LineReader;
@@ -29,7 +28,8 @@ final class Completion implements Completer {
         List<String> before = line.words().subList(0, line.wordIndex());
         boolean helps = !before.isEmpty() && before.getFirst().equals(HELP);
         List<String> command = helps ? before.subList(1, before.size()) : before;
-        Stream<String> next = Stream.concat(nextWords(command), helps ? Stream.of() : values(command));
+        Stream<String> next =
+                Stream.concat(nextWords(command), helps ? Stream.of() : values(command));
         if (before.isEmpty()) {
             next = Stream.concat(next, Stream.of(HELP, "exit"));
         }

@@ -65,8 +65,7 @@ final class Conversation {
     private boolean isAnswer(Received received) {
         lock.lock();
         try {
-            boolean isAnswer =
-                    awaited.isPresent() && received.requestId().equals(awaited);
+            boolean isAnswer = awaited.isPresent() && received.requestId().equals(awaited);
             if (isAnswer) {
                 answers.addAll(received.messages());
                 changed.signalAll();

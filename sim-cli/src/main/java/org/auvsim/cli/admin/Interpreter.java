@@ -51,7 +51,8 @@ final class Interpreter {
     List<Message> messages(String line) {
         Words words = Words.of(line);
         if (words.words().isEmpty()) {
-            return decode(isRoot(words.xml()) ? words.xml() : "<auvsml>" + words.xml() + "</auvsml>");
+            return decode(
+                    isRoot(words.xml()) ? words.xml() : "<auvsml>" + words.xml() + "</auvsml>");
         }
         Vocabulary.Said said =
                 vocabulary.in(words.words()).orElseThrow(() -> unknown(words.words()));
@@ -101,7 +102,11 @@ final class Interpreter {
         StringBuilder element = new StringBuilder("<").append(phrase.element());
         attributes.forEach(
                 (name, value) ->
-                        element.append(' ').append(name).append("=\"").append(escaped(value)).append('"'));
+                        element.append(' ')
+                                .append(name)
+                                .append("=\"")
+                                .append(escaped(value))
+                                .append('"'));
         return element.append('>')
                 .append(inside)
                 .append(xml)
@@ -127,7 +132,8 @@ final class Interpreter {
         try {
             return Files.readString(Path.of(file)).replaceFirst("^\\s*<\\?xml[^>]*\\?>", "");
         } catch (IOException | RuntimeException e) {
-            throw new UserError("Cannot read the file '%s': %s.".formatted(file, e.getMessage()), e);
+            throw new UserError(
+                    "Cannot read the file '%s': %s.".formatted(file, e.getMessage()), e);
         }
     }
 

@@ -23,9 +23,13 @@ record Phrase(String text, String element, List<Part> parts) {
 
     /** Without what every command has: "get-effect-list-request" to "list effects". */
     private static String words(String element) {
-        String name = element.replaceAll("-(command|request|message)$", "").replace("-simulator", "");
+        String name =
+                element.replaceAll("-(command|request|message)$", "").replace("-simulator", "");
         if (name.startsWith("get-") && name.endsWith("-list")) {
-            name = "list-" + name.substring("get-".length(), name.length() - "-list".length()) + "s";
+            name =
+                    "list-"
+                            + name.substring("get-".length(), name.length() - "-list".length())
+                            + "s";
         }
         return name.replaceAll("^get-", "").replace('-', ' ');
     }

@@ -20,7 +20,9 @@ import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.stream.Collectors;
 
-/** Messages as text for people: values by name, lists as tables, what can be sent back as AUVSML. */
+/**
+ * Messages as text for people: values by name, lists as tables, what can be sent back as AUVSML.
+ */
 final class PlainText {
     private final AuvsmlWriter writer;
 
@@ -81,9 +83,7 @@ final class PlainText {
         }
         String head = ElementName.of(message.getClass()).replaceAll("-response$", "");
         String line = head.replace('-', ' ') + (values.isEmpty() ? "" : ": ");
-        return tables.isEmpty()
-                ? line + String.join(", ", values)
-                : String.join("\n", tables);
+        return tables.isEmpty() ? line + String.join(", ", values) : String.join("\n", tables);
     }
 
     static String name(RecordComponent component) {

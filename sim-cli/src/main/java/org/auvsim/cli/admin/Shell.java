@@ -2,7 +2,6 @@ package org.auvsim.cli.admin;
 
 import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.cli.report.UserError;
-
 import org.jline.reader.EndOfFileException;
 import org.jline.reader.LineReader;
 import org.jline.reader.UserInterruptException;

@@ -31,7 +31,12 @@ final class Table {
     private static String text(List<List<String>> rows, int columns) {
         int[] widths =
                 IntStream.range(0, columns)
-                        .map(c -> rows.stream().mapToInt(row -> row.get(c).length()).max().orElse(0))
+                        .map(
+                                c ->
+                                        rows.stream()
+                                                .mapToInt(row -> row.get(c).length())
+                                                .max()
+                                                .orElse(0))
                         .toArray();
         return rows.stream()
                 .map(

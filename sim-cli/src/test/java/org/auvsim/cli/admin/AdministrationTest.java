@@ -75,7 +75,9 @@ class AdministrationTest {
     void plainWordsAreCommandsAndAnswersPlainText() throws Exception {
         assertThat(perform("# how does it stand?", "", "set rate 2.5", "state"))
                 .isEqualTo(
-                        "done\nsimulator state: time 0.0, running no, rate 2.5, step 0, clients 1\n");
+                        "done\n"
+                            + "simulator state: time 0.0, running no, rate 2.5, step 0, clients"
+                            + " 1\n");
         assertThat(perform("list world objects"))
                 .isEqualTo("id  type         name\n7   WorldObject  Red Fish\n");
     }

@@ -72,8 +72,7 @@ class CompletionTest {
                 LineReaderBuilder.builder()
                         .terminal(
                                 new DumbTerminal(
-                                        InputStream.nullInputStream(),
-                                        new ByteArrayOutputStream()))
+                                        InputStream.nullInputStream(), new ByteArrayOutputStream()))
                         .build();
         List<Candidate> candidates = new ArrayList<>();
         completion.complete(

@@ -1,7 +1,8 @@
 package org.auvsim.cli.admin;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
 
 import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.mapping.MessageCatalogue;

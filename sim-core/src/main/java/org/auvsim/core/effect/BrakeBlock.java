@@ -3,7 +3,6 @@ package org.auvsim.core.effect;
 import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.BlockEffect;
 import org.auvsim.core.entity.Effect;
-
 import org.jspecify.annotations.Nullable;
 
 import java.util.List;

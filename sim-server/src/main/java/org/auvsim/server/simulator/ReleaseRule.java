@@ -2,10 +2,10 @@ package org.auvsim.server.simulator;
 
 import org.auvsim.auvsml.document.ReleasedForces;
 import org.auvsim.auvsml.document.ReleasedObject;
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.effect.Brake;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.MassProperties;
-import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.world.World;

@@ -9,7 +9,8 @@ import org.auvsim.auvsml.message.command.SessionControl;
 import java.util.Optional;
 
 /** Lets go of a world object, so that another client may control it. */
-public record ReleaseControlCommand(long worldObjectId) implements ClientCommand, WorldObjectMessage {
+public record ReleaseControlCommand(long worldObjectId)
+        implements ClientCommand, WorldObjectMessage {
     @Override
     public Role role() {
         return Role.CONTROLLER;

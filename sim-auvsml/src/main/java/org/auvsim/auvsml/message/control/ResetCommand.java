@@ -6,7 +6,9 @@ import org.auvsim.auvsml.message.command.SimulatorControl;
 
 import java.util.Optional;
 
-/** Begins again, as the simulation began; every client gets a {@link SnapshotRestoredNotification}. */
+/**
+ * Begins again, as the simulation began; every client gets a {@link SnapshotRestoredNotification}.
+ */
 public record ResetCommand() implements SimulatorCommand {
     @Override
     public boolean actsBetweenSteps() {

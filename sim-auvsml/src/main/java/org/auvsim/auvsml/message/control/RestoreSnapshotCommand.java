@@ -6,8 +6,10 @@ import org.auvsim.auvsml.message.command.SimulatorControl;
 
 import java.util.Optional;
 
-/** Goes back to a snapshot: the world's time is then that of the snapshot, and every client gets a
- * {@link SnapshotRestoredNotification}. */
+/**
+ * Goes back to a snapshot: the world's time is then that of the snapshot, and every client gets a
+ * {@link SnapshotRestoredNotification}.
+ */
 public record RestoreSnapshotCommand(String name) implements SimulatorCommand {
     @Override
     public boolean actsBetweenSteps() {

@@ -12,7 +12,8 @@ import java.util.Optional;
  *
  * @param feedbackTimestepping as a scenario states it
  */
-public record SetTimestepperCommand(FeedbackTimestepping feedbackTimestepping) implements SimulatorCommand {
+public record SetTimestepperCommand(FeedbackTimestepping feedbackTimestepping)
+        implements SimulatorCommand {
     @Override
     public boolean actsBetweenSteps() {
         return true;

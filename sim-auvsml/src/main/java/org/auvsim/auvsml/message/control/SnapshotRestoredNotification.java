@@ -12,5 +12,5 @@ import org.auvsim.core.description.Unit;
  * @param name the snapshot's; {@code *BEGINNING*} after a reset, {@code *SCENARIO*} after another
  *     scenario was loaded
  */
-public record SnapshotRestoredNotification(
-        long revision, @Unit("s") double timestamp, String name) implements Message {}
+public record SnapshotRestoredNotification(long revision, @Unit("s") double timestamp, String name)
+        implements Message {}

@@ -6,8 +6,10 @@ import org.auvsim.auvsml.message.command.SimulatorControl;
 
 import java.util.Optional;
 
-/** Keeps the world, and who controls what, as they are now, under a name; a snapshot of the same
- * name is replaced. */
+/**
+ * Keeps the world, and who controls what, as they are now, under a name; a snapshot of the same
+ * name is replaced.
+ */
 public record TakeSnapshotCommand(String name) implements SimulatorCommand {
     /**
      * A checked command.

@@ -13,7 +13,9 @@ import java.util.Optional;
  * @param client its session id or its name
  * @param reason for the client
  */
-public record DisconnectClientCommand(String client, @Default("an administrator has ended the session") String reason) implements SimulatorCommand {
+public record DisconnectClientCommand(
+        String client, @Default("an administrator has ended the session") String reason)
+        implements SimulatorCommand {
     @Override
     public Optional<Message> execute(SimulatorControl simulator) {
         simulator.disconnect(client, reason);

@@ -115,8 +115,7 @@ class ScenarioTest {
     }
 
     /** Of an object at rest that was measured 0.1 m beside, at the end of the step. */
-    private static double velocityAfterFeedback(FeedbackProcessorChoice choice)
-            throws IOException {
+    private static double velocityAfterFeedback(FeedbackProcessorChoice choice) throws IOException {
         TcpTransport tcp = TcpTransport.onLoopback(0);
         try (Simulator simulator =
                         Simulator.of(

@@ -160,9 +160,7 @@ class StateFeedbackConversationTest {
     void anUnknownObjectIsRefusedAtOnce() throws IOException {
         robot.next("timestep-advanced-notification");
         robot.send(state(77, "handler-name=\"" + DIRECT + "\"", POSITION));
-        assertThat(robot.next("error-response"))
-                .contains("code=\"UNKNOWN_ENTITY\"")
-                .contains("77");
+        assertThat(robot.next("error-response")).contains("code=\"UNKNOWN_ENTITY\"").contains("77");
         robot.send(direct(POSITION));
         assertThat(robot.next("feedback-applied")).contains("world-object-id=\"1\"");
     }

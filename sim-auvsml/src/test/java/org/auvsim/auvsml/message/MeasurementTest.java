@@ -33,8 +33,7 @@ class MeasurementTest {
 
     private static Incoming read(String inner) throws IOException {
         byte[] text = (HEAD + inner + TAIL).getBytes(StandardCharsets.UTF_8);
-        MessageCatalogue catalogue =
-                MessageCatalogue.load(MeasurementTest.class.getClassLoader());
+        MessageCatalogue catalogue = MessageCatalogue.load(MeasurementTest.class.getClassLoader());
         return new AuvsmlReader(
                         new ByteArrayInputStream(text),
                         RootDecoder.strict(catalogue, Limits.MESSAGE),
@@ -62,7 +61,10 @@ class MeasurementTest {
     @Test
     void anyPartOfTheMotionIsTaken() throws IOException {
         Measurement measured =
-                message(" frame=\"NED\">" + POSITION + "<angular-velocity x=\"0\" y=\"0\" z=\"1\"/>")
+                message(
+                                " frame=\"NED\">"
+                                        + POSITION
+                                        + "<angular-velocity x=\"0\" y=\"0\" z=\"1\"/>")
                         .measurement();
         assertThat(measured.frame()).isEqualTo(MeasurementFrame.NED);
         assertThat(measured.position()).contains(new Vec3(1, 2, 3));
@@ -120,8 +122,7 @@ class MeasurementTest {
     void numbersAreFinite() throws IOException {
         assertThat(fault("><position x=\"NaN\" y=\"0\" z=\"0\"/>"))
                 .contains("expected a finite number, but found 'NaN'");
-        assertThat(fault(">" + POSITION + covariance("1 0 0", "0 NaN 0", "0 0 1")))
-                .contains("NaN");
+        assertThat(fault(">" + POSITION + covariance("1 0 0", "0 NaN 0", "0 0 1"))).contains("NaN");
         assertThatThrownBy(
                         () ->
                                 new DifferentStateFeedbackMessage(

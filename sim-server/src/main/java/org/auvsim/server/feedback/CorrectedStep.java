@@ -1,8 +1,8 @@
 package org.auvsim.server.feedback;
 
 import org.auvsim.auvsml.ErrorCode;
-import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.document.WhenLate;
+import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.core.entity.MovementState;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.Wrench;
@@ -265,7 +265,9 @@ public final class CorrectedStep {
 
     /** Where the step would leave an object, before it is made. */
     RigidMotion projected(long objectId) {
-        return projection().motion(objectId).orElseGet(() -> RigidMotion.of(world.object(objectId)));
+        return projection()
+                .motion(objectId)
+                .orElseGet(() -> RigidMotion.of(world.object(objectId)));
     }
 
     /** How an object moved when the step began. */

@@ -19,8 +19,9 @@ public final class FeedbackProcessors {
     private Optional<String> override = Optional.empty();
 
     /**
-     * Direct alteration and vector adjustment, as the thesis names them, the others of this package,
-     * and those that provider files name, {@code META-INF/services/org.auvsim.server.feedback.FeedbackProcessor}.
+     * Direct alteration and vector adjustment, as the thesis names them, the others of this
+     * package, and those that provider files name, {@code
+     * META-INF/services/org.auvsim.server.feedback.FeedbackProcessor}.
      *
      * @throws IllegalArgumentException if one of the latter cannot be had
      */

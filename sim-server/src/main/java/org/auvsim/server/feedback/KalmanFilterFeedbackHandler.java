@@ -10,10 +10,10 @@ import java.util.Arrays;
  * model, each by how far it may be off, and corrects all of the motion, also what was not measured.
  *
  * <p>Its estimate is the object itself. Beside it, it remembers the covariance of twelve errors:
- * position, rotation vector, velocity, angular velocity. The world's steps carry them on: by central
- * differences through the real step that is corrected, whose power stands for all steps since the
- * last measurement; white accelerations, which the model does not know, add to them. A measurement
- * without a covariance of its own has that of {@code measurement}.
+ * position, rotation vector, velocity, angular velocity. The world's steps carry them on: by
+ * central differences through the real step that is corrected, whose power stands for all steps
+ * since the last measurement; white accelerations, which the model does not know, add to them. A
+ * measurement without a covariance of its own has that of {@code measurement}.
  *
  * @param acceleration square root of the spectral density of the model's error (m/s^2 / sqrt(Hz))
  * @param angularAcceleration likewise of turns (rad/s^2 / sqrt(Hz))
@@ -21,10 +21,7 @@ import java.util.Arrays;
  * @param initial how far the object may be off at the first measurement
  */
 public record KalmanFilterFeedbackHandler(
-        double acceleration,
-        double angularAcceleration,
-        Deviations measurement,
-        Deviations initial)
+        double acceleration, double angularAcceleration, Deviations measurement, Deviations initial)
         implements FeedbackProcessor {
     /**
      * A checked filter.

@@ -14,10 +14,10 @@ import java.util.List;
  */
 record KalmanUpdate(RigidMotion motion, Matrix covariance, double surprise) {
     /**
-     * Uses a measurement, with the covariance in Joseph's form (Bucy &amp; Joseph 1968), which stays
-     * positive definite whatever is rounded; what the correction of the orientation changes in the
-     * axes of its error is of second order and left out (Sol&agrave;, "Quaternion kinematics for the
-     * error-state Kalman filter", 2017, section 6.3).
+     * Uses a measurement, with the covariance in Joseph's form (Bucy &amp; Joseph 1968), which
+     * stays positive definite whatever is rounded; what the correction of the orientation changes
+     * in the axes of its error is of second order and left out (Sol&agrave;, "Quaternion kinematics
+     * for the error-state Kalman filter", 2017, section 6.3).
      *
      * @param predicted covariance of the model's error
      * @param noise covariance of what was measured

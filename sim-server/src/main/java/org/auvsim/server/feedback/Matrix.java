@@ -164,8 +164,7 @@ public final class Matrix {
             }
             eliminate(left, right, k);
         }
-        double[] inverted =
-                Arrays.stream(right).flatMapToDouble(Arrays::stream).toArray();
+        double[] inverted = Arrays.stream(right).flatMapToDouble(Arrays::stream).toArray();
         return Optional.of(new Matrix(rows, rows, inverted));
     }
 
@@ -203,9 +202,7 @@ public final class Matrix {
 
     @Override
     public boolean equals(Object other) {
-        return other instanceof Matrix m
-                && rows == m.rows
-                && Arrays.equals(elements, m.elements);
+        return other instanceof Matrix m && rows == m.rows && Arrays.equals(elements, m.elements);
     }
 
     @Override

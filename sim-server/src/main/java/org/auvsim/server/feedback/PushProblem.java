@@ -11,8 +11,8 @@ import java.util.Optional;
 
 /**
  * Which forces and torques end a step as it was measured. The unknowns, all in metres and radians,
- * are by how much they would shift the end of the step of a free body: its position and its velocity
- * times half the step, its turn and its angular velocity times half the step.
+ * are by how much they would shift the end of the step of a free body: its position and its
+ * velocity times half the step, its turn and its angular velocity times half the step.
  */
 final class PushProblem {
     private final Correction correction;
@@ -127,9 +127,7 @@ final class PushProblem {
     /** The acceleration in the second half of the step. */
     private Vec3 secondShare(double[] shift, int from) {
         Vec3 first = firstShare(shift, from);
-        return inHalves
-                ? vector(shift, from + 3).times(1 / (half * half)).minus(first)
-                : first;
+        return inHalves ? vector(shift, from + 3).times(1 / (half * half)).minus(first) : first;
     }
 
     private static Vec3 vector(double[] shift, int from) {

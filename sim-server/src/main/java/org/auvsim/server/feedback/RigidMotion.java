@@ -14,8 +14,7 @@ import org.auvsim.core.math.Vec3;
  * @param velocity of its origin (m/s)
  * @param angularVelocity (rad/s)
  */
-public record RigidMotion(
-        Vec3 position, Quat orientation, Vec3 velocity, Vec3 angularVelocity) {
+public record RigidMotion(Vec3 position, Quat orientation, Vec3 velocity, Vec3 angularVelocity) {
     /** How many numbers the error of a motion has. */
     static final int SIZE = 12;
 

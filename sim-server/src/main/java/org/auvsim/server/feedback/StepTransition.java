@@ -3,8 +3,8 @@ package org.auvsim.server.feedback;
 import java.util.Optional;
 
 /**
- * How a step carries an error of an object's motion on, and what noise it adds: from covariance P to
- * F P F^T + Q.
+ * How a step carries an error of an object's motion on, and what noise it adds: from covariance P
+ * to F P F^T + Q.
  *
  * @param transition F, 12 x 12
  * @param noise Q, 12 x 12

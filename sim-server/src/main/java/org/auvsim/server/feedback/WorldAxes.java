@@ -45,8 +45,7 @@ final class WorldAxes {
 
     private Target ofNed() {
         Optional<Quat> orientation =
-                measured.orientation()
-                        .map(q -> NED_TO_WORLD.times(q).times(DOWNWARD).normalized());
+                measured.orientation().map(q -> NED_TO_WORLD.times(q).times(DOWNWARD).normalized());
         return turned(orientation, NED_AXES, NED_AXES);
     }
 

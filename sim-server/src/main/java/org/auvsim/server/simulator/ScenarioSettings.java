@@ -74,7 +74,9 @@ final class ScenarioSettings {
                     new AsynchronousFeedbackTimestepper();
             case FeedbackTimestepping.LockstepTimestepper lockstep ->
                     new LockstepTimestepper(
-                            lockstep.timeout().stream().mapToObj(ScenarioSettings::duration).findFirst(),
+                            lockstep.timeout().stream()
+                                    .mapToObj(ScenarioSettings::duration)
+                                    .findFirst(),
                             lockstep.then());
             case FeedbackTimestepping.SimpleFixedTimeFeedbackTimestepper simple ->
                     new SimpleFixedTimeFeedbackTimestepper(

@@ -64,8 +64,7 @@ final class FilteredRobot {
                 .mass(3)
                 .volume(new Sphere(1))
                 .velocity(velocity.x(), velocity.y(), velocity.z())
-                .angularVelocity(
-                        angularVelocity.x(), angularVelocity.y(), angularVelocity.z())
+                .angularVelocity(angularVelocity.x(), angularVelocity.y(), angularVelocity.z())
                 .build();
     }
 

@@ -17,8 +17,7 @@ class IgnoreFeedbackHandlerTest {
         StepRecord step =
                 new StepRecord(
                         world, SimpleFixedTimeFeedbackTimestepper.waiting(Duration.ofMillis(1)));
-        step.robot(
-                p -> step.send(1, p.time(), "IgnoreFeedbackHandler", new Vec3(p.time(), 0, 2)));
+        step.robot(p -> step.send(1, p.time(), "IgnoreFeedbackHandler", new Vec3(p.time(), 0, 2)));
         step.advanceTimestep();
         alone.advanceTimestep();
         assertThat(world.stateHash()).isEqualTo(alone.stateHash());

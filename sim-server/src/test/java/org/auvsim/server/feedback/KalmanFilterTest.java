@@ -62,8 +62,7 @@ class KalmanFilterTest {
                         noise,
                         new ArrayRealVector(new double[] {position, velocity}),
                         initial),
-                new DefaultMeasurementModel(
-                        new double[][] {{1, 0}}, new double[][] {{r}}));
+                new DefaultMeasurementModel(new double[][] {{1, 0}}, new double[][] {{r}}));
     }
 
     @ParameterizedTest(name = "seed {0}")
@@ -152,8 +151,7 @@ class KalmanFilterTest {
             robot.step.robot(p -> measure(robot, p.time(), seen, deviations));
             robot.step.advanceTimestep();
         }
-        double mean =
-                robot.memories.stream().mapToDouble(FilterMemory::surprise).sum() / count;
+        double mean = robot.memories.stream().mapToDouble(FilterMemory::surprise).sum() / count;
         assertThat(mean).isCloseTo(12, within(4 * Math.sqrt(2.0 * 12 / count)));
     }
 
@@ -184,8 +182,11 @@ class KalmanFilterTest {
     private static RigidMotion driven(RigidMotion motion, Random random) {
         double[] way = new double[12];
         double[] before = {
-            motion.velocity().x(), motion.velocity().y(), motion.velocity().z(),
-            motion.angularVelocity().x(), motion.angularVelocity().y(),
+            motion.velocity().x(),
+            motion.velocity().y(),
+            motion.velocity().z(),
+            motion.angularVelocity().x(),
+            motion.angularVelocity().y(),
             motion.angularVelocity().z()
         };
         for (int i = 0; i < 6; i++) {
@@ -204,7 +205,9 @@ class KalmanFilterTest {
         robot.step.robot(
                 p ->
                         robot.measures(
-                                p.time(), new Vec3(5, 5, 5), Covariance.diagonal(1e18, 1e18, 1e18)));
+                                p.time(),
+                                new Vec3(5, 5, 5),
+                                Covariance.diagonal(1e18, 1e18, 1e18)));
         robot.step.advanceTimestep();
         assertThat(robot.world.object(1).position().distance(new Vec3(STEP, 0, 0)))
                 .isLessThan(1e-14);
@@ -214,8 +217,7 @@ class KalmanFilterTest {
     /** All errors are one and the same, and the measurement's are below their rounding. */
     @Test
     void whatCannotBeWeighedIsOneSentence() {
-        RigidMotion motion =
-                new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
+        RigidMotion motion = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
         double[] ones = new double[144];
         Arrays.fill(ones, 1);
         Target measured =
@@ -226,8 +228,7 @@ class KalmanFilterTest {
                         Optional.empty(),
                         Optional.empty());
         Matrix exact = Matrix.diagonal(1e-30, 1e-30, 1e-30);
-        assertThatThrownBy(
-                        () -> KalmanUpdate.of(motion, Matrix.of(ones, 12), measured, exact))
+        assertThatThrownBy(() -> KalmanUpdate.of(motion, Matrix.of(ones, 12), measured, exact))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("cannot be weighed against each other")
                 .hasMessageContaining("row 2");
@@ -242,11 +243,12 @@ class KalmanFilterTest {
         while (robot.world.time() < 5) {
             robot.step.advanceTimestep();
         }
-        assertThat(robot.world.object(1).velocity().distance(new Vec3(0, 1.5, 0)))
-                .isLessThan(1e-2);
+        assertThat(robot.world.object(1).velocity().distance(new Vec3(0, 1.5, 0))).isLessThan(1e-2);
     }
 
-    /** The transition is that of the step itself: damping of rate 2/s takes e^(-2 dt) of a speed. */
+    /**
+     * The transition is that of the step itself: damping of rate 2/s takes e^(-2 dt) of a speed.
+     */
     @Test
     void dampingDampsTheErrorsToo() {
         WorldObjectDefinition damped =
@@ -256,7 +258,10 @@ class KalmanFilterTest {
                         .volume(new Sphere(1))
                         .effect(
                                 new Damping(
-                                        new Vec3(6, 6, 6), Vec3.ZERO, new Vec3(2.4, 2.4, 2.4), Vec3.ZERO))
+                                        new Vec3(6, 6, 6),
+                                        Vec3.ZERO,
+                                        new Vec3(2.4, 2.4, 2.4),
+                                        Vec3.ZERO))
                         .build();
         KalmanFilterFeedbackHandler quiet =
                 new KalmanFilterFeedbackHandler(0, 0, new Deviations(1, 1, 1, 1), INITIAL);
@@ -278,8 +283,7 @@ class KalmanFilterTest {
     @Test
     void anOrientationCorrectsTheSpin() {
         FilteredRobot robot =
-                new FilteredRobot(
-                        filter(), FilteredRobot.ball(Vec3.ZERO, new Vec3(0, 0, 0.5)));
+                new FilteredRobot(filter(), FilteredRobot.ball(Vec3.ZERO, new Vec3(0, 0, 0.5)));
         Covariance noise = Covariance.diagonal(1e-6, 1e-6, 1e-6);
         robot.step.robot(
                 p ->

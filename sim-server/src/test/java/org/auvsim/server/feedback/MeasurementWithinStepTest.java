@@ -46,8 +46,7 @@ class MeasurementWithinStepTest {
                     .build();
 
     private final StepRecord step =
-            new StepRecord(
-                    world, SimpleFixedTimeFeedbackTimestepper.waiting(Duration.ofMillis(1)));
+            new StepRecord(world, SimpleFixedTimeFeedbackTimestepper.waiting(Duration.ofMillis(1)));
 
     private static Vec3 model(double t) {
         return new Vec3(t + 1.5 * t * t, 0, 0);
@@ -67,7 +66,10 @@ class MeasurementWithinStepTest {
                 _ ->
                         step.send(
                                 position(
-                                        0.07, handler, MeasurementFrame.WORLD, model(0.07).plus(off))));
+                                        0.07,
+                                        handler,
+                                        MeasurementFrame.WORLD,
+                                        model(0.07).plus(off))));
         step.advanceTimestep();
         assertThat(step.refused).isEmpty();
         assertThat(world.object(1).position().distance(model(STEP).plus(off))).isLessThan(1e-9);
@@ -94,10 +96,7 @@ class MeasurementWithinStepTest {
     @Test
     void aPlaceInBodyAxesIsAnOffsetFromTheModelAtThatTime() {
         step.robot(
-                _ ->
-                        step.send(
-                                position(
-                                        0.1, DIRECT, MeasurementFrame.BODY, new Vec3(0.5, 0, 0))));
+                _ -> step.send(position(0.1, DIRECT, MeasurementFrame.BODY, new Vec3(0.5, 0, 0))));
         step.advanceTimestep();
         Vec3 expected = model(STEP).plus(new Vec3(0, 0.5, 0));
         assertThat(world.object(1).position().distance(expected)).isLessThan(1e-12);

@@ -27,8 +27,7 @@ class RigidMotionTest {
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.3, 0.75, 1})
     void betweenTwoMotionsItIsExactForConstantAcceleration(double share) {
-        RigidMotion between =
-                RigidMotion.between(accelerated(1), accelerated(1.5), 0.5, share);
+        RigidMotion between = RigidMotion.between(accelerated(1), accelerated(1.5), 0.5, share);
         double[] miss = between.minus(accelerated(1 + 0.5 * share));
         for (double part : miss) {
             assertThat(part).isCloseTo(0, within(1e-14));
@@ -56,7 +55,6 @@ class RigidMotionTest {
     @Test
     void smallTurnsKeepTheirSize() {
         Vec3 small = AXIS.times(1e-11);
-        assertThat(Turns.between(Quat.IDENTITY, Turns.of(small)).distance(small))
-                .isLessThan(1e-26);
+        assertThat(Turns.between(Quat.IDENTITY, Turns.of(small)).distance(small)).isLessThan(1e-26);
     }
 }

@@ -11,13 +11,13 @@ class SecantSolverTest {
     void solvesCoupledNonlinearEquations() {
         double[] x =
                 SecantSolver.solve(
-                        at ->
-                                Optional.of(
-                                        new double[] {
-                                            at[0] + 0.3 * at[1] * at[1] - 1,
-                                            at[1] + 0.2 * Math.sin(at[0]) - 0.5
-                                        }),
-                        2)
+                                at ->
+                                        Optional.of(
+                                                new double[] {
+                                                    at[0] + 0.3 * at[1] * at[1] - 1,
+                                                    at[1] + 0.2 * Math.sin(at[0]) - 0.5
+                                                }),
+                                2)
                         .found();
         assertThat(Math.abs(x[0] + 0.3 * x[1] * x[1] - 1)).isLessThan(2e-9);
         assertThat(Math.abs(x[1] + 0.2 * Math.sin(x[0]) - 0.5)).isLessThan(2e-9);
@@ -45,11 +45,11 @@ class SecantSolverTest {
     void goesAroundWhatCannotBeTried() {
         double[] x =
                 SecantSolver.solve(
-                        at ->
-                                at[0] > 0.6
-                                        ? Optional.empty()
-                                        : Optional.of(new double[] {2 * at[0] - 1}),
-                        1)
+                                at ->
+                                        at[0] > 0.6
+                                                ? Optional.empty()
+                                                : Optional.of(new double[] {2 * at[0] - 1}),
+                                1)
                         .found();
         assertThat(Math.abs(2 * x[0] - 1)).isLessThan(2e-9);
     }

@@ -1,9 +1,9 @@
 package org.auvsim.server.feedback;
 
+import org.auvsim.auvsml.document.WhenLate;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
-import org.auvsim.auvsml.document.WhenLate;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.world.World;
 

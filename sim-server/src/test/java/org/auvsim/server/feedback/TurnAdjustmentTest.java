@@ -84,8 +84,7 @@ class TurnAdjustmentTest {
     /** A vehicle that couples all its motions: water that it carries, and damping. */
     @Test
     void aFullStateIsMetThroughWater() {
-        AddedMass water =
-                new AddedMass(new Vec3(2, 60, 70), new Vec3(0.1, 6, 6), List.of());
+        AddedMass water = new AddedMass(new Vec3(2, 60, 70), new Vec3(0.1, 6, 6), List.of());
         World world =
                 world(
                         brick().addedMass(water)
@@ -99,8 +98,7 @@ class TurnAdjustmentTest {
                 uncorrected(world)
                         .plus(
                                 new double[] {
-                                    0.02, -0.03, 0.01, 0.02, 0.05, -0.04, 0.1, 0, 0.05, 0.1, -0.1,
-                                    0
+                                    0.02, -0.03, 0.01, 0.02, 0.05, -0.04, 0.1, 0, 0.05, 0.1, -0.1, 0
                                 });
         StepRecord step = corrected(world, MomentumRule.PROJECTED);
         step.robot(p -> step.send(Messages.state(p.time(), VECTOR, goal)));
@@ -135,8 +133,9 @@ class TurnAdjustmentTest {
     }
 
     /**
-     * A noise of 0.01 rad at every step: one torque rings as one force does, its errors of the spin,
-     * each 2 (e - last)/dt minus the last one, never die out; two torques leave the spin alone.
+     * A noise of 0.01 rad at every step: one torque rings as one force does, its errors of the
+     * spin, each 2 (e - last)/dt minus the last one, never die out; two torques leave the spin
+     * alone.
      */
     @ParameterizedTest(name = "seed {0}")
     @ValueSource(longs = {1, 2, 3})

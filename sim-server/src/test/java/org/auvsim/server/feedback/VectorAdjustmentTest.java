@@ -120,7 +120,8 @@ class VectorAdjustmentTest {
             step.advanceTimestep();
             errors.add(world.object(1).velocity().distance(new Vec3(1, 0, 0)));
         }
-        assertThat(step.applied).allSatisfy(a -> assertThat(a.after().position().orElseThrow()).isLessThan(1e-7));
+        assertThat(step.applied)
+                .allSatisfy(a -> assertThat(a.after().position().orElseThrow()).isLessThan(1e-7));
         return errors.stream().mapToDouble(e -> e).max().orElseThrow();
     }
 
@@ -141,7 +142,9 @@ class VectorAdjustmentTest {
         step.advanceTimestep();
         AppliedFeedback applied = step.applied.getFirst();
         assertThat(world.object(1).position().x()).isBetween(STEP, 0.5 + 1e-6);
-        assertThat(applied.after().position().orElseThrow()).isLessThan(applied.before().position().orElseThrow()).isGreaterThan(0.9);
+        assertThat(applied.after().position().orElseThrow())
+                .isLessThan(applied.before().position().orElseThrow())
+                .isGreaterThan(0.9);
     }
 
     @Test

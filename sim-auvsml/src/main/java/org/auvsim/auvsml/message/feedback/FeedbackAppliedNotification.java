@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * What a feedback processor made of a client's feedback. Errors are those against what was measured,
- * each there if that part was: without the correction and with it.
+ * What a feedback processor made of a client's feedback. Errors are those against what was
+ * measured, each there if that part was: without the correction and with it.
  *
  * @param handlerName the processor
  * @param errorBefore distance of the object from the measured position before

@@ -11,8 +11,8 @@ public enum MeasurementFrame {
     NED,
     /**
      * Relative to the object in the simulator at that time, in its own axes (x forward, y left, z
-     * up): a position is the way from it, an orientation the turn from it. Velocities are those over
-     * ground, in the robot's own axes.
+     * up): a position is the way from it, an orientation the turn from it. Velocities are those
+     * over ground, in the robot's own axes.
      */
     BODY
 }

@@ -14,7 +14,11 @@ final class Progress {
     private final long began;
     private long next;
 
-    /** For a run over world times {@code from} to {@code until} (s) that begins now. */
+    /**
+     * For a run over world times {@code from} to {@code until} (s) that begins now.
+     *
+     * @param until infinite if it is not known
+     */
     Progress(double from, double until, PrintWriter out, LongSupplier nanos) {
         this.from = from;
         this.until = until;
@@ -33,8 +37,8 @@ final class Progress {
         next = now + EVERY;
         double share = 100 * (time - from) / (until - from);
         double speed = (time - from) / ((now - began) * 1e-9);
-        out.printf(
-                "at %.1f s of %.1f s (%.0f %%), %.3g times real time%n", time, until, share, speed);
+        String of = Double.isInfinite(until) ? "" : " of %.1f s (%.0f %%)".formatted(until, share);
+        out.printf("at %.1f s%s, %.3g times real time%n", time, of, speed);
         out.flush();
     }
 }

@@ -114,10 +114,17 @@ final class Replay implements Callable<Integer> {
     }
 
     private int replay(Replayer replayer) throws DocumentException {
+        Progress progress =
+                new Progress(
+                        replayer.world().time(),
+                        until.orElse(Double.POSITIVE_INFINITY),
+                        spec.commandLine().getErr(),
+                        System::nanoTime);
         boolean goesOn;
-        try (Interruption interruption = new Interruption(() -> {})) {
+        try (Interruption interruption = new Interruption(replayer::hurry)) {
             do {
                 goesOn = replayer.advanceTimestep();
+                progress.at(replayer.world().time());
             } while (goesOn
                     && replayer.divergence().isEmpty()
                     && !interruption.isRequested()

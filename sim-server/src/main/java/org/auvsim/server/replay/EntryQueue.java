@@ -111,7 +111,7 @@ final class EntryQueue {
         try (writer) {
             writeUntilEnd();
             writer.write(new RecordingEnded(revision, step, time, endReason()));
-        } catch (IOException | IllegalArgumentException e) {
+        } catch (IOException | RuntimeException e) {
             endEarly("it cannot be written: " + e.getMessage());
         } catch (InterruptedException e) {
             endEarly("its writing was interrupted");

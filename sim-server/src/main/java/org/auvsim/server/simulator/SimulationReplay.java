@@ -12,7 +12,8 @@ import java.util.List;
 
 /**
  * A simulation as a server runs it, but without a clock and clients: inputs and steps are given to
- * it. Viewers may listen, and ask, but change nothing. All its methods are for one thread.
+ * it. Viewers may listen, and ask, but change nothing. All its methods but one are for one
+ * thread.
  */
 public final class SimulationReplay implements AutoCloseable {
     /** So many requests of viewers are carried out before time may go on. */
@@ -104,7 +105,12 @@ public final class SimulationReplay implements AutoCloseable {
         }
     }
 
-    /** Ends the sessions of viewers; may be called by every thread. */
+    /** Lets {@link #attend} wait no longer; may be called by every thread. */
+    public void stopAttending() {
+        mailbox.close();
+    }
+
+    /** Ends the sessions of viewers. */
     @Override
     public void close() {
         mailbox.close();

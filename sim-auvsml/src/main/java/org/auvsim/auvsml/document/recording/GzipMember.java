@@ -29,7 +29,7 @@ final class GzipMember {
     static final int TRAILER_LENGTH = 8;
 
     private final Deflater deflater =
-            new Deflater(Deflater.DEFAULT_COMPRESSION, /* nowrap= */ true);
+            new Deflater(Deflater.BEST_SPEED, /* nowrap= */ true);
     private final ByteArrayOutputStream deflated = new ByteArrayOutputStream();
     private final DeflaterOutputStream body = new DeflaterOutputStream(deflated, deflater);
     private final CRC32 checksum = new CRC32();

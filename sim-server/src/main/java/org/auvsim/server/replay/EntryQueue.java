@@ -48,6 +48,7 @@ final class EntryQueue {
     EntryQueue(RecordingWriter writer, double startTime) {
         this.writer = writer;
         this.time = startTime;
+        thread.setDaemon(true); // a program that forgets to close it can end all the same
         thread.start();
     }
 

@@ -6,8 +6,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static java.nio.charset.StandardCharsets.UTF_8;
 
 import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.recording.ClientCame;
+import org.auvsim.auvsml.recording.ClientSent;
 import org.auvsim.auvsml.recording.Entry;
 import org.auvsim.auvsml.recording.Happened;
 import org.auvsim.auvsml.recording.RecordingEnded;
@@ -24,6 +27,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.zip.GZIPInputStream;
 
@@ -41,6 +45,33 @@ class RecordingReaderTest {
         assertThat(Recordings.rest(reader)).isEqualTo(entries);
         assertThat(reader.reach())
                 .isEqualTo(new Reach(true, STEPS, 3 + 0.05 * STEPS, "the simulation has ended"));
+    }
+
+    /** A message of a user's own. */
+    record DropAnchor(double depth) implements Message {}
+
+    @Test
+    void messagesOfAUsersOwnAreReadAsTheyWere() throws Exception {
+        AuvsmlMapper mapper =
+                AuvsmlMapper.builder(getClass().getClassLoader())
+                        .register(Message.class, DropAnchor.class)
+                        .build();
+        Entry sent =
+                new ClientSent(
+                        0, 0, 0, false, 3, 1, Optional.empty(), List.of(new DropAnchor(12.5)));
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        try (RecordingWriter writer = new RecordingWriter(file, mapper)) {
+            writer.begin(Recordings.BEGINNING, Recordings.scenario());
+            writer.write(sent);
+        }
+
+        try (RecordingReader reader =
+                RecordingReader.of(
+                        new ByteArrayInputStream(file.toByteArray()), "run.auvsml.gz", mapper)) {
+            assertThat(reader.next()).contains(sent);
+        }
+        assertThatThrownBy(() -> Recordings.rest(Recordings.reader(file.toByteArray())))
+                .hasMessageContaining("unknown element 'drop-anchor'");
     }
 
     @Test

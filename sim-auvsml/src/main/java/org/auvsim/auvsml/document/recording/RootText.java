@@ -7,4 +7,5 @@ package org.auvsim.auvsml.document.recording;
  * @param line at which it begins, from 1
  * @param isLast whether nothing follows
  */
+@SuppressWarnings("ArrayRecordComponent") // used within this package, never compared
 record RootText(byte[] bytes, long number, int line, boolean isLast) {}

@@ -112,7 +112,7 @@ class LockstepTest {
 
     @Test
     void whatIsSentBeforeTheFirstAnswerActsFromTheFirstStepOn() throws IOException {
-        Simulator running = start(new LockstepTimestepper());
+        start(new LockstepTimestepper());
         RawClient a = member("a");
         a.send(push(1, "engine", 4) + ready(0) + "<auvsml><step-command/></auvsml>");
         a.next("timestep-advanced");

@@ -42,8 +42,9 @@ public final class Cholesky {
     private static double positive(double pivot, double diagonal, int row) {
         if (!(pivot > ROUNDING * Math.abs(diagonal)) || Double.isInfinite(pivot)) {
             throw new IllegalArgumentException(
-                    "it is not positive definite: of %s on the diagonal of row %d, %s is left as pivot"
-                            .formatted(diagonal, row + 1, pivot));
+                    "it is not positive definite: of %s on the diagonal of row %d, %s is left"
+                                    .formatted(diagonal, row + 1, pivot)
+                            + " as pivot");
         }
         return pivot;
     }

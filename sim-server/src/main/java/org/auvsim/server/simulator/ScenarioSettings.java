@@ -54,10 +54,10 @@ final class ScenarioSettings {
                             filter.initial());
             default ->
                     throw new IllegalArgumentException(
-                            "%s is no feedback processor of this server: its record must be a %s too"
-                                    .formatted(
-                                            stated.getClass().getSimpleName(),
-                                            FeedbackProcessor.class.getSimpleName()));
+                            "%s is no feedback processor of this server: its record must be"
+                                            .formatted(stated.getClass().getSimpleName())
+                                    + " a %s too"
+                                            .formatted(FeedbackProcessor.class.getSimpleName()));
         };
     }
 

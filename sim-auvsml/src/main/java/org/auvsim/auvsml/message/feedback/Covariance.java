@@ -67,8 +67,9 @@ public record Covariance(List<CovarianceRow> row) {
             int length = rows.get(i).values().size();
             if (length != rows.size()) {
                 throw new IllegalArgumentException(
-                        "each row of a covariance of %d rows must have %d numbers, but row %d has %d"
-                                .formatted(rows.size(), rows.size(), i + 1, length));
+                        "each row of a covariance of %d rows must have %d numbers, but"
+                                        .formatted(rows.size(), rows.size())
+                                + " row %d has %d".formatted(i + 1, length));
             }
         }
     }
@@ -81,8 +82,10 @@ public record Covariance(List<CovarianceRow> row) {
                 double scale = Math.sqrt(Math.abs(at(rows, i, i) * at(rows, j, j)));
                 if (!(Math.abs(own - mirror) <= ASYMMETRY * scale)) {
                     throw new IllegalArgumentException(
-                            "a covariance must be symmetric, but row %d has %s in column %d and row %d has %s in column %d"
-                                    .formatted(i + 1, own, j + 1, j + 1, mirror, i + 1));
+                            "a covariance must be symmetric, but row %d has %s in column %d"
+                                            .formatted(i + 1, own, j + 1)
+                                    + " and row %d has %s in column %d"
+                                            .formatted(j + 1, mirror, i + 1));
                 }
             }
         }

@@ -72,8 +72,9 @@ public record Measurement(
     static Quat unit(Quat orientation) {
         if (!(Math.abs(orientation.norm() - 1) <= NEARLY)) {
             throw new IllegalArgumentException(
-                    "an orientation must be a quaternion of length 1 (within %s), but %s has the length %s"
-                            .formatted(NEARLY, orientation, orientation.norm()));
+                    "an orientation must be a quaternion of length 1 (within %s), but"
+                                    .formatted(NEARLY)
+                            + " %s has the length %s".formatted(orientation, orientation.norm()));
         }
         return Domain.unit("a measurement", "orientation", orientation);
     }

@@ -21,7 +21,7 @@ class NoticeTest {
     private static final Pattern OURS = Pattern.compile("auvsim|sim-.*|examples");
     private static final Pattern OF_TESTS =
             Pattern.compile("junit-.*|opentest4j|apiguardian-api|assertj-.*|byte-buddy|archunit");
-    private static final Pattern LISTED = Pattern.compile("(?m)^([a-z][a-z0-9-]*)  .*https://");
+    private static final Pattern LISTED = Pattern.compile("(?m)^([a-z][a-z0-9.-]*)  .*https://");
 
     @Test
     void listsWhatIsShipped() throws IOException {

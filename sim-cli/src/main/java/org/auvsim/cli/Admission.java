@@ -1,6 +1,6 @@
 package org.auvsim.cli;
 
-import org.auvsim.auvsml.message.command.Role;
+import org.auvsim.auvsml.Role;
 import org.auvsim.cli.report.UserError;
 
 import picocli.CommandLine.Option;

@@ -3,7 +3,7 @@ package org.auvsim.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import org.auvsim.auvsml.message.command.Role;
+import org.auvsim.auvsml.Role;
 import org.auvsim.cli.report.UserError;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

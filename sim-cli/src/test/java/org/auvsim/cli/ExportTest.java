@@ -4,12 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
+import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.document.recording.RecordingWriter;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.auvsml.message.command.ListedWorldObject;
-import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.control.StepCommand;
 import org.auvsim.auvsml.message.entity.WorldObjectListResponse;
 import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
@@ -134,9 +134,9 @@ class ExportTest {
                 .containsExactly(
                         "revision,step,t,id,name,x,y,z,qw,qx,qy,qz,px,py,pz,lx,ly,lz",
                         "0,0,0.0,1,\"AUV,"
-                            + " old\",1.0,2.0,3.0,1.0,0.0,0.0,0.0,10.0,20.0,30.0,-1.0,0.0,1.0",
+                                + " old\",1.0,2.0,3.0,1.0,0.0,0.0,0.0,10.0,20.0,30.0,-1.0,0.0,1.0",
                         "0,1,0.5,1,\"AUV,"
-                            + " old\",1.0,2.0,4.0,1.0,0.0,0.0,0.0,10.0,20.0,30.0,-1.0,0.0,1.0");
+                                + " old\",1.0,2.0,4.0,1.0,0.0,0.0,0.0,10.0,20.0,30.0,-1.0,0.0,1.0");
         assertThat(Files.readAllLines(out.resolve("collisions.csv")))
                 .element(1)
                 .isEqualTo("0,1,0.25,1,\"AUV, old\",2,Rock,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,5.0");

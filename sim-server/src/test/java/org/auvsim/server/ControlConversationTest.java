@@ -2,7 +2,7 @@ package org.auvsim.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.auvsim.auvsml.message.command.Role;
+import org.auvsim.auvsml.Role;
 import org.auvsim.server.feedback.AsynchronousFeedbackTimestepper;
 import org.auvsim.server.net.TcpTransport;
 import org.auvsim.server.simulator.Simulator;

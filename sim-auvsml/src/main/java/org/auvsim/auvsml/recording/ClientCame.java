@@ -1,6 +1,6 @@
 package org.auvsim.auvsml.recording;
 
-import org.auvsim.auvsml.message.command.Role;
+import org.auvsim.auvsml.Role;
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 

@@ -76,7 +76,7 @@ final class RecordingTables {
                             place(came, came.sessionId())
                                     .add("came")
                                     .add(came.peer())
-                                    .add(came.role().toString().toLowerCase(Locale.ROOT)));
+                                    .add(came.role().roleName()));
             case ClientWent went ->
                     append(
                             Table.SESSIONS,

@@ -1,9 +1,9 @@
 package org.auvsim.server.net;
 
+import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.ListenedObject;
-import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.session.DisconnectedNotification;
 import org.auvsim.auvsml.message.session.LaggingNotification;
 import org.auvsim.auvsml.message.session.LaggingSide;

@@ -1,10 +1,10 @@
 package org.auvsim.server.simulator;
 
+import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.framing.AuvsmlReader;
 import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.framing.Incoming;
 import org.auvsim.auvsml.framing.RootDecoder;
-import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.session.DisconnectedNotification;
 import org.auvsim.auvsml.xml.Limits;
 import org.auvsim.server.net.ClientSession;

@@ -1,11 +1,11 @@
 package org.auvsim.server.simulator;
 
 import org.auvsim.auvsml.ErrorCode;
+import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.ClientCommand;
 import org.auvsim.auvsml.message.command.Command;
 import org.auvsim.auvsml.message.command.RefusedException;
-import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.command.SimulatorCommand;
 import org.auvsim.auvsml.message.command.SimulatorControl;
 import org.auvsim.auvsml.message.command.SimulatorQuery;

@@ -1,7 +1,7 @@
 package org.auvsim.server.simulator;
 
+import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.framing.AuvsmlWriter;
-import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.command.SimulatorState;
 import org.auvsim.core.world.World;
 import org.auvsim.server.net.ClientSession;

@@ -1,12 +1,12 @@
 package org.auvsim.server.simulator;
 
+import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.document.FeedbackProcessorChoice;
 import org.auvsim.auvsml.document.ReleasedObject;
 import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.framing.RootDecoder;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.command.RefusedException;
-import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.xml.Limits;
 import org.auvsim.core.world.World;
 import org.auvsim.server.feedback.FeedbackProcessor;

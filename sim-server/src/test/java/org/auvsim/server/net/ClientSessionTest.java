@@ -2,9 +2,9 @@ package org.auvsim.server.net;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
-import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.session.DisconnectedNotification;
 import org.junit.jupiter.api.Test;
 

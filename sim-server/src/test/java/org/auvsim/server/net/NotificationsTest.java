@@ -2,12 +2,12 @@ package org.auvsim.server.net;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.command.EventType;
 import org.auvsim.auvsml.message.command.ListenedObject;
 import org.auvsim.auvsml.message.command.Listener;
-import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.entity.EntityRemovedMessage;
 import org.junit.jupiter.api.Test;
 

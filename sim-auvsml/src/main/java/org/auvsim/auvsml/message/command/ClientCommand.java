@@ -1,5 +1,7 @@
 package org.auvsim.auvsml.message.command;
 
+import org.auvsim.auvsml.Role;
+
 /** A command about the session of the client that sent it. */
 public non-sealed interface ClientCommand extends Command<SessionControl> {
     @Override

@@ -1,5 +1,6 @@
 package org.auvsim.auvsml.message.command;
 
+import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.message.Message;
 
 import java.util.Optional;

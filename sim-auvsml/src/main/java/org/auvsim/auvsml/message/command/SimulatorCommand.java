@@ -1,5 +1,7 @@
 package org.auvsim.auvsml.message.command;
 
+import org.auvsim.auvsml.Role;
+
 /** A command to the simulator: how time goes on. */
 public non-sealed interface SimulatorCommand extends Command<SimulatorControl> {
     @Override

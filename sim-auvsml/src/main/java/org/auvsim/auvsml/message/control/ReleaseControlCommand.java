@@ -1,9 +1,9 @@
 package org.auvsim.auvsml.message.control;
 
+import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.WorldObjectMessage;
 import org.auvsim.auvsml.message.command.ClientCommand;
-import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.command.SessionControl;
 
 import java.util.Optional;

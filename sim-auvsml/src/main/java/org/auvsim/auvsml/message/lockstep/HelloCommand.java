@@ -1,8 +1,8 @@
 package org.auvsim.auvsml.message.lockstep;
 
+import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.ClientCommand;
-import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.command.SessionControl;
 
 import java.util.Optional;

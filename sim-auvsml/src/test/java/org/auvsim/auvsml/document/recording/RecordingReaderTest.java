@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
+import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.auvsml.message.Message;
-import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.recording.ClientCame;
 import org.auvsim.auvsml.recording.ClientSent;
 import org.auvsim.auvsml.recording.Entry;

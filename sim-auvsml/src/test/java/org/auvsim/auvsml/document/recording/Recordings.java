@@ -4,11 +4,11 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 
 import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.ErrorCode;
+import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
-import org.auvsim.auvsml.message.command.Role;
 import org.auvsim.auvsml.message.control.PauseSimulatorCommand;
 import org.auvsim.auvsml.message.movement.MovementStateChangeMessage;
 import org.auvsim.auvsml.recording.ClientCame;

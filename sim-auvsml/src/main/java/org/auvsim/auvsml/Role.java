@@ -1,4 +1,4 @@
-package org.auvsim.auvsml.message.command;
+package org.auvsim.auvsml;
 
 import java.util.Arrays;
 import java.util.List;

@@ -181,6 +181,7 @@ class AdministrationConversationTest {
                 "<feedback-processor override='Guess'/> | UNKNOWN_ENTITY | 'Guess'",
                 "<world-object name='A'><sphere radius='1'/></world-object> | INVALID_VALUE | mass",
                 "<time-step delta='-1'/> | INVALID_VALUE | time step",
+                "<gridded-current id='9' name='Tide' file='tide.csv'/> | INVALID_VALUE | tide.csv",
             })
     void aScenarioThatCannotBeHadChangesNothing(String content, String code, String why)
             throws IOException {

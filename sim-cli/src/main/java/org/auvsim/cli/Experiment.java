@@ -108,18 +108,16 @@ final class Experiment implements Callable<Integer> {
 
     /** The experiments. */
     enum Choice {
-        CFS(new CfsExperiment()),
-        RUNTIME(new RuntimeExperiment()),
-        DISTRIBUTED(new DistributedExperiment());
-
-        private final ThesisExperiment experiment;
-
-        Choice(ThesisExperiment experiment) {
-            this.experiment = experiment;
-        }
+        CFS,
+        RUNTIME,
+        DISTRIBUTED;
 
         ThesisExperiment experiment() {
-            return experiment;
+            return switch (this) {
+                case CFS -> new CfsExperiment();
+                case RUNTIME -> new RuntimeExperiment();
+                case DISTRIBUTED -> new DistributedExperiment();
+            };
         }
     }
 }

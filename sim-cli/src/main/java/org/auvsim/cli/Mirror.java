@@ -172,7 +172,7 @@ final class Mirror implements Callable<Integer> {
         } catch (IOException e) {
             throw FileTrouble.writing(to, e);
         } catch (UncheckedIOException e) {
-            throw FileTrouble.writing(to, e.getCause());
+            throw FileTrouble.writing(to, new IOException(e.getMessage(), e));
         }
     }
 

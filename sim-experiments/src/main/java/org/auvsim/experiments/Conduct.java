@@ -1,6 +1,5 @@
 package org.auvsim.experiments;
 
-import java.util.Locale;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
@@ -13,8 +12,8 @@ import java.util.function.Consumer;
  */
 public record Conduct(boolean quick, Consumer<String> progress, BooleanSupplier stop) {
     /** Tells what is done next. */
-    public void tell(String format, Object... values) {
-        progress.accept(String.format(Locale.ROOT, format, values));
+    public void tell(String line) {
+        progress.accept(line);
     }
 
     /** Whether to end early. */

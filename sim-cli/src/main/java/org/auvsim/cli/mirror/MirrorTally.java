@@ -37,7 +37,7 @@ public record MirrorTally(
         List<String> lines = new ArrayList<>();
         int width = Math.max(6, rows.stream().mapToInt(r -> r.name().length()).max().orElse(0));
         lines.add(
-                line(
+                String.format(Locale.ROOT, 
                         "%-" + width + "s %10s %12s %12s %12s",
                         "object",
                         "compared",
@@ -46,7 +46,7 @@ public record MirrorTally(
                         "at end (m)"));
         for (Row row : rows) {
             lines.add(
-                    line(
+                    String.format(Locale.ROOT, 
                             "%-" + width + "s %10d %12.6f %12.6f %12.6f",
                             row.name(),
                             row.compared(),
@@ -55,16 +55,12 @@ public record MirrorTally(
                             row.last()));
         }
         if (sent > 0) {
-            lines.add(line("corrections: %d sent, %d applied, %d refused", sent, applied, refused));
+            lines.add(String.format(Locale.ROOT, "corrections: %d sent, %d applied, %d refused", sent, applied, refused));
         }
         refusal.ifPresent(text -> lines.add("first refusal: " + text));
         if (skipped > 0) {
-            lines.add(line("warning: the simulator left out %d movements", skipped));
+            lines.add(String.format(Locale.ROOT, "warning: the simulator left out %d movements", skipped));
         }
         return lines;
-    }
-
-    private static String line(String format, Object... values) {
-        return String.format(Locale.ROOT, format, values);
     }
 }

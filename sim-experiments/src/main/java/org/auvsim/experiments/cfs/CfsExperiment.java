@@ -37,7 +37,7 @@ public final class CfsExperiment implements ThesisExperiment {
         double seconds = conduct.quick() ? QUICK_SECONDS : SECONDS;
         conduct.tell("a first run that is not counted, in which the machine code gets ready");
         c("warming up", asynchronous(WARM_UP));
-        conduct.tell("A, alone, %s s of world time", seconds);
+        conduct.tell("A, alone, %s s of world time".formatted(seconds));
         List<Point> alone = alone(seconds);
         Runs asynchronous = runs("asynchronous", asynchronous(seconds), conduct);
         Runs lockstep = runs("lock-step", lockstep(seconds), conduct);
@@ -70,10 +70,10 @@ public final class CfsExperiment implements ThesisExperiment {
     }
 
     private static Runs runs(String how, LiveRun run, Conduct conduct) throws IOException {
-        conduct.tell("B, whose client has hiccups, %s", how);
+        conduct.tell("B, whose client has hiccups, %s".formatted(how));
         World moving = Vehicle.toAndFro(Vehicle.TIME_STEP);
         FeedbackRun b = FeedbackRun.of("B, " + how, run, moving, new Telling.Hiccups());
-        conduct.tell("C, whose client goes its own way, %s", how);
+        conduct.tell("C, whose client goes its own way, %s".formatted(how));
         return new Runs(b, c("C, " + how, run));
     }
 
@@ -85,7 +85,7 @@ public final class CfsExperiment implements ThesisExperiment {
         return DoubleStream.of(0.05, 0.01, 0.001)
                 .mapToObj(
                         timeStep -> {
-                            conduct.tell("A's growth over %s s in steps of %s s", until, timeStep);
+                            conduct.tell("A's growth over %s s in steps of %s s".formatted(until, timeStep));
                             return Growth.of(timeStep, until, conduct);
                         })
                 .toList();

@@ -27,7 +27,7 @@ record CfsReport(
     Report report() {
         return new Report(
                 "Corrective feedback (thesis, section 8.1)",
-                text(
+                String.format(Locale.ROOT, 
                         "When the simulator does not wait, object C is off its client's own"
                             + " position by %.3g m (RMS), which is %.3g s at its speed: the lag"
                             + " that the thesis saw. In lock-step, which the thesis proposed, it is"
@@ -38,7 +38,7 @@ record CfsReport(
                 List.of(
                         threeObjects(
                                 "Asynchronous, as in the thesis",
-                                text(
+                                String.format(Locale.ROOT, 
                                         "The simulator goes on at %.0f times real time and uses"
                                             + " feedback between two steps, whenever it has"
                                             + " arrived.",
@@ -98,7 +98,7 @@ record CfsReport(
         return Section.of(
                 "The errors of both",
                 new Text(
-                        text(
+                        String.format(Locale.ROOT, 
                                 "Object less robot: where the object was less where the robot said"
                                     + " to be at that time. B's client says now and then that it is"
                                     + " up to %.1f m elsewhere; C's moves at %.2f m/s.",
@@ -131,9 +131,9 @@ record CfsReport(
         return List.of(
                 run.name(),
                 Integer.toString(run.told().size()),
-                text("%.3g", run.rmsError()),
-                text("%.3g", run.largestError()),
-                text("%.1f %%", 100 * run.standstill()));
+                String.format(Locale.ROOT, "%.3g", run.rmsError()),
+                String.format(Locale.ROOT, "%.3g", run.largestError()),
+                String.format(Locale.ROOT, "%.1f %%", 100 * run.standstill()));
     }
 
     private Section growthSection() {
@@ -148,7 +148,7 @@ record CfsReport(
                         TIME,
                         "distance from the middle (m)",
                         growth.stream()
-                                .map(g -> Curve.line(text("step %s s", g.timeStep()), g.turns()))
+                                .map(g -> Curve.line(String.format(Locale.ROOT, "step %s s", g.timeStep()), g.turns()))
                                 .toList(),
                         "The thesis saw A go farther in both directions over time; it is an effect"
                                 + " of the time step, and goes with it."),
@@ -162,12 +162,8 @@ record CfsReport(
     private static List<String> row(Growth growth) {
         return List.of(
                 Double.toString(growth.timeStep()),
-                text("%.4f", growth.first()),
-                text("%.4f", growth.last()),
-                text("%.0f", growth.turns().getLast().x()));
-    }
-
-    private static String text(String format, Object... values) {
-        return String.format(Locale.ROOT, format, values);
+                String.format(Locale.ROOT, "%.4f", growth.first()),
+                String.format(Locale.ROOT, "%.4f", growth.last()),
+                String.format(Locale.ROOT, "%.0f", growth.turns().getLast().x()));
     }
 }

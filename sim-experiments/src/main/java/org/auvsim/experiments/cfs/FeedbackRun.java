@@ -10,8 +10,6 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
 
 /**
  * What came of a robot's feedback.
@@ -31,12 +29,17 @@ record FeedbackRun(String name, List<Point> simulated, List<Point> told) {
 
     /** How far (m) the object was from where the robot said to be at the same time (s). */
     List<Point> errors() {
-        Map<Double, Double> places = new TreeMap<>();
-        simulated.forEach(point -> places.put(point.x(), point.y()));
-        return told.stream()
-                .filter(point -> places.containsKey(point.x()))
-                .map(point -> new Point(point.x(), places.get(point.x()) - point.y()))
-                .toList();
+        List<Point> errors = new ArrayList<>();
+        int at = 0;
+        for (Point place : told) {
+            while (at < simulated.size() && simulated.get(at).x() < place.x()) {
+                at++;
+            }
+            if (at < simulated.size() && simulated.get(at).x() == place.x()) {
+                errors.add(new Point(place.x(), simulated.get(at).y() - place.y()));
+            }
+        }
+        return errors;
     }
 
     /** The root of the mean square of these (m). */

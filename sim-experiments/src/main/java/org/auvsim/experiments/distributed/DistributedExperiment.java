@@ -37,7 +37,7 @@ public final class DistributedExperiment implements ThesisExperiment {
         conduct.tell("a first run that is not counted, in which the machine code gets ready");
         lockstep(WARM_UP).run(Scene.world(Optional.empty()), drivers(), _ -> {});
         asynchronous(WARM_UP).run(Scene.world(Optional.empty()), drivers(), _ -> {});
-        conduct.tell("run 1, inside the simulator, %s s of world time", seconds);
+        conduct.tell("run 1, inside the simulator, %s s of world time".formatted(seconds));
         Trace local = local(seconds);
         List<Trace> asynchronous = distributed("asynchronous", asynchronous(seconds), conduct);
         List<Trace> lockstep = distributed("lock-step", lockstep(seconds), conduct);
@@ -69,7 +69,7 @@ public final class DistributedExperiment implements ThesisExperiment {
         List<Trace> traces = new ArrayList<>();
         for (int k = 2; k < 2 + DISTRIBUTED_RUNS && !conduct.isStopped(); k++) {
             String name = "run %d: five clients, %s".formatted(k, how);
-            conduct.tell("%s", name);
+            conduct.tell(name);
             Trace trace = new Trace(name);
             run.run(Scene.world(Optional.empty()), drivers(), trace::note);
             traces.add(trace);

@@ -21,7 +21,7 @@ record DistributedReport(double rate, Trace local, List<Trace> asynchronous, Lis
                 List.of(
                         section(
                                 "Asynchronous, as in the thesis",
-                                text(
+                                String.format(Locale.ROOT, 
                                         "Each client hears of its sphere's movements and sends the"
                                             + " force toward the target, at %.0f times real time;"
                                             + " the simulator does not wait. In the thesis, all"
@@ -53,7 +53,7 @@ record DistributedReport(double rate, Trace local, List<Trace> asynchronous, Lis
     private String summary() {
         double apart =
                 asynchronous.stream().mapToDouble(t -> t.largestDifference(local)).max().orElse(0);
-        return text(
+        return String.format(Locale.ROOT, 
                 "Five clients that do not wait for the simulator, nor it for them, end up to %.2g m"
                         + " away from the run inside the simulator, differently each time, as the"
                         + " thesis found. In lock-step, %d of %d runs are that run bit for bit: the"
@@ -103,12 +103,8 @@ record DistributedReport(double rate, Trace local, List<Trace> asynchronous, Lis
         int first = trace.firstDifference(local).orElse(0);
         return List.of(
                 trace.name(),
-                text("%016x", trace.lastHash()),
+                String.format(Locale.ROOT, "%016x", trace.lastHash()),
                 first == 0 ? "none" : Integer.toString(first),
-                text("%.3g", trace.largestDifference(local)));
-    }
-
-    private static String text(String format, Object... values) {
-        return String.format(Locale.ROOT, format, values);
+                String.format(Locale.ROOT, "%.3g", trace.largestDifference(local)));
     }
 }

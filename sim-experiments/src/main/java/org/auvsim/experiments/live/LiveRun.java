@@ -37,7 +37,7 @@ public record LiveRun(FeedbackTimestepper timestepper, OptionalDouble rate, doub
     public void run(World world, List<Participant> robots, Consumer<World> watch)
             throws IOException {
         TcpTransport tcp = TcpTransport.onLoopback(0);
-        List<FutureTask<Void>> parts = new ArrayList<>();
+        List<FutureTask<Boolean>> parts = new ArrayList<>();
         List<RobotLink> links = new ArrayList<>();
         Watch log = new Watch(watch, until);
         try (Simulator simulator = simulator(world, tcp, log)) {
@@ -49,7 +49,7 @@ public record LiveRun(FeedbackTimestepper timestepper, OptionalDouble rate, doub
             }
             parts.forEach(Thread::startVirtualThread);
             simulator.resume();
-            for (FutureTask<Void> part : parts) {
+            for (FutureTask<Boolean> part : parts) {
                 finish(part);
             }
             simulator.await();
@@ -80,26 +80,31 @@ public record LiveRun(FeedbackTimestepper timestepper, OptionalDouble rate, doub
         return link;
     }
 
-    /** Takes part; that the simulator goes while an answer is on its way is an end like others. */
-    private static Void takePart(RobotLink link, Watch log) throws ConnectionException {
+    /**
+     * Takes part; that the simulator goes while an answer is on its way is an end like others.
+     *
+     * @return whether all answers were heard
+     */
+    private static boolean takePart(RobotLink link, Watch log) throws ConnectionException {
         try {
             link.takePart();
+            return true;
         } catch (ConnectionException e) {
             if (!log.isOver) {
                 throw e;
             }
+            return false;
         }
-        return null;
     }
 
-    private static void finish(FutureTask<Void> part) throws IOException {
+    private static void finish(FutureTask<Boolean> part) throws IOException {
         try {
             part.get();
         } catch (ExecutionException e) {
             if (e.getCause() instanceof ConnectionException lost) {
                 throw lost;
             }
-            throw new IllegalStateException("a robot failed: " + e.getCause().getMessage(), e);
+            throw new IllegalStateException("a robot failed", e.getCause());
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new IOException("interrupted while a robot took part", e);

@@ -51,7 +51,8 @@ final class Json {
     /** A string that ends neither itself nor the element around it. */
     static String text(String text) {
         StringBuilder out = new StringBuilder("\"");
-        for (char c : text.toCharArray()) {
+        for (int i = 0; i < text.length(); i++) {
+            char c = text.charAt(i);
             if (c < ' ' || c == '"' || c == '\\' || c == '<' || c == '>' || c == '&') {
                 out.append(String.format(Locale.ROOT, "\\u%04x", (int) c));
             } else {

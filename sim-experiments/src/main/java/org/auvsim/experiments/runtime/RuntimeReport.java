@@ -27,7 +27,7 @@ record RuntimeReport(double seconds, List<Measured> own, List<Measured> common, 
         Measured last = own.getLast();
         return new Report(
                 "Runtime of the thesis' algorithms (thesis, section 8.2)",
-                text(
+                String.format(Locale.ROOT, 
                         "%.0f s of world time with %d spheres take %.3g s with SnapshotStepper,"
                             + " which is built of the thesis' three stages, and %.3g s with"
                             + " EventStepper. In the thesis, 120 s with 100 objects took about 120"
@@ -82,7 +82,7 @@ record RuntimeReport(double seconds, List<Measured> own, List<Measured> common, 
                 "operations over " + StageCost.ADVANCEMENTS + " advancements",
                 List.of(
                         points("counted", own, m -> value(trend, m)),
-                        fitted(text("fit, R² = %.6f", fit.rSquared()), fit)),
+                        fitted(String.format(Locale.ROOT, "fit, R² = %.6f", fit.rSquared()), fit)),
                 reading);
     }
 
@@ -98,7 +98,7 @@ record RuntimeReport(double seconds, List<Measured> own, List<Measured> common, 
                 new Chart(
                         "Figure 8.7: " + heading.toLowerCase(Locale.ROOT),
                         BODIES,
-                        text("real time (s) of %.0f s of world time", seconds),
+                        String.format(Locale.ROOT, "real time (s) of %.0f s of world time", seconds),
                         List.of(
                                 points(
                                         "SnapshotStepper",
@@ -106,10 +106,10 @@ record RuntimeReport(double seconds, List<Measured> own, List<Measured> common, 
                                         m -> m.snapshots().wallSeconds()),
                                 points("EventStepper", measured, Measured::eventSeconds),
                                 fitted(
-                                        text("quadratic fit, R² = %.4f", quadratic.rSquared()),
+                                        String.format(Locale.ROOT, "quadratic fit, R² = %.4f", quadratic.rSquared()),
                                         quadratic),
-                                fitted(text("cubic fit, R² = %.4f", cubic.rSquared()), cubic)),
-                        text(
+                                fitted(String.format(Locale.ROOT, "cubic fit, R² = %.4f", cubic.rSquared()), cubic)),
+                        String.format(Locale.ROOT, 
                                 "The cubic fit's leading coefficient is %.3g here and 9.91985e-5 in"
                                     + " the thesis. Real time would be %.0f s. EventStepper needs"
                                     + " less since it does not shorten the steps of all bodies when"
@@ -135,10 +135,10 @@ record RuntimeReport(double seconds, List<Measured> own, List<Measured> common, 
         double events = measured.eventSeconds();
         return List.of(
                 Integer.toString(measured.bodies()),
-                text("%.4f", snapshots),
-                text("%.0f", seconds / snapshots),
-                text("%.4f", events),
-                text("%.0f", seconds / events));
+                String.format(Locale.ROOT, "%.4f", snapshots),
+                String.format(Locale.ROOT, "%.0f", seconds / snapshots),
+                String.format(Locale.ROOT, "%.4f", events),
+                String.format(Locale.ROOT, "%.0f", seconds / events));
     }
 
     private Table fits(List<Measured> measured) {
@@ -150,9 +150,9 @@ record RuntimeReport(double seconds, List<Measured> own, List<Measured> common, 
             rows.add(
                     List.of(
                             trend.title(),
-                            text("%.6f", fit.rSquared()),
-                            thesis.isPresent() ? text("%.6f", thesis.getAsDouble()) : "not given",
-                            text("%.4g", fit.leading())));
+                            String.format(Locale.ROOT, "%.6f", fit.rSquared()),
+                            thesis.isPresent() ? String.format(Locale.ROOT, "%.6f", thesis.getAsDouble()) : "not given",
+                            String.format(Locale.ROOT, "%.4g", fit.leading())));
         }
         return new Table(
                 List.of("figure", "R² here", "R² in the thesis", "leading coefficient here"),
@@ -196,9 +196,5 @@ record RuntimeReport(double seconds, List<Measured> own, List<Measured> common, 
             points.add(new Point(n, fit.at(n)));
         }
         return new Curve(name, Mark.DASHED, points);
-    }
-
-    private static String text(String format, Object... values) {
-        return String.format(Locale.ROOT, format, values);
     }
 }

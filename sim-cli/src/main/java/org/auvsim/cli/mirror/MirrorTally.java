@@ -37,7 +37,8 @@ public record MirrorTally(
         List<String> lines = new ArrayList<>();
         int width = Math.max(6, rows.stream().mapToInt(r -> r.name().length()).max().orElse(0));
         lines.add(
-                String.format(Locale.ROOT, 
+                String.format(
+                        Locale.ROOT,
                         "%-" + width + "s %10s %12s %12s %12s",
                         "object",
                         "compared",
@@ -46,7 +47,8 @@ public record MirrorTally(
                         "at end (m)"));
         for (Row row : rows) {
             lines.add(
-                    String.format(Locale.ROOT, 
+                    String.format(
+                            Locale.ROOT,
                             "%-" + width + "s %10d %12.6f %12.6f %12.6f",
                             row.name(),
                             row.compared(),
@@ -55,11 +57,19 @@ public record MirrorTally(
                             row.last()));
         }
         if (sent > 0) {
-            lines.add(String.format(Locale.ROOT, "corrections: %d sent, %d applied, %d refused", sent, applied, refused));
+            lines.add(
+                    String.format(
+                            Locale.ROOT,
+                            "corrections: %d sent, %d applied, %d refused",
+                            sent,
+                            applied,
+                            refused));
         }
         refusal.ifPresent(text -> lines.add("first refusal: " + text));
         if (skipped > 0) {
-            lines.add(String.format(Locale.ROOT, "warning: the simulator left out %d movements", skipped));
+            lines.add(
+                    String.format(
+                            Locale.ROOT, "warning: the simulator left out %d movements", skipped));
         }
         return lines;
     }

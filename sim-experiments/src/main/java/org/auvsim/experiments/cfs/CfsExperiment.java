@@ -85,7 +85,9 @@ public final class CfsExperiment implements ThesisExperiment {
         return DoubleStream.of(0.05, 0.01, 0.001)
                 .mapToObj(
                         timeStep -> {
-                            conduct.tell("A's growth over %s s in steps of %s s".formatted(until, timeStep));
+                            conduct.tell(
+                                    "A's growth over %s s in steps of %s s"
+                                            .formatted(until, timeStep));
                             return Growth.of(timeStep, until, conduct);
                         })
                 .toList();

@@ -27,7 +27,8 @@ record CfsReport(
     Report report() {
         return new Report(
                 "Corrective feedback (thesis, section 8.1)",
-                String.format(Locale.ROOT, 
+                String.format(
+                        Locale.ROOT,
                         "When the simulator does not wait, object C is off its client's own"
                             + " position by %.3g m (RMS), which is %.3g s at its speed: the lag"
                             + " that the thesis saw. In lock-step, which the thesis proposed, it is"
@@ -38,10 +39,11 @@ record CfsReport(
                 List.of(
                         threeObjects(
                                 "Asynchronous, as in the thesis",
-                                String.format(Locale.ROOT, 
+                                String.format(
+                                        Locale.ROOT,
                                         "The simulator goes on at %.0f times real time and uses"
-                                            + " feedback between two steps, whenever it has"
-                                            + " arrived.",
+                                                + " feedback between two steps, whenever it has"
+                                                + " arrived.",
                                         rate),
                                 asynchronous,
                                 "As in the thesis: A is smooth, B a jerky copy of it, C goes where"
@@ -52,7 +54,7 @@ record CfsReport(
                                     + " the answer: feedback is used in the step that it is for.",
                                 lockstep,
                                 "B is as jerky, for its client means it; C is where its client"
-                                    + " is."),
+                                        + " is."),
                         errors(),
                         growthSection()));
     }
@@ -87,7 +89,7 @@ record CfsReport(
                                 Mark.DASHED,
                                 around(middle, asynchronous.c().told()))),
                 "The object follows its client late, stops for a while, and catches up with a"
-                    + " jump.");
+                        + " jump.");
     }
 
     private static List<Point> around(double middle, List<Point> points) {
@@ -98,11 +100,13 @@ record CfsReport(
         return Section.of(
                 "The errors of both",
                 new Text(
-                        String.format(Locale.ROOT, 
+                        String.format(
+                                Locale.ROOT,
                                 "Object less robot: where the object was less where the robot said"
                                     + " to be at that time. B's client says now and then that it is"
                                     + " up to %.1f m elsewhere; C's moves at %.2f m/s.",
-                                Hiccups.LARGEST, OwnWay.SPEED)),
+                                Hiccups.LARGEST,
+                                OwnWay.SPEED)),
                 closer(),
                 new Chart(
                         "Object C less its client's own S",
@@ -148,7 +152,14 @@ record CfsReport(
                         TIME,
                         "distance from the middle (m)",
                         growth.stream()
-                                .map(g -> Curve.line(String.format(Locale.ROOT, "step %s s", g.timeStep()), g.turns()))
+                                .map(
+                                        g ->
+                                                Curve.line(
+                                                        String.format(
+                                                                Locale.ROOT,
+                                                                "step %s s",
+                                                                g.timeStep()),
+                                                        g.turns()))
                                 .toList(),
                         "The thesis saw A go farther in both directions over time; it is an effect"
                                 + " of the time step, and goes with it."),

@@ -21,7 +21,8 @@ record DistributedReport(double rate, Trace local, List<Trace> asynchronous, Lis
                 List.of(
                         section(
                                 "Asynchronous, as in the thesis",
-                                String.format(Locale.ROOT, 
+                                String.format(
+                                        Locale.ROOT,
                                         "Each client hears of its sphere's movements and sends the"
                                             + " force toward the target, at %.0f times real time;"
                                             + " the simulator does not wait. In the thesis, all"
@@ -53,7 +54,8 @@ record DistributedReport(double rate, Trace local, List<Trace> asynchronous, Lis
     private String summary() {
         double apart =
                 asynchronous.stream().mapToDouble(t -> t.largestDifference(local)).max().orElse(0);
-        return String.format(Locale.ROOT, 
+        return String.format(
+                Locale.ROOT,
                 "Five clients that do not wait for the simulator, nor it for them, end up to %.2g m"
                         + " away from the run inside the simulator, differently each time, as the"
                         + " thesis found. In lock-step, %d of %d runs are that run bit for bit: the"

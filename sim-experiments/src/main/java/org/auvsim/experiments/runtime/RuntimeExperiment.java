@@ -40,7 +40,11 @@ public final class RuntimeExperiment implements ThesisExperiment {
         int most = conduct.quick() ? 5 * STEP : 10 * STEP;
         for (int n = STEP; n <= most && !conduct.isStopped(); n += STEP) {
             conduct.tell(
-                    "%d spheres, %s, %s s of world time with both steppers".formatted(n, targets == Targets.OWN ? "targets of their own" : "one target", seconds));
+                    "%d spheres, %s, %s s of world time with both steppers"
+                            .formatted(
+                                    n,
+                                    targets == Targets.OWN ? "targets of their own" : "one target",
+                                    seconds));
             measured.add(Measured.of(Workload.of(n).withTargets(targets), seconds, conduct));
         }
         return measured;

@@ -27,7 +27,8 @@ record RuntimeReport(double seconds, List<Measured> own, List<Measured> common, 
         Measured last = own.getLast();
         return new Report(
                 "Runtime of the thesis' algorithms (thesis, section 8.2)",
-                String.format(Locale.ROOT, 
+                String.format(
+                        Locale.ROOT,
                         "%.0f s of world time with %d spheres take %.3g s with SnapshotStepper,"
                             + " which is built of the thesis' three stages, and %.3g s with"
                             + " EventStepper. In the thesis, 120 s with 100 objects took about 120"
@@ -98,7 +99,8 @@ record RuntimeReport(double seconds, List<Measured> own, List<Measured> common, 
                 new Chart(
                         "Figure 8.7: " + heading.toLowerCase(Locale.ROOT),
                         BODIES,
-                        String.format(Locale.ROOT, "real time (s) of %.0f s of world time", seconds),
+                        String.format(
+                                Locale.ROOT, "real time (s) of %.0f s of world time", seconds),
                         List.of(
                                 points(
                                         "SnapshotStepper",
@@ -106,15 +108,26 @@ record RuntimeReport(double seconds, List<Measured> own, List<Measured> common, 
                                         m -> m.snapshots().wallSeconds()),
                                 points("EventStepper", measured, Measured::eventSeconds),
                                 fitted(
-                                        String.format(Locale.ROOT, "quadratic fit, R² = %.4f", quadratic.rSquared()),
+                                        String.format(
+                                                Locale.ROOT,
+                                                "quadratic fit, R² = %.4f",
+                                                quadratic.rSquared()),
                                         quadratic),
-                                fitted(String.format(Locale.ROOT, "cubic fit, R² = %.4f", cubic.rSquared()), cubic)),
-                        String.format(Locale.ROOT, 
+                                fitted(
+                                        String.format(
+                                                Locale.ROOT,
+                                                "cubic fit, R² = %.4f",
+                                                cubic.rSquared()),
+                                        cubic)),
+                        String.format(
+                                Locale.ROOT,
                                 "The cubic fit's leading coefficient is %.3g here and 9.91985e-5 in"
                                     + " the thesis. Real time would be %.0f s. EventStepper needs"
                                     + " less since it does not shorten the steps of all bodies when"
                                     + " two of them meet. Best of %d runs.",
-                                cubic.leading(), seconds, Measured.RUNS));
+                                cubic.leading(),
+                                seconds,
+                                Measured.RUNS));
         return Section.of(heading, chart, times(measured));
     }
 
@@ -151,7 +164,9 @@ record RuntimeReport(double seconds, List<Measured> own, List<Measured> common, 
                     List.of(
                             trend.title(),
                             String.format(Locale.ROOT, "%.6f", fit.rSquared()),
-                            thesis.isPresent() ? String.format(Locale.ROOT, "%.6f", thesis.getAsDouble()) : "not given",
+                            thesis.isPresent()
+                                    ? String.format(Locale.ROOT, "%.6f", thesis.getAsDouble())
+                                    : "not given",
                             String.format(Locale.ROOT, "%.4g", fit.leading())));
         }
         return new Table(

@@ -73,13 +73,14 @@ while data := link.recv(65536):
         if message.tag == "error-response":
             sys.exit(f"the server refuses: {message.get('text')}")
         if message.tag == "hello-response":
-            step = int(message.get("step"))
-            answer(step)
+            step = int(message.get("step"))  # the first step that it will be shown
+            send(steering() + "<get-simulator-state-request/>")
+        if message.tag == "simulator-state-response":  # so what was sent before it is there, too
             print("a member from step", step, flush=True)
         if message.tag == "movement-state-change-message" and message.get("is-projected-state") == "1":
             position = [float(message.find("position").get(axis)) for axis in "xyz"]
         if message.tag == "timestep-advanced-notification" and message.get("state-type") == "PROJECTED":
-            step += 1
             dawdle(0.002)
             answer(step)
-print("the simulation ended after step", step)
+            step += 1
+print("the simulation ended after step", step - 1)

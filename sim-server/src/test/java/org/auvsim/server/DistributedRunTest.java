@@ -122,7 +122,7 @@ class DistributedRunTest {
             String said =
                     new BufferedReader(new InputStreamReader(robot.getInputStream(), UTF_8))
                             .readLine();
-            assertThat(said).isEqualTo("a member from step 0");
+            assertThat(said).isEqualTo("a member from step 1");
         }
         return robots;
     }

@@ -100,8 +100,7 @@ class LockstepTest {
         start(new LockstepTimestepper());
         RawClient a = member("a");
         RawClient b = member("b");
-        a.send(ready(0) + "<auvsml><step-command count=\"2\"/></auvsml>");
-        b.send(ready(0));
+        a.send("<auvsml><step-command count=\"2\"/></auvsml>");
         assertThat(a.next("timestep-advanced")).contains("\"0.05\"").contains("PROJECTED");
         a.send(ready(1));
         b.next("timestep-advanced");
@@ -111,10 +110,10 @@ class LockstepTest {
     }
 
     @Test
-    void whatIsSentBeforeTheFirstAnswerActsFromTheFirstStepOn() throws IOException {
+    void whatIsSentBeforeTheFirstStepIsShownActsFromItOn() throws IOException {
         start(new LockstepTimestepper());
         RawClient a = member("a");
-        a.send(push(1, "engine", 4) + ready(0) + "<auvsml><step-command/></auvsml>");
+        a.send(push(1, "engine", 4) + "<auvsml><step-command/></auvsml>");
         a.next("timestep-advanced");
         a.send(push(1, "engine", 400) + ready(1));
         assertThat(a.next("timestep-advanced")).contains("ACTUAL");
@@ -133,9 +132,8 @@ class LockstepTest {
     void anotherStepThanTheOneThatIsOwedIsAnError() throws IOException {
         start(new LockstepTimestepper());
         RawClient a = member("a");
-        assertThat(a.ask("1", "<ready-command step=\"1\"/>"))
-                .contains("a has to answer step 0, not 1");
-        a.ask("2", "<ready-command step=\"0\"/>");
+        assertThat(a.ask("1", "<ready-command step=\"2\"/>"))
+                .contains("a has to answer step 1, not 2");
         assertThat(a.ask("3", "<ready-command step=\"1\"/>"))
                 .contains("step 1 has not been shown yet");
     }
@@ -161,10 +159,12 @@ class LockstepTest {
         RawClient a = member("a");
         RawClient b = member("b");
         List<Runnable> sending = new ArrayList<>();
-        sending.add(() -> send(a, push(2, "of a", 2) + push(1, "of a", 2) + ready(0)));
-        sending.add(() -> send(b, push(1, "of b", -8) + push(3, "of b", -8) + ready(0)));
+        sending.add(() -> send(a, push(2, "of a", 2) + push(1, "of a", 2)));
+        sending.add(() -> send(b, push(1, "of b", -8) + push(3, "of b", -8)));
         Collections.shuffle(sending, random);
         sending.forEach(Runnable::run);
+        a.ask("taken", "<get-simulator-state-request/>");
+        b.ask("taken", "<get-simulator-state-request/>");
         send(a, "<auvsml><step-command/></auvsml>");
         assertThat(b.next("error-response")).contains("a (127.0.0.1").contains("'Bob'");
         a.next("timestep-advanced");
@@ -198,7 +198,7 @@ class LockstepTest {
     void feedbackIsAnAnswer() throws IOException {
         start(new LockstepTimestepper());
         RawClient a = member("a");
-        a.send(ready(0) + "<auvsml><step-command/></auvsml>");
+        a.send("<auvsml><step-command/></auvsml>");
         a.next("timestep-advanced");
         a.send(feedback("0.05", 0.5));
         assertThat(a.next("timestep-advanced")).contains("ACTUAL");
@@ -210,8 +210,7 @@ class LockstepTest {
         start(new LockstepTimestepper());
         RawClient a = member("a");
         RawClient b = member("b");
-        b.send(ready(0));
-        a.send(ready(0) + "<auvsml><step-command count=\"2\"/></auvsml>");
+        a.send("<auvsml><step-command count=\"2\"/></auvsml>");
         a.next("timestep-advanced");
         b.next("timestep-advanced");
         a.send(ready(1));
@@ -228,7 +227,7 @@ class LockstepTest {
     void whoIsLateCanBeGoneOnWithout() throws IOException {
         start(new LockstepTimestepper(Optional.of(Duration.ofMillis(200)), WhenLate.GO_ON));
         RawClient a = member("a");
-        a.send(ready(0) + "<auvsml><step-command count=\"2\"/></auvsml>");
+        a.send("<auvsml><step-command count=\"2\"/></auvsml>");
         assertThat(a.next("lockstep-timeout"))
                 .contains("step=\"1\"")
                 .contains("then=\"go-on\"")
@@ -243,7 +242,7 @@ class LockstepTest {
     void whoIsLateCanBeReleased() throws IOException {
         start(new LockstepTimestepper(Optional.of(Duration.ofMillis(200)), WhenLate.RELEASE));
         RawClient a = member("a");
-        a.send(push(1, "engine", 4) + ready(0) + "<auvsml><step-command/></auvsml>");
+        a.send(push(1, "engine", 4) + "<auvsml><step-command/></auvsml>");
         assertThat(a.next("lockstep-timeout")).contains("then=\"release\"");
         assertThat(a.next("timestep-advanced")).contains("ACTUAL");
         RawClient other = member("b");
@@ -256,7 +255,7 @@ class LockstepTest {
     void whoIsLateCanBeWaitedForAndIsNamedEachTime() throws IOException {
         start(new LockstepTimestepper(Optional.of(Duration.ofMillis(100)), WhenLate.WAIT));
         RawClient a = member("a");
-        a.send(ready(0) + "<auvsml><step-command/></auvsml>");
+        a.send("<auvsml><step-command/></auvsml>");
         a.next("lockstep-timeout");
         assertThat(a.next("lockstep-timeout")).contains("then=\"wait\"");
         a.send(ready(1));
@@ -276,7 +275,7 @@ class LockstepTest {
                                 .transport(tcp)
                                 .start());
         RawClient a = member("a");
-        a.send(push(1, "engine", 4) + ready(0) + "<auvsml><step-command count=\"3\"/></auvsml>");
+        a.send(push(1, "engine", 4) + "<auvsml><step-command count=\"3\"/></auvsml>");
         for (int step = 1; step <= 2; step++) {
             nextStep(a, "PROJECTED");
             a.send(ready(step));

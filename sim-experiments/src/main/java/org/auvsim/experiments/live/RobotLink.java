@@ -50,7 +50,7 @@ final class RobotLink implements AutoCloseable {
             step = await(HelloResponse.class).step();
         }
         send(participant.robot().begin());
-        client.send(new GetSimulatorStateRequest());
+        client.send(new GetSimulatorStateRequest()); // answered when what was sent before is there
         await(SimulatorStateResponse.class);
     }
 
@@ -103,8 +103,8 @@ final class RobotLink implements AutoCloseable {
         switch (message) {
             case MovementStateChangeMessage moved -> simulated = moved.position();
             case TimestepAdvancedNotification advanced when isToAnswer(advanced) -> {
+                answer(participant.robot().answer(advanced.timestamp(), simulated));
                 step++;
-                send(participant.robot().answer(advanced.timestamp(), simulated));
             }
             default -> {
                 // of no interest to a robot
@@ -117,11 +117,15 @@ final class RobotLink implements AutoCloseable {
     }
 
     /** Sends an answer; in lock-step a feedback says that it is complete, or else this does. */
-    private void send(List<Message> answer) throws ConnectionException {
+    private void answer(List<Message> answer) throws ConnectionException {
         List<Message> messages = new ArrayList<>(answer);
         if (isLockstep && answer.stream().noneMatch(FeedbackMessage.class::isInstance)) {
             messages.add(new ReadyCommand(step));
         }
+        send(messages);
+    }
+
+    private void send(List<Message> messages) throws ConnectionException {
         if (!messages.isEmpty()) {
             client.send(messages.toArray(Message[]::new));
         }

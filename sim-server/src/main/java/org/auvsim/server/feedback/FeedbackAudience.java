@@ -18,8 +18,8 @@ public interface FeedbackAudience {
     void bringFeedback(Duration wait, BooleanSupplier enough);
 
     /**
-     * Waits until all members have answered: before the projection is shown, those who have joined
-     * since the last step; after it, all who were members then. Their feedback is brought, too.
+     * Waits until all who were members when the projection was shown have answered it, and brings
+     * their feedback.
      *
      * @param timeout how long, on the wall's clock; empty: for ever
      * @param then what is done when that is over

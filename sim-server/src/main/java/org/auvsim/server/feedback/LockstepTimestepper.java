@@ -36,7 +36,6 @@ public record LockstepTimestepper(Optional<Duration> timeout, WhenLate then)
 
     @Override
     public void advanceTimestep(CorrectedStep step) {
-        step.awaitMembers(timeout, then); // those who have joined since the last step
         step.project();
         step.awaitMembers(timeout, then);
         step.process(Phase.BEFORE_STEP);

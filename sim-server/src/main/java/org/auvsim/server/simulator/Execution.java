@@ -174,7 +174,7 @@ final class Execution {
                     "this client is the member '%s' already".formatted(session.name()));
         }
         session.setName(name);
-        return feedback.timestepper().isLockstep() ? members.join(session) : members.step();
+        return feedback.timestepper().isLockstep() ? members.join(session) : members.step() + 1;
     }
 
     /** Whether a client has asked to end its session. */

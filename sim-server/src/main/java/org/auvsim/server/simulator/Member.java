@@ -25,7 +25,7 @@ final class Member {
     private final List<Held> next = new ArrayList<>();
     private final Set<Long> corrected = new HashSet<>();
 
-    /** A member that has to answer the step with this number first. */
+    /** A member that counts from the step with this number on. */
     Member(ClientSession session, long step) {
         this.session = session;
         joined = step;
@@ -42,8 +42,8 @@ final class Member {
     }
 
     /** Whether it counts in a step: who joins when a step is shown already counts after it. */
-    boolean isDue(long step, boolean shown) {
-        return !shown || joined < step;
+    boolean countsIn(long step) {
+        return joined <= step;
     }
 
     /**
@@ -64,16 +64,19 @@ final class Member {
     /**
      * Takes its answer to a step.
      *
+     * @param shown the last step that was shown
      * @throws RefusedException if that is not the step that it has to answer
      */
-    void ready(long step, long underWay) {
-        if (step != owes() || step > underWay) {
+    void ready(long step, long shown) {
+        if (step != owes()) {
             throw new RefusedException(
                     ErrorCode.REFUSED,
-                    step == owes()
-                            ? "step %d has not been shown yet; answer it when it is".formatted(step)
-                            : "%s has to answer step %d, not %d"
-                                    .formatted(session.name(), owes(), step));
+                    "%s has to answer step %d, not %d".formatted(session.name(), owes(), step));
+        }
+        if (step > shown) {
+            throw new RefusedException(
+                    ErrorCode.REFUSED,
+                    "step %d has not been shown yet; answer it when it is".formatted(step));
         }
         close();
     }
@@ -100,6 +103,16 @@ final class Member {
         answer.addAll(next);
         next.clear();
         corrected.clear();
+    }
+
+    /** What it has sent before the first step in which it counts; it is the caller's now. */
+    List<Held> takeOpening(long nextStep) {
+        if (joined != nextStep) {
+            return List.of();
+        }
+        List<Held> taken = List.copyOf(next);
+        next.clear();
+        return taken;
     }
 
     /** What belongs to the steps that it has answered; it is the caller's now. */

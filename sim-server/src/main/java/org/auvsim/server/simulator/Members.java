@@ -24,27 +24,30 @@ final class Members {
     private final Map<String, Member> byName = new TreeMap<>();
     private final List<Held> ofThoseWhoLeft = new ArrayList<>();
 
-    /** The step that is under way, or was made last. */
+    /** The last step that was shown; one that could not be made is shown again, as the next. */
     private long step;
 
     private WhenLate whenLate = WhenLate.WAIT;
 
-    /** Whether clients have been shown where that step will end. */
-    private boolean shown;
-
-    /** A step begins: whoever has joined before it was shown is to answer the one before first. */
-    void stepBegins(long number) {
-        shown = false;
-        step = number - 1;
+    /** What those who have joined since the last step have sent for its end, in order. */
+    List<Held> takeOpenings() {
+        List<Held> openings = new ArrayList<>();
+        byName.values().forEach(member -> openings.addAll(member.takeOpening(step + 1)));
+        openings.sort(ORDER);
+        return openings;
     }
 
-    /** Clients are shown where a step will end; those who are members now have to answer it. */
-    void stepShown(long number) {
-        shown = true;
-        step = number;
+    /** Clients are shown where the next step will end; those who are members now answer it. */
+    void stepShown() {
+        step++;
     }
 
-    /** The step that is under way, or was made last. */
+    /** So many steps are made, shown or not. */
+    void stepsMade(long number) {
+        step = Math.max(step, number);
+    }
+
+    /** The last step that was shown. */
     long step() {
         return step;
     }
@@ -52,11 +55,11 @@ final class Members {
     /**
      * Makes a client a member.
      *
-     * @return the step that it has to answer first
+     * @return the first step that it has to answer
      */
     long join(ClientSession session) {
         session.setInLockstep(true);
-        return byName.computeIfAbsent(session.name(), _ -> new Member(session, step)).owes();
+        return byName.computeIfAbsent(session.name(), _ -> new Member(session, step + 1)).owes();
     }
 
     /** The member that a client is. */
@@ -88,7 +91,7 @@ final class Members {
 
     private List<Member> late() {
         return byName.values().stream()
-                .filter(member -> member.isDue(step, shown) && member.owes() <= step)
+                .filter(member -> member.countsIn(step) && member.owes() <= step)
                 .toList();
     }
 
@@ -141,7 +144,7 @@ final class Members {
         List<Held> all = new ArrayList<>(ofThoseWhoLeft);
         ofThoseWhoLeft.clear();
         for (Member member : byName.values()) {
-            if (member.isDue(step, shown)) {
+            if (member.countsIn(step)) {
                 all.addAll(member.takeAnswer());
             }
         }

@@ -46,9 +46,6 @@ final class Simulation {
     /** Commands of members that are carried out when the step that is under way is made. */
     private final List<Held> answers = new ArrayList<>();
 
-    /** As things were when the step that is under way, or was made last, began. */
-    private SimulationState stepBegan;
-
     private long steps;
     private int inputs;
     private int revision;
@@ -94,7 +91,6 @@ final class Simulation {
         world.addListener(news);
         world.addListener(controlled);
         beginning = state();
-        stepBegan = beginning;
         logs.forEach(log -> log.begun(world));
     }
 
@@ -134,9 +130,9 @@ final class Simulation {
      */
     void advanceTimestep() {
         reviseHistory();
+        members.takeOpenings().forEach(requests::carryOut);
         stepIsUnderWay = true;
         requests.stepBegins();
-        members.stepBegins(steps + 1);
         boolean made = false;
         try {
             makeStep();
@@ -162,33 +158,29 @@ final class Simulation {
         }
         double wanted = world.timeStep();
         double start = world.time();
-        stepBegan = state();
+        SimulationState before = state();
         feedback.advanceTimestep();
-        history.add(stepBegan, new PastStep(start, wanted, world.time()), feedback.takenInStep());
+        history.add(before, new PastStep(start, wanted, world.time()), feedback.takenInStep());
         feedback.reachBackTo(history.reachesBackTo());
     }
 
     private void stepIsMade() {
         steps++;
         inputs = 0;
+        members.stepsMade(steps);
         logs.forEach(log -> log.stepMade(new StepMade(revision, steps, world)));
     }
 
     /** Clients are shown where the step will end. */
     void shown() {
-        members.stepShown(steps + 1);
+        members.stepShown();
     }
 
-    /** The members have answered: their feedback is used now, their commands in their turn. */
+    /** The members have answered: their feedback is used now, their commands after the step. */
     void takeAnswers() {
         Members.Answers taken = members.takeAnswers();
         taken.feedback().forEach(requests::carryOut);
-        if (members.step() > steps) {
-            answers.addAll(taken.commands());
-        } else {
-            taken.commands().forEach(requests::carryOut);
-            stepBegan = history.isKept() ? state() : stepBegan;
-        }
+        answers.addAll(taken.commands());
     }
 
     /** All that the simulation goes on from, as it is between two steps. */

@@ -114,7 +114,6 @@ class ReplayerTest {
                 new RecordedSession(
                         Recorded.scenario("<lockstep-timestepper timeout='0.02' then='go-on'/>"))) {
             session.client().ask("h", "<hello-command name='robot'/>");
-            session.client().ask("r", "<ready-command step='0'/>");
             for (int i = 0; i < 5; i++) {
                 session.client().send("<auvsml>" + RecordedSession.pushing(i) + "</auvsml>");
                 session.steps(2);

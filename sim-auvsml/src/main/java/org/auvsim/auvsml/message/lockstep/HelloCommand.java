@@ -9,7 +9,7 @@ import java.util.Optional;
 
 /**
  * Names the client, and makes it a member of a simulation that goes on in lock-step. From the step
- * that the response names, the simulator waits for the client's answers.
+ * on that the response names, the simulator waits for the client's answers.
  *
  * @param name the client's name, of which there must be no other
  */

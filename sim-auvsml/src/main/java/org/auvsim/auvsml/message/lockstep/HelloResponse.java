@@ -5,7 +5,7 @@ import org.auvsim.auvsml.message.Message;
 /**
  * The client has its name; in lock-step it is a member.
  *
- * @param step the number of the step that is under way or was made last, 0 before the first: the
- *     first that the member has to answer, once it has sent what is to act from the next one on
+ * @param step the number of the next step that will be shown: the first in which the member counts
+ *     and that it has to answer
  */
 public record HelloResponse(long step) implements Message {}

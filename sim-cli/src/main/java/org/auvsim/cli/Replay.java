@@ -21,6 +21,7 @@ import picocli.CommandLine.Spec;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -106,7 +107,7 @@ final class Replay implements Callable<Integer> {
         if (port < 0 || port > 65535) {
             throw new UserError("--port must be 0 to 65535, but is %d.".formatted(port));
         }
-        return new InetSocketAddress("127.0.0.1", port);
+        return new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
     }
 
     private Rate usualRate() {

@@ -66,6 +66,8 @@ final class Admin implements Callable<Integer> {
         return 0;
     }
 
+    /** Java 25 has no console, as before 22, where input or output is no terminal. */
+    @SuppressWarnings("SystemConsoleNull")
     private static boolean isAtTerminal() {
         Console console = System.console();
         return console != null && console.isTerminal();

@@ -66,7 +66,7 @@ public final class SimulationReplay implements AutoCloseable {
 
     SimulatorState state() {
         return new SimulatorState(
-                world().time(), /* isRunning= */ true, pace.rate(), steps(), viewers.count());
+                world().time(), /* running= */ true, pace.rate(), steps(), viewers.count());
     }
 
     void timeHasJumped() {

@@ -131,9 +131,15 @@ class ReplayerTest {
         try (RecordedSession session =
                 new RecordedSession(Recorded.scenario("<lockstep-timestepper/>"))) {
             session.steps(3);
+            session.client()
+                    .ask(
+                            "l",
+                            "<listener-registration-request-command register='1'><world-object"
+                                    + " id='*'><listener type='TimestepAdvanced'/></world-object>"
+                                    + "</listener-registration-request-command>");
             session.client().ask("h", "<hello-command name='robot'/>");
             session.client().send("<auvsml><step-command/></auvsml>");
-            session.client().ask("s", "<get-simulator-state-request/>");
+            assertThat(session.client().next("timestep-advanced")).contains("PROJECTED");
             byte[] recording = session.recording();
 
             assertThat(Recorded.entries(recording)).anyMatch(StepFailed.class::isInstance);

@@ -97,8 +97,8 @@ class ReplayTest {
         assertThat(auvsim.out())
                 .startsWith(
                         recording
-                                + ": the replay differs from the recording at step 0 (0.0 s): 'Boat'"
-                                + " (id 1): linearMomentum.x was 2.0, but is 2.2 now")
+                                + ": the replay differs from the recording at step 0 (0.0 s):"
+                                + " 'Boat' (id 1): linearMomentum.x was 2.0, but is 2.2 now")
                 .hasLineCount(1);
     }
 
@@ -127,7 +127,8 @@ class ReplayTest {
 
         assertThat(replay()).isEqualTo(2);
         assertThat(auvsim.err())
-                .startsWith(recording + ": the recording is damaged or was changed: its gzip member")
+                .startsWith(
+                        recording + ": the recording is damaged or was changed: its gzip member")
                 .hasLineCount(1);
     }
 
@@ -267,12 +268,12 @@ class ReplayTest {
         }
 
         /** Ends it as {@code kill -9} does. */
-        void kill() throws InterruptedException {
-            process.destroyForcibly().waitFor();
+        void kill() {
+            process.destroyForcibly().onExit().join();
         }
 
         @Override
-        public void close() throws InterruptedException {
+        public void close() {
             kill();
         }
     }

@@ -230,10 +230,7 @@ class LateFeedbackTest {
                 });
         client().ask("m", pushing(1, 1));
         steps(6);
-        client()
-                .ask(
-                        "x",
-                        "<remove-force-command world-object-id=\"1\" force-name=\"engine\"/>");
+        client().ask("x", "<remove-force-command world-object-id=\"1\" force-name=\"engine\"/>");
         steps(1);
         client().ask("f", position(1, 0.1, DIRECT, 9));
         steps(1);

@@ -120,12 +120,12 @@ class LockstepTest {
         World alone = Tank.world();
         alone.object(1).applyForce(force(4));
         alone.advanceTimestep();
-        assertThat(this.<Vec3>world(w -> w.object(1).position())).isEqualTo(alone.object(1).position());
+        assertThat(this.<Vec3>world(w -> w.object(1).position()))
+                .isEqualTo(alone.object(1).position());
     }
 
     private static NamedForce force(double x) {
-        return NamedForce.direct(
-                "engine", Frame.WORLD, new Vec3(x, 0, 0));
+        return NamedForce.direct("engine", Frame.WORLD, new Vec3(x, 0, 0));
     }
 
     @Test

@@ -64,8 +64,8 @@ class ReleaseConversationTest {
         pilot.ask(
                 "1",
                 "<apply-direct-force-command world-object-id=\"1\" name=\"tow\""
-                    + " orientation=\"BODY\"><force-vector x=\"0\" y=\"1\""
-                    + " z=\"0\"/></apply-direct-force-command>");
+                        + " orientation=\"BODY\"><force-vector x=\"0\" y=\"1\""
+                        + " z=\"0\"/></apply-direct-force-command>");
         pilot.ask(
                 "2", "<set-propulsor-command world-object-id=\"1\" name=\"Tail\" level=\"0.5\"/>");
     }

@@ -46,8 +46,7 @@ public interface FeedbackTimestepping {
      * @param timeout real time to wait for the answers; by default for ever
      * @param then what is done when it is over
      */
-    record LockstepTimestepper(
-            @Unit("s") OptionalDouble timeout, @Default("wait") WhenLate then)
+    record LockstepTimestepper(@Unit("s") OptionalDouble timeout, @Default("wait") WhenLate then)
             implements FeedbackTimestepping {
         /**
          * A checked choice.

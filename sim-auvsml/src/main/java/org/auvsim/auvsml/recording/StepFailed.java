@@ -10,4 +10,5 @@ import org.auvsim.core.description.Unit;
  * @param step so many steps had been made
  * @param timestamp the world's time, as before
  */
-public record StepFailed(@Default("0") int revision, long step, @Unit("s") double timestamp) implements Entry {}
+public record StepFailed(@Default("0") int revision, long step, @Unit("s") double timestamp)
+        implements Entry {}

@@ -76,8 +76,8 @@ class AdministrationTest {
         assertThat(perform("# how does it stand?", "", "set rate 2.5", "state"))
                 .isEqualTo(
                         "done\n"
-                            + "simulator state: time 0.0, running no, rate 2.5, step 0, clients"
-                            + " 1\n");
+                                + "simulator state: time 0.0, running no, rate 2.5, step 0, clients"
+                                + " 1\n");
         assertThat(perform("list world objects"))
                 .isEqualTo("id  type         name\n7   WorldObject  Red Fish\n");
     }
@@ -118,10 +118,14 @@ class AdministrationTest {
                                 "add-effect 7 @" + file,
                                 "list effects 7"))
                 .isEqualTo(
-                        "done\ndone\n<effect-list-response world-object-id=\"7\">\n"
-                                + "  <gravity acceleration=\"1.0\"/>\n"
-                                + "  <gravity acceleration=\"2.0\"/>\n"
-                                + "</effect-list-response>\n");
+                        """
+                        done
+                        done
+                        <effect-list-response world-object-id="7">
+                          <gravity acceleration="1.0"/>
+                          <gravity acceleration="2.0"/>
+                        </effect-list-response>
+                        """);
     }
 
     @Test

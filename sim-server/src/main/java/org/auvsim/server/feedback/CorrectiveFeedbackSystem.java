@@ -187,8 +187,7 @@ public final class CorrectiveFeedbackSystem {
                 yield Double.isFinite(reachesBackTo) && requireWithinReach(timestamp);
             }
             case END_OF_STEP -> {
-                refuseAfter(
-                        projectedEnd().orElse(world.time()), timestamp);
+                refuseAfter(projectedEnd().orElse(world.time()), timestamp);
                 boolean isOfThisStep =
                         projectedEnd().isPresent() && timestamp > world.time() + SAME_TIME;
                 yield !isOfThisStep && requireWithinReach(timestamp);

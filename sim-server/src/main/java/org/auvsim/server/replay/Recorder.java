@@ -130,12 +130,9 @@ public final class Recorder implements InputLog, AutoCloseable {
                                     p.time(),
                                     session.id()));
             case Input.TimedOut() ->
-                    Optional.of(new WaitTimedOut(
-                                    p.revision(),
-                                    p.step(),
-                                    p.index(),
-                                    p.duringStep(),
-                                    p.time()));
+                    Optional.of(
+                            new WaitTimedOut(
+                                    p.revision(), p.step(), p.index(), p.duringStep(), p.time()));
             case Input.Asked _ -> Optional.empty();
         };
     }

@@ -1,9 +1,9 @@
 package org.auvsim.server.simulator;
 
 import org.auvsim.auvsml.ErrorCode;
+import org.auvsim.auvsml.document.WhenLate;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
-import org.auvsim.auvsml.document.WhenLate;
 import org.auvsim.server.net.ClientSession;
 
 import java.util.ArrayList;
@@ -139,7 +139,9 @@ final class Members {
         return all;
     }
 
-    /** The feedback and, apart from it, the commands that belong to the steps answered, in order. */
+    /**
+     * The feedback and, apart from it, the commands that belong to the steps answered, in order.
+     */
     Answers takeAnswers() {
         List<Held> all = new ArrayList<>(ofThoseWhoLeft);
         ofThoseWhoLeft.clear();

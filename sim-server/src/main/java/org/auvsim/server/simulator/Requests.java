@@ -48,11 +48,7 @@ final class Requests {
 
     private boolean stepIsUnderWay;
 
-    Requests(
-            Notifications notifications,
-            Members members,
-            Execution execution,
-            String serverName) {
+    Requests(Notifications notifications, Members members, Execution execution, String serverName) {
         this.notifications = notifications;
         this.members = members;
         this.execution = execution;
@@ -64,8 +60,7 @@ final class Requests {
         switch (input) {
             case Input.Came came -> begin(came.session());
             case Input.Sent sent -> take(sent.session(), sent.request());
-            case Input.Unreadable unreadable ->
-                    refuse(unreadable.session(), unreadable.rejected());
+            case Input.Unreadable unreadable -> refuse(unreadable.session(), unreadable.rejected());
             case Input.Went went -> leave(went.session());
             case Input.TimedOut _ -> timedOut();
             case Input.Asked asked -> betweenSteps(asked.question());
@@ -257,8 +252,7 @@ final class Requests {
             return switch (attempt.make()) {
                 case Outcome.Waits _ -> Optional.empty();
                 case Outcome.Done done when done.response().isPresent() -> done.response();
-                case Outcome.Done _ ->
-                        held.requestId().map(_ -> new CommandDoneResponse());
+                case Outcome.Done _ -> held.requestId().map(_ -> new CommandDoneResponse());
             };
         } catch (RefusedException e) {
             return Optional.of(ErrorResponse.of(e));

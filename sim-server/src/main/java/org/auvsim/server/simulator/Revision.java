@@ -75,9 +75,7 @@ final class Revision {
 
     private void make(Moment moment) {
         List<PendingFeedback> added =
-                late.stream()
-                        .filter(l -> moment.step().contains(l.message().timestamp()))
-                        .toList();
+                late.stream().filter(l -> moment.step().contains(l.message().timestamp())).toList();
         Set<Long> corrected = added.stream().map(l -> l.message().worldObjectId()).collect(toSet());
         List<PendingFeedback> all = new ArrayList<>(moment.feedback());
         all.addAll(added);

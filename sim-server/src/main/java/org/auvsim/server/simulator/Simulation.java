@@ -204,9 +204,7 @@ final class Simulation {
     private void use(FeedbackTimestepper timestepper) {
         feedback.setTimestepper(timestepper);
         if (timestepper.isLockstep()) {
-            notifications.sessions().stream()
-                    .filter(ClientSession::hasName)
-                    .forEach(members::join);
+            notifications.sessions().stream().filter(ClientSession::hasName).forEach(members::join);
         } else {
             members.dissolve().forEach(requests::carryOut);
         }
@@ -250,7 +248,8 @@ final class Simulation {
      *     nothing has changed
      */
     void load(Scenario scenario) {
-        FeedbackTimestepper timestepper = ScenarioSettings.timestepper(scenario.feedbackTimestepping());
+        FeedbackTimestepper timestepper =
+                ScenarioSettings.timestepper(scenario.feedbackTimestepping());
         Optional<FeedbackProcessorChoice> choice = scenario.feedbackProcessor();
         List<FeedbackProcessor> processors =
                 choice.map(ScenarioSettings::processors).orElse(List.of());
@@ -260,9 +259,7 @@ final class Simulation {
         use(timestepper);
         history.setHorizon(scenario.feedbackHorizon());
         controlled.setReleased(scenario.releasedObject().orElse(ReleasedObject.UNCHANGED));
-        goTo(
-                new SimulationState(other, Map.of(), List.of(), new ProcessorMemory()),
-                "*SCENARIO*");
+        goTo(new SimulationState(other, Map.of(), List.of(), new ProcessorMemory()), "*SCENARIO*");
         beginning = state();
     }
 

@@ -12,8 +12,7 @@ import java.util.List;
 
 /**
  * A simulation as a server runs it, but without a clock and clients: inputs and steps are given to
- * it. Viewers may listen, and ask, but change nothing. All its methods but one are for one
- * thread.
+ * it. Viewers may listen, and ask, but change nothing. All its methods but one are for one thread.
  */
 public final class SimulationReplay implements AutoCloseable {
     /** So many requests of viewers are carried out before time may go on. */

@@ -67,8 +67,7 @@ class RecorderTest {
                                 .log(recorder)
                                 .start();
                 RawClient client = RawClient.welcomed(tcp.port())) {
-            recorder.whenEnded(
-                    reason -> simulator.tell(new RecordingEndedNotification(reason)));
+            recorder.whenEnded(reason -> simulator.tell(new RecordingEndedNotification(reason)));
             simulator.resume();
             String told = client.next("recording-ended-notification");
             long step = simulator.state().step();

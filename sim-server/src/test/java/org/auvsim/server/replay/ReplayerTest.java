@@ -62,8 +62,7 @@ class ReplayerTest {
     @Test
     void lateFeedbackCorrectsThePastOfTheReplayToo() throws Exception {
         try (RecordedSession session =
-                new RecordedSession(
-                        Recorded.scenario(ASYNCHRONOUS, "feedback-horizon=\"0.5\""))) {
+                new RecordedSession(Recorded.scenario(ASYNCHRONOUS, "feedback-horizon=\"0.5\""))) {
             for (int i = 1; i < 6; i++) {
                 session.steps(6);
                 session.push(i);
@@ -192,8 +191,7 @@ class ReplayerTest {
     void aHashAloneThatDiffersIsToldToo() throws Exception {
         String text =
                 unpacked(pushed())
-                        .replaceFirst(
-                                "(step=\"10\" timestamp=\"[^\"]*\" hash=\")....", "$10000");
+                        .replaceFirst("(step=\"10\" timestamp=\"[^\"]*\" hash=\")....", "$10000");
 
         assertThat(difference(text)).startsWith("the replay differs from the recording at step 10");
         assertThat(difference(text)).contains("the state's hash was 0000");
@@ -205,7 +203,7 @@ class ReplayerTest {
                 unpacked(pushed())
                         .replaceFirst(
                                 "<movement-state-change-message timestamp=\"[^\"]*\""
-                                        + " world-object-id=\"3\".*?</movement-state-change-message>",
+                                    + " world-object-id=\"3\".*?</movement-state-change-message>",
                                 "");
 
         assertThat(difference(text))
@@ -240,7 +238,8 @@ class ReplayerTest {
 
     @Test
     void aRecordingThatCannotBeReadAnyFurtherIsRefusedThere() throws Exception {
-        String text = unpacked(pushed()).replaceFirst("<state-hash revision=\"0\" step=\"15\"", "<x");
+        String text =
+                unpacked(pushed()).replaceFirst("<state-hash revision=\"0\" step=\"15\"", "<x");
 
         try (Replayer replayer = Recorded.replayer(text.getBytes(UTF_8))) {
             assertThatThrownBy(

@@ -72,8 +72,7 @@ class MailboxTest {
     @Test
     void aClosedMailboxWakesWhoWaitsAndTakesNothing()
             throws InterruptedException, ExecutionException {
-        FutureTask<List<Input>> waiting =
-                new FutureTask<>(() -> mailbox.take(2, Long.MAX_VALUE));
+        FutureTask<List<Input>> waiting = new FutureTask<>(() -> mailbox.take(2, Long.MAX_VALUE));
         Thread.ofVirtual().start(waiting);
         mailbox.close();
         assertThat(waiting.get()).isEmpty();

@@ -28,8 +28,7 @@ final class GzipMember {
     /** Checksum and length of the bytes before they were deflated. */
     static final int TRAILER_LENGTH = 8;
 
-    private final Deflater deflater =
-            new Deflater(Deflater.BEST_SPEED, /* nowrap= */ true);
+    private final Deflater deflater = new Deflater(Deflater.BEST_SPEED, /* nowrap= */ true);
     private final ByteArrayOutputStream deflated = new ByteArrayOutputStream();
     private final DeflaterOutputStream body = new DeflaterOutputStream(deflated, deflater);
     private final CRC32 checksum = new CRC32();

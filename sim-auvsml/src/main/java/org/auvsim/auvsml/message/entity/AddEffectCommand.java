@@ -9,7 +9,8 @@ import org.auvsim.core.entity.Effect;
 import java.util.Optional;
 
 /** Lets an effect, described as in a scenario, act on a world object from now on. */
-public record AddEffectCommand(long worldObjectId, Effect effect) implements WorldCommand, WorldObjectMessage {
+public record AddEffectCommand(long worldObjectId, Effect effect)
+        implements WorldCommand, WorldObjectMessage {
     @Override
     public Optional<Message> execute(WorldControl world) {
         world.addEffect(worldObjectId, effect);

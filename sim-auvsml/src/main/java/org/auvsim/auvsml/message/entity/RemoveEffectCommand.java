@@ -13,7 +13,8 @@ import java.util.Optional;
  *
  * @param effect as the {@link EffectListResponse} states it; of equal ones the first ends
  */
-public record RemoveEffectCommand(long worldObjectId, Effect effect) implements WorldCommand, WorldObjectMessage {
+public record RemoveEffectCommand(long worldObjectId, Effect effect)
+        implements WorldCommand, WorldObjectMessage {
     @Override
     public Optional<Message> execute(WorldControl world) {
         world.removeEffect(worldObjectId, effect);

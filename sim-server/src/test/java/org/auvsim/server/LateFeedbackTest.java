@@ -147,7 +147,79 @@ class LateFeedbackTest {
         client().ask("2", position(1, 0.2, DIRECT, 2));
         steps(1);
         assertThat(client().next("history-revised")).contains("revision=\"2\"");
-        assertThat(this.<Double>world(w -> w.object(1).position().y())).isCloseTo(3, within(1e-12));
+        World alone = Tank.world();
+        for (int step = 1; step <= 10; step++) {
+            alone.advanceTimestep();
+            if (step == 4 || step == 6) {
+                alone.object(1).setPosition(new Vec3(0, step / 2.0, 0));
+            }
+        }
+        assertThat(this.<Long>world(World::stateHash)).isEqualTo(alone.stateHash());
+    }
+
+    @Test
+    void eachFeedbackIsToldOnce() throws IOException {
+        steps(8);
+        for (int k = 1; k <= 3; k++) {
+            client().ask("f" + k, position(1, 0.1, DIRECT, k));
+            steps(1);
+        }
+        client().send("<auvsml><shutdown-simulator-command/></auvsml>");
+        assertThat(client().rest().split("<feedback-applied-notification", -1)).hasSize(2);
+    }
+
+    @Test
+    void whoSentItStillControlsTheObject() throws IOException {
+        steps(4);
+        client().ask("f", position(1, 0.1, DIRECT, 3));
+        steps(1);
+        client().next("history-revised");
+        try (RawClient other = RawClient.welcomed(tcp.port())) {
+            assertThat(other.ask("g", position(1, 0.2, DIRECT, 4)))
+                    .contains("NOT_IN_CONTROL")
+                    .contains("client 1");
+        }
+    }
+
+    @Test
+    void aSnapshotThatWasTakenSinceStaysAsItIs() throws IOException {
+        steps(4);
+        client().ask("s", "<take-snapshot-command name=\"before\"/>");
+        long then = world(World::stateHash);
+        client().ask("f", position(1, 0.1, DIRECT, 3));
+        steps(1);
+        client().next("history-revised");
+        client().ask("r", "<restore-snapshot-command name=\"before\"/>");
+        assertThat(this.<Long>world(World::stateHash)).isEqualTo(then);
+    }
+
+    @Test
+    void feedbackThatWaitsWhenTheWorldGoesElsewhereIsRefused() throws IOException {
+        steps(4);
+        client().ask("s", "<take-snapshot-command name=\"here\"/>");
+        client().ask("f", position(1, 0.1, DIRECT, 3));
+        client().send("<auvsml><restore-snapshot-command name=\"here\"/></auvsml>");
+        assertThat(client().next("error-response"))
+                .contains(
+                        "feedback for 0.1 s cannot be used any more: the world has gone elsewhere");
+        steps(1);
+        assertThat(this.<Double>world(w -> w.object(1).position().y())).isZero();
+    }
+
+    @Test
+    void feedbackForAnObjectThatWasNotThereThenIsRefusedAndNothingIsRevised() throws IOException {
+        steps(4);
+        client().ask(
+                        "a",
+                        "<add-world-object-command><world-object name=\"Late\" mass=\"1\">"
+                                + "<sphere radius=\"1\"/><position x=\"0.0\" y=\"50.0\""
+                                + " z=\"0.0\"/></world-object></add-world-object-command>");
+        steps(1);
+        client().ask("f", position(5, 0.1, DIRECT, 3));
+        steps(1);
+        assertThat(client().next("error-response")).contains("no world object has the id 5 at 0.1");
+        client().send("<auvsml><shutdown-simulator-command/></auvsml>");
+        assertThat(client().rest()).doesNotContain("history-revised");
     }
 
     @Test

@@ -138,7 +138,7 @@ public final class CorrectedStep {
                 correctAfter(feedback);
             }
         } catch (RefusedException e) {
-            feedback.sender().refused(e);
+            audience.refused(feedback, e);
         }
     }
 
@@ -146,7 +146,8 @@ public final class CorrectedStep {
         long id = feedback.objectId();
         if (world.find(id).isEmpty()) {
             throw new RefusedException(
-                    ErrorCode.UNKNOWN_ENTITY, "world object %d has left the world".formatted(id));
+                    ErrorCode.UNKNOWN_ENTITY,
+                    "no world object has the id %d at %s s".formatted(id, world.time()));
         }
         WorldObject object = world.object(id);
         if (object.isFixed()) {
@@ -190,7 +191,7 @@ public final class CorrectedStep {
         } else if (!object.movementState().equals(uncorrected)) {
             audience.moved(object.id());
         }
-        audience.applied(correction.applied(world));
+        audience.applied(feedback, correction.applied(world));
     }
 
     private static RefusedException refused(RuntimeException e) {
@@ -211,7 +212,7 @@ public final class CorrectedStep {
         audience.advanced();
         for (StepCorrection correction : pushed) {
             if (world.find(correction.feedback().objectId()).isPresent()) {
-                audience.applied(correction.applied(world));
+                audience.applied(correction.feedback(), correction.applied(world));
             }
         }
     }

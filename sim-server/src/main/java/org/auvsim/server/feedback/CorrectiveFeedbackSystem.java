@@ -138,7 +138,7 @@ public final class CorrectiveFeedbackSystem {
         return taken;
     }
 
-    /** The feedback that was taken while the last step waited for it. */
+    /** The feedback that was taken while the last step waited for it, and could be used. */
     public List<PendingFeedback> takenInStep() {
         return List.copyOf(taken);
     }

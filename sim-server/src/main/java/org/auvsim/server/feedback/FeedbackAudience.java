@@ -1,6 +1,7 @@
 package org.auvsim.server.feedback;
 
 import org.auvsim.auvsml.document.WhenLate;
+import org.auvsim.auvsml.message.command.RefusedException;
 
 import java.time.Duration;
 import java.util.Optional;
@@ -33,7 +34,10 @@ public interface FeedbackAudience {
     void moved(long objectId);
 
     /** A correction is done. */
-    void applied(AppliedFeedback applied);
+    void applied(PendingFeedback feedback, AppliedFeedback applied);
+
+    /** A feedback that was taken cannot be used after all; its sender is to be told. */
+    void refused(PendingFeedback feedback, RefusedException why);
 
     /** The step is over: the last message of it. */
     void finished();

@@ -21,15 +21,18 @@ import java.util.Set;
 final class ControlledObjects implements WorldListener {
     private final World world;
     private final Map<Long, ClientSession> holders = new HashMap<>();
+    private final History history;
     private ReleaseRule rule;
 
     /**
      * Nobody controls anything.
      *
+     * @param history is told what letting go and taking does to the world
      * @param released what becomes of objects that clients let go
      */
-    ControlledObjects(World world, ReleasedObject released) {
+    ControlledObjects(World world, History history, ReleasedObject released) {
         this.world = world;
+        this.history = history;
         this.rule = new ReleaseRule(released);
     }
 
@@ -46,7 +49,11 @@ final class ControlledObjects implements WorldListener {
     void take(ClientSession client, long objectId) {
         requireFree(client, objectId);
         if (holders.putIfAbsent(objectId, client) == null) {
-            rule.takeUp(world, world.object(objectId));
+            ReleaseRule now = rule;
+            perform(
+                    client,
+                    "taking control",
+                    () -> now.takeUp(world, WorldPort.object(world, objectId)));
         }
     }
 
@@ -73,12 +80,22 @@ final class ControlledObjects implements WorldListener {
      * @throws RefusedException if there is no such object
      */
     boolean release(ClientSession client, long objectId) {
-        WorldObject object = WorldPort.object(world, objectId);
+        WorldPort.object(world, objectId);
         boolean isReleased = holders.remove(objectId, client);
         if (isReleased) {
-            rule.letGo(world, object);
+            ReleaseRule now = rule;
+            perform(
+                    client,
+                    "letting go",
+                    () -> now.letGo(world, WorldPort.object(world, objectId)));
         }
         return isReleased;
+    }
+
+    /** Does something to the world that belongs to its past from now on; who controls does not. */
+    private void perform(ClientSession client, String name, Runnable action) {
+        action.run();
+        history.add(new Deed(client, name, action));
     }
 
     /** Takes from a client all that it holds. */

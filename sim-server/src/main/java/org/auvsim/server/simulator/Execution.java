@@ -16,6 +16,7 @@ import org.auvsim.auvsml.message.entity.AddWorldObjectCommand;
 import org.auvsim.auvsml.message.entity.AddWorldObjectResponse;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.core.description.ElementName;
+import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.world.World;
 import org.auvsim.server.feedback.CorrectiveFeedbackSystem;
 import org.auvsim.server.net.ClientSession;
@@ -103,15 +104,28 @@ final class Execution {
      */
     Optional<Message> execute(Held held) {
         Optional<Message> response = execute(held.session(), held.message());
-        if (held.message() instanceof Command<?> command && command.actsBetweenSteps()) {
-            Message again = again(held.message(), response);
-            history.add(
-                    new Deed(
-                            held.session(),
-                            ElementName.of(again.getClass()),
-                            () -> execute(held.session(), again)));
+        Message again = again(held.message(), response);
+        switch (again) {
+            case WorldCommand c -> remember(held.session(), c, () -> perform(c));
+            case WorldObjectCommand c -> remember(held.session(), c, () -> perform(c));
+            default -> {
+                // it does nothing to the world, or is remembered as what it is, as feedback
+            }
         }
         return response;
+    }
+
+    private void remember(ClientSession session, Message message, Runnable action) {
+        history.add(new Deed(session, ElementName.of(message.getClass()), action));
+    }
+
+    private Optional<Message> perform(WorldCommand command) {
+        return command.execute(new WorldPort(world));
+    }
+
+    private Optional<Message> perform(WorldObjectCommand command) {
+        WorldObject object = WorldPort.object(world, command.worldObjectId());
+        return command.execute(new WorldObjectPort(world, object));
     }
 
     /** What leads to the same again: an object that was added keeps its id. */
@@ -137,15 +151,8 @@ final class Execution {
             case SimulatorQuery q -> q.execute(simulator);
             case SimulatorCommand c -> c.execute(simulator);
             case WorldQuery q -> q.execute(new WorldPort(world));
-            case WorldCommand c -> c.execute(new WorldPort(world));
-            case WorldObjectCommand c ->
-                    holding(
-                            session,
-                            c.worldObjectId(),
-                            () ->
-                                    c.execute(
-                                            new WorldObjectPort(
-                                                    world, world.object(c.worldObjectId()))));
+            case WorldCommand c -> perform(c);
+            case WorldObjectCommand c -> holding(session, c.worldObjectId(), () -> perform(c));
             default -> throw new AssertionError(message + " is not for the simulator");
         };
     }
@@ -185,7 +192,6 @@ final class Execution {
     /** What a client controls is free again. */
     void release(ClientSession session) {
         controlled.releaseAll(session);
-        history.add(new Deed(session, "release", () -> controlled.releaseAll(session)));
     }
 
     /** Does something to an object that the client holds or, if it succeeds, gets hold of. */

@@ -61,6 +61,11 @@ final class History {
         }
     }
 
+    /** Whether a time (s) lies in a step that can be made again. */
+    boolean reaches(double time) {
+        return moments.stream().anyMatch(moment -> moment.step().contains(time));
+    }
+
     /** The steps from that on in which the first of late feedback is true. */
     List<Moment> from(List<PendingFeedback> late) {
         double time = late.getFirst().message().timestamp();

@@ -1,7 +1,5 @@
 package org.auvsim.server.simulator;
 
-import static java.util.stream.Collectors.toSet;
-
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.core.world.World;
@@ -10,14 +8,17 @@ import org.auvsim.server.feedback.CorrectiveFeedbackSystem;
 import org.auvsim.server.feedback.PastStep;
 import org.auvsim.server.feedback.PendingFeedback;
 import org.auvsim.server.simulator.History.Moment;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 
 /** Late feedback, and the steps of the past as they are made again with it. */
 final class Revision {
+    private static final Logger LOG = LoggerFactory.getLogger(Revision.class);
+
     private final Simulation simulation;
     private final World world;
     private final CorrectiveFeedbackSystem feedback;
@@ -69,40 +70,40 @@ final class Revision {
      * @throws RuntimeException if one cannot be made; the simulation is then somewhere in the past
      */
     void make() {
-        simulation.restore(moments.getFirst().before());
+        simulation.restoreWorld(moments.getFirst().before());
         moments.forEach(this::make);
     }
 
     private void make(Moment moment) {
         List<PendingFeedback> added =
                 late.stream().filter(l -> moment.step().contains(l.message().timestamp())).toList();
-        Set<Long> corrected = added.stream().map(l -> l.message().worldObjectId()).collect(toSet());
         List<PendingFeedback> all = new ArrayList<>(moment.feedback());
         all.addAll(added);
         SimulationState before = simulation.state();
-        make(before, moment.step(), all).stream()
-                .filter(applied -> corrected.contains(applied.objectId()))
-                .forEach(corrections::add);
+        SilentAudience heard = make(before, moment.step(), all);
+        for (PendingFeedback one : added) {
+            Optional.ofNullable(heard.applied().get(one)).ifPresent(corrections::add);
+        }
+        heard.refused().forEach((one, why) -> refused.add(() -> one.sender().refused(why)));
+        all.removeAll(heard.refused().keySet());
         List<Deed> after = new ArrayList<>(moment.after());
         after.removeIf(this::isRefused);
         again.add(new Moment(before, moment.step(), List.copyOf(all), after));
     }
 
     /** Makes a step again, up to where it ended, be it cut short by a collision or not. */
-    private List<AppliedFeedback> make(
-            SimulationState before, PastStep step, List<PendingFeedback> all) {
-        List<AppliedFeedback> applied = new ArrayList<>();
-        SilentAudience audience = new SilentAudience(applied::add);
+    private SilentAudience make(SimulationState before, PastStep step, List<PendingFeedback> all) {
+        SilentAudience audience = new SilentAudience();
         feedback.remake(step.wanted(), all, audience);
         if (step.isPassed(world.time())) { // the collision that ended it does not happen now
-            simulation.restore(before);
-            applied.clear();
+            simulation.restoreWorld(before);
+            audience = new SilentAudience();
             feedback.remake(step.end() - step.start(), all, audience);
         }
         while (!step.isOver(world.time())) {
             feedback.remake(step.end() - world.time(), List.of(), audience);
         }
-        return applied;
+        return audience;
     }
 
     private boolean isRefused(Deed deed) {
@@ -113,11 +114,14 @@ final class Revision {
 
     /** Tells who sent the feedback that it cannot be used. */
     void refuse(RuntimeException why) {
+        String reason = Optional.ofNullable(why.getMessage()).orElse(why.getClass().getName());
+        LOG.warn("late feedback cannot be used: {}", reason);
+        LOG.debug("a step could not be made again", why);
         RefusedException refusal =
                 new RefusedException(
                         ErrorCode.REFUSED,
                         "the past cannot be corrected with this feedback, and stays as it was: "
-                                + why.getMessage());
+                                + reason);
         late.forEach(l -> l.sender().refused(refusal));
     }
 }

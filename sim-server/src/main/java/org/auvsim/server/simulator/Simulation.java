@@ -1,5 +1,8 @@
 package org.auvsim.server.simulator;
 
+import static java.util.stream.Collectors.partitioningBy;
+
+import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.document.FeedbackProcessorChoice;
 import org.auvsim.auvsml.document.FeedbackTimestepping;
 import org.auvsim.auvsml.document.ReleasedObject;
@@ -46,6 +49,9 @@ final class Simulation {
     /** Commands of members that are carried out when the step that is under way is made. */
     private final List<Held> answers = new ArrayList<>();
 
+    /** Feedback of the step that is under way, or was made last, that could not be used. */
+    private final List<PendingFeedback> refused = new ArrayList<>();
+
     private long steps;
     private int inputs;
     private int revision;
@@ -67,8 +73,8 @@ final class Simulation {
         logs = settings.logs();
         notifications = new Notifications(settings.writer());
         news = new WorldNews(world, notifications);
-        controlled = new ControlledObjects(world, settings.released());
         history = new History(settings.horizon());
+        controlled = new ControlledObjects(world, history, settings.released());
         feedback =
                 new CorrectiveFeedbackSystem(
                         world,
@@ -159,8 +165,11 @@ final class Simulation {
         double wanted = world.timeStep();
         double start = world.time();
         SimulationState before = state();
+        refused.clear();
         feedback.advanceTimestep();
-        history.add(before, new PastStep(start, wanted, world.time()), feedback.takenInStep());
+        List<PendingFeedback> used = new ArrayList<>(feedback.takenInStep());
+        used.removeAll(refused);
+        history.add(before, new PastStep(start, wanted, world.time()), used);
         feedback.reachBackTo(history.reachesBackTo());
     }
 
@@ -169,6 +178,11 @@ final class Simulation {
         inputs = 0;
         members.stepsMade(steps);
         logs.forEach(log -> log.stepMade(new StepMade(revision, steps, world)));
+    }
+
+    /** A feedback that was taken for the step cannot be used. */
+    void refused(PendingFeedback feedback) {
+        refused.add(feedback);
     }
 
     /** Clients are shown where the step will end. */
@@ -189,10 +203,9 @@ final class Simulation {
                 world.copy(), controlled.holders(), feedback.pending(), feedback.memory());
     }
 
-    /** Goes on from there. */
-    void restore(SimulationState state) {
+    /** Goes on from there, but for who controls what: that is of the present. */
+    void restoreWorld(SimulationState state) {
         world.restore(state.world());
-        controlled.restore(state.holders());
         feedback.restore(state.pending(), state.memory());
     }
 
@@ -265,7 +278,9 @@ final class Simulation {
 
     private void goTo(SimulationState state, String name) {
         Set<Long> known = news.entityIds();
-        restore(state);
+        refuseLate(feedback.takeLate(), "the world has gone elsewhere");
+        restoreWorld(state);
+        controlled.restore(state.holders());
         controlled.retain(notifications.sessions());
         history.clear();
         feedback.reachBackTo(history.reachesBackTo());
@@ -280,7 +295,11 @@ final class Simulation {
      * they cannot be made with it, everything stays as it is.
      */
     private void reviseHistory() {
-        List<PendingFeedback> late = feedback.takeLate();
+        Map<Boolean, List<PendingFeedback>> byReach =
+                feedback.takeLate().stream()
+                        .collect(partitioningBy(l -> history.reaches(l.message().timestamp())));
+        refuseLate(byReach.get(false), "it is older than the past that is kept");
+        List<PendingFeedback> late = byReach.get(true);
         if (late.isEmpty()) {
             return;
         }
@@ -290,8 +309,13 @@ final class Simulation {
         try {
             news.silently(made::make);
         } catch (RuntimeException e) {
-            restore(now);
+            restoreWorld(now);
             made.refuse(e);
+            return;
+        }
+        if (made.corrections().isEmpty()) {
+            restoreWorld(now); // none could be used, so nothing has changed
+            made.tellRefused();
             return;
         }
         revision++;
@@ -301,5 +325,16 @@ final class Simulation {
         made.tellRefused();
         news.present(known);
         news.flush();
+    }
+
+    private static void refuseLate(List<PendingFeedback> late, String why) {
+        for (PendingFeedback one : late) {
+            one.sender()
+                    .refused(
+                            new RefusedException(
+                                    ErrorCode.REFUSED,
+                                    "feedback for %s s cannot be used any more: %s"
+                                            .formatted(one.message().timestamp(), why)));
+        }
     }
 }

@@ -1,8 +1,10 @@
 package org.auvsim.server.simulator;
 
 import org.auvsim.auvsml.document.WhenLate;
+import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.server.feedback.AppliedFeedback;
 import org.auvsim.server.feedback.FeedbackAudience;
+import org.auvsim.server.feedback.PendingFeedback;
 import org.auvsim.server.feedback.ProjectedWorld;
 
 import java.time.Duration;
@@ -80,8 +82,14 @@ final class StepAudience implements FeedbackAudience {
     }
 
     @Override
-    public void applied(AppliedFeedback applied) {
+    public void applied(PendingFeedback feedback, AppliedFeedback applied) {
         news.applied(applied);
+    }
+
+    @Override
+    public void refused(PendingFeedback feedback, RefusedException why) {
+        simulation.refused(feedback);
+        feedback.sender().refused(why);
     }
 
     @Override

@@ -303,6 +303,6 @@ class CorrectedStepTest {
         step.advanceTimestep();
         assertThat(step.refused)
                 .extracting(Throwable::getMessage)
-                .containsExactly("world object 1 has left the world");
+                .containsExactly("no world object has the id 1 at 0.05 s");
     }
 }

@@ -92,9 +92,14 @@ final class StepRecord implements FeedbackAudience, FeedbackSender {
     }
 
     @Override
-    public void applied(AppliedFeedback correction) {
+    public void applied(PendingFeedback feedback, AppliedFeedback correction) {
         told.add("applied " + correction.processor());
         applied.add(correction);
+    }
+
+    @Override
+    public void refused(PendingFeedback feedback, RefusedException why) {
+        feedback.sender().refused(why);
     }
 
     @Override

@@ -56,16 +56,20 @@ public final class World {
     }
 
     private World(World original) {
-        stepper = original.stepper;
-        timeStep = original.timeStep;
-        clock = new Clock(original.clock);
-        population = new Population(original.population);
-        mechanics = new Mechanics(original.mechanics, population);
+        become(original);
+    }
+
+    private void become(World other) {
+        stepper = other.stepper;
+        timeStep = other.timeStep;
+        clock = new Clock(other.clock);
+        population = new Population(other.population);
+        mechanics = new Mechanics(other.mechanics, population);
         consequences = new Consequences(this, population, mechanics, announcements);
-        datum = original.datum;
-        sensing = new Sensing(original.sensing, population, announcements);
+        datum = other.datum;
+        sensing = new Sensing(other.sensing, population, announcements);
         news = new StepNews(population, mechanics.tally(), announcements);
-        standstill = new Standstill(original.standstill);
+        standstill = new Standstill(other.standstill);
     }
 
     /** Starts to build a world. */
@@ -87,17 +91,8 @@ public final class World {
      */
     public void restore(World other) {
         long nextId = population.nextId();
-        stepper = other.stepper;
-        timeStep = other.timeStep;
-        clock = new Clock(other.clock);
-        population = new Population(other.population);
+        become(other);
         population.reserve(nextId);
-        mechanics = new Mechanics(other.mechanics, population);
-        consequences = new Consequences(this, population, mechanics, announcements);
-        datum = other.datum;
-        sensing = new Sensing(other.sensing, population, announcements);
-        news = new StepNews(population, mechanics.tally(), announcements);
-        standstill = new Standstill(other.standstill);
     }
 
     /** World time (s). */

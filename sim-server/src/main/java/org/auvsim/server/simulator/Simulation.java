@@ -1,7 +1,5 @@
 package org.auvsim.server.simulator;
 
-import static java.util.stream.Collectors.partitioningBy;
-
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.document.FeedbackProcessorChoice;
 import org.auvsim.auvsml.document.FeedbackTimestepping;
@@ -295,11 +293,11 @@ final class Simulation {
      * they cannot be made with it, everything stays as it is.
      */
     private void reviseHistory() {
-        Map<Boolean, List<PendingFeedback>> byReach =
-                feedback.takeLate().stream()
-                        .collect(partitioningBy(l -> history.reaches(l.message().timestamp())));
-        refuseLate(byReach.get(false), "it is older than the past that is kept");
-        List<PendingFeedback> late = byReach.get(true);
+        List<PendingFeedback> late = new ArrayList<>(feedback.takeLate());
+        List<PendingFeedback> tooLate =
+                late.stream().filter(l -> !history.reaches(l.message().timestamp())).toList();
+        refuseLate(tooLate, "it is older than the past that is kept");
+        late.removeAll(tooLate);
         if (late.isEmpty()) {
             return;
         }

@@ -177,6 +177,19 @@ class FeedbackConversationTest {
         assertThat(client.next("feedback-applied")).contains("timestamp=\"0.05\"");
     }
 
+    /** A number that no distance can be told of must not stop everybody's simulation. */
+    @Test
+    void whatIsMuchTooLargeIsRefusedAndTheSimulationGoesOn() throws IOException {
+        RawClient client = start(waitingForRobot(Tank.world()));
+        client.next("timestep-advanced-notification");
+        client.send(feedback("0.05", "DirectPositionChangeFeedbackHandler", new Vec3(1e300, 0, 0)));
+        assertThat(client.next("error-response"))
+                .contains("code=\"INVALID_VALUE\"")
+                .contains("was measured more than 1.0E9 m away from what the model has");
+        assertThat(client.next("timestep-advanced-notification")).contains("ACTUAL");
+        assertThat(client.ask("s", "<get-simulator-state-request/>")).contains("step=\"1\"");
+    }
+
     @Test
     void asynchronousFeedbackCorrectsWithoutAWait() throws IOException {
         RawClient client =

@@ -200,7 +200,7 @@ class StateFeedbackConversationTest {
         robot.send(direct(POSITION + "<velocity x=\"1.7e308\" y=\"0\" z=\"0\"/>"));
         assertThat(robot.next("error-response"))
                 .contains("code=\"INVALID_VALUE\"")
-                .contains("linear momentum of 'Bob' must be finite");
+                .contains("'Bob' was measured more than 1000000.0 m/s beside what the model has");
         robot.next("timestep-advanced-notification");
         robot.send("<auvsml><step-command/></auvsml>");
         robot.next("timestep-advanced-notification");

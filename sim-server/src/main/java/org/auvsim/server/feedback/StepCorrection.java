@@ -23,6 +23,7 @@ final class StepCorrection implements Correction {
         this.target = step.target(feedback);
         this.errorsBefore =
                 target.errors(feedback.isBeforeStep() ? projected() : RigidMotion.of(object()));
+        errorsBefore.requirePossible(object().name());
     }
 
     PendingFeedback feedback() {

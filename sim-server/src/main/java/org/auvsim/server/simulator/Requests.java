@@ -94,6 +94,7 @@ final class Requests {
     /** Members have not answered in time. */
     private void timedOut() {
         List<ClientSession> missing = members.missing();
+        LOG.warn("step {} waits for {} ({})", members.step(), missing, members.whenLate());
         notifications.toAll(
                 new LockstepTimeoutNotification(
                         members.step(),

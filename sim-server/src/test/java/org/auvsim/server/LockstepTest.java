@@ -150,6 +150,18 @@ class LockstepTest {
                 .contains("the name 'a' is that of another client");
     }
 
+    @Test
+    void aNameThatTheSimulatorGivesIsThatOfItsOwnSessionAlone() throws IOException {
+        start(new LockstepTimestepper());
+        RawClient first = RawClient.welcomed(tcp.port());
+        clients.add(first);
+        assertThat(first.ask("1", "<hello-command name=\"client 2\"/>"))
+                .contains("code=\"REFUSED\"")
+                .contains("the name 'client 2' is one that the simulator gives; choose another");
+        assertThat(first.ask("2", "<hello-command name=\"client 1\"/>"))
+                .contains("<hello-response");
+    }
+
     /** Both push the same two objects; who controls which does not depend on who comes first. */
     @ParameterizedTest(name = "seed {0}")
     @ValueSource(longs = {1, 2, 3, 4, 5, 6})

@@ -11,12 +11,14 @@ import org.auvsim.auvsml.message.session.LaggingSide;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Pattern;
 
 /**
  * One client's session: who it is, what it hears, what is on its way to it. But for what {@link
  * Transport transports} use, it belongs to the simulation thread.
  */
 public final class ClientSession {
+    private static final Pattern GIVEN_NAME = Pattern.compile("client [0-9]+");
     private static final int MOST_STATES = 4096;
     private static final int MOST_CONTROL = 4096;
     private static final int MOST_CONTROL_MIB = 16;
@@ -43,9 +45,19 @@ public final class ClientSession {
     public ClientSession(long id, String peer, Role role, AuvsmlWriter writer) {
         this.id = id;
         this.peer = peer;
-        this.name = "client " + id;
+        this.name = givenName(id);
         this.role = role;
         this.writer = writer;
+    }
+
+    /** What a client is called that has not said what it is called. */
+    public static String givenName(long id) {
+        return "client " + id;
+    }
+
+    /** Whether a client is called so, or may be some day, by the number of its session. */
+    public static boolean isGiven(String name) {
+        return GIVEN_NAME.matcher(name).matches();
     }
 
     /** Its number, unique among all sessions of a simulator. */

@@ -168,6 +168,12 @@ final class Execution {
     }
 
     private long join(ClientSession session, String name) {
+        if (ClientSession.isGiven(name) && !name.equals(ClientSession.givenName(session.id()))) {
+            throw new RefusedException(
+                    ErrorCode.REFUSED,
+                    "the name '%s' is one that the simulator gives; choose another"
+                            .formatted(name));
+        }
         for (ClientSession other : notifications.sessions()) {
             if (other != session && other.name().equals(name)) {
                 throw new RefusedException(

@@ -277,6 +277,25 @@ class AdministrationConversationTest {
         return robot.next("feedback-applied-notification");
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "<hello-command name='a&#10;b'/> | a client's name | 000A",
+                "<take-snapshot-command name='a&#13;b'/> | a snapshot's name | 000D",
+                "<restore-snapshot-command name='a&#9;b'/> | a snapshot's name | 0009",
+                "<disconnect-client-command client='a&#x85;b'/> | a client's name | 0085",
+                "<disconnect-client-command client='a' reason='b&#x2028;'/> | the reason | 2028",
+            })
+    void whatComesIntoLogsIsOneLine(String message, String what, String character)
+            throws IOException {
+        assertThat(admin.ask("1", message))
+                .contains("code=\"INVALID_VALUE\"")
+                .contains(
+                        "%s must be one line without control characters, but has U+%s in it"
+                                .formatted(what, character));
+    }
+
     @Test
     void aSnapshotNeedsAName() throws IOException {
         assertThat(admin.ask("1", "<take-snapshot-command name=\" \"/>"))

@@ -1,6 +1,7 @@
 package org.auvsim.auvsml.message.control;
 
 import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.OneLine;
 import org.auvsim.auvsml.message.command.SimulatorCommand;
 import org.auvsim.auvsml.message.command.SimulatorControl;
 
@@ -11,6 +12,15 @@ import java.util.Optional;
  * {@link SnapshotRestoredNotification}.
  */
 public record RestoreSnapshotCommand(String name) implements SimulatorCommand {
+    /**
+     * A checked command.
+     *
+     * @throws IllegalArgumentException if the name is not one line
+     */
+    public RestoreSnapshotCommand {
+        OneLine.of("a snapshot's name", name);
+    }
+
     @Override
     public boolean actsBetweenSteps() {
         return true;

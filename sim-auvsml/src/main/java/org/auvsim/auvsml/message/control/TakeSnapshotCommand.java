@@ -1,6 +1,7 @@
 package org.auvsim.auvsml.message.control;
 
 import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.OneLine;
 import org.auvsim.auvsml.message.command.SimulatorCommand;
 import org.auvsim.auvsml.message.command.SimulatorControl;
 
@@ -14,9 +15,10 @@ public record TakeSnapshotCommand(String name) implements SimulatorCommand {
     /**
      * A checked command.
      *
-     * @throws IllegalArgumentException if the name is blank
+     * @throws IllegalArgumentException if the name is blank or not one line
      */
     public TakeSnapshotCommand {
+        OneLine.of("a snapshot's name", name);
         if (name.isBlank()) {
             throw new IllegalArgumentException("a snapshot needs a name that is not blank");
         }

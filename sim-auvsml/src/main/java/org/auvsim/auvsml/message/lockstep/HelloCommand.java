@@ -2,6 +2,7 @@ package org.auvsim.auvsml.message.lockstep;
 
 import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.OneLine;
 import org.auvsim.auvsml.message.command.ClientCommand;
 import org.auvsim.auvsml.message.command.SessionControl;
 
@@ -17,9 +18,10 @@ public record HelloCommand(String name) implements ClientCommand {
     /**
      * A checked name.
      *
-     * @throws IllegalArgumentException if it is blank or longer than 64 characters
+     * @throws IllegalArgumentException if it is blank, longer than 64 characters, or not one line
      */
     public HelloCommand {
+        OneLine.of("a client's name", name);
         if (name.isBlank() || name.length() > 64) {
             throw new IllegalArgumentException(
                     "a client's name must have 1 to 64 characters, but is '" + name + "'");

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.Arrays;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 import java.util.zip.DeflaterOutputStream;
@@ -28,11 +29,25 @@ final class GzipMember {
     /** Checksum and length of the bytes before they were deflated. */
     static final int TRAILER_LENGTH = 8;
 
+    private static final int FLAGS = 3;
+
+    /** Of a header with an extra field. */
+    private static final int FEXTRA = 4;
+
     private final Deflater deflater = new Deflater(Deflater.BEST_SPEED, /* nowrap= */ true);
     private final ByteArrayOutputStream deflated = new ByteArrayOutputStream();
     private final DeflaterOutputStream body = new DeflaterOutputStream(deflated, deflater);
     private final CRC32 checksum = new CRC32();
     private int length;
+
+    /** Whether a member that begins so is gzip's, but of another program than this. */
+    static boolean isForeign(byte[] header) {
+        int name = HEADER.length - 6; // where the extra field stands
+        return header.length == HEADER_LENGTH
+                && Arrays.equals(header, 0, FLAGS, HEADER, 0, FLAGS)
+                && (header[FLAGS] & FEXTRA) == 0
+                && !Arrays.equals(header, name, HEADER.length, HEADER, name, HEADER.length);
+    }
 
     void add(byte[] bytes) {
         try {

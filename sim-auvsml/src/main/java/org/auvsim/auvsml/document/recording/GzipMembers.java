@@ -44,6 +44,11 @@ final class GzipMembers implements Blocks {
             if (isAllZero(header) && isAllZero(in)) {
                 return Optional.empty(); // what a file system leaves that lost its power
             }
+            if (member == 1 && GzipMember.isForeign(header)) {
+                throw new DocumentException(
+                        "%s: it was packed by gzip, not by auvsim; unpack it with gunzip and use the text"
+                                .formatted(file));
+            }
             throw damaged("it does not begin as those that a recording is made of");
         }
         if (header.length < GzipMember.HEADER_LENGTH) {

@@ -30,6 +30,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.zip.GZIPInputStream;
+import java.util.zip.GZIPOutputStream;
 
 class RecordingReaderTest {
     private static final int STEPS = 12;
@@ -153,6 +154,24 @@ class RecordingReaderTest {
                         ("run.auvsml.gz: the recording is damaged or was changed: its gzip member"
                                         + " 2, from byte %d on, ")
                                 .formatted(first));
+    }
+
+    @Test
+    void oneThatGzipPackedIsToldFromOneThatIsDamaged() throws Exception {
+        byte[] file = Recordings.written(entries);
+        ByteArrayOutputStream packed = new ByteArrayOutputStream();
+        try (GZIPOutputStream out = new GZIPOutputStream(packed)) {
+            out.write(unpacked(file));
+        }
+
+        assertThatThrownBy(() -> Recordings.reader(packed.toByteArray()))
+                .isInstanceOf(DocumentException.class)
+                .hasMessage(
+                        "run.auvsml.gz: it was packed by gzip, not by auvsim; unpack it with gunzip"
+                                + " and use the text");
+        file[3] = 0;
+        assertThatThrownBy(() -> Recordings.reader(file))
+                .hasMessageContaining("the recording is damaged or was changed");
     }
 
     @Test

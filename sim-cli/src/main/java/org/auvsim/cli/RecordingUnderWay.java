@@ -20,6 +20,11 @@ record RecordingUnderWay(Optional<Recorder> recorder) implements AutoCloseable {
                 r -> r.whenEnded(reason -> simulator.tell(new RecordingEndedNotification(reason))));
     }
 
+    /** Why the recording is not whole, as known after it is closed; empty if it is, or is none. */
+    Optional<String> failure() {
+        return recorder.flatMap(Recorder::failure);
+    }
+
     @Override
     public void close() {
         recorder.ifPresent(Recorder::close);

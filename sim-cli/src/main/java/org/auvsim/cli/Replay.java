@@ -135,11 +135,21 @@ final class Replay implements Callable<Integer> {
         if (replayer.divergence().isPresent()) {
             return DIFFERENT;
         }
-        tell("%,d steps replayed, %,d hashes equal".formatted(replayer.steps(), replayer.hashes()));
+        tellChecked(replayer.steps(), replayer.hashes());
         if (!goesOn) {
             tellEnd(replayer.reach());
         }
         return 0;
+    }
+
+    private void tellChecked(long steps, long hashes) {
+        if (steps > 0) {
+            tell("%,d steps replayed, %,d hashes equal".formatted(steps, hashes));
+        } else if (hashes > 0) {
+            tell("no step is recorded: nothing but the beginning was checked");
+        } else {
+            tell("no step is recorded: nothing was checked");
+        }
     }
 
     private boolean hasReachedEnd(Replayer replayer) {

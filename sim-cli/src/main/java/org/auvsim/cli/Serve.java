@@ -29,8 +29,15 @@ import java.util.concurrent.Callable;
         description =
                 "Serves a scenario to clients over TCP, until a client or Ctrl-C ends it or --until"
                         + " is reached.",
-        footer = {"", "Example: auvsim serve examples/scenarios/drift.xml --rate 2.5 --until 120"})
+        footer = {
+            "",
+            "It ends with 1 if the recording broke off before the simulation ended.",
+            "",
+            "Example: auvsim serve examples/scenarios/drift.xml --rate 2.5 --until 120"
+        })
 final class Serve implements Callable<Integer> {
+    private static final int BROKEN_OFF = 1;
+
     @Spec private CommandSpec spec;
 
     @Parameters(paramLabel = "FILE", description = "A scenario.")
@@ -80,10 +87,22 @@ final class Serve implements Callable<Integer> {
                     file, admission.address().getHostString(), transport.port());
             out.flush();
             simulator.await();
+            end(simulator, recording);
+            return outcome(recording);
         } catch (TransportException e) {
             throw new UserError("auvsim " + e.getMessage() + ".", e);
         }
-        return 0;
+    }
+
+    private int outcome(RecordingUnderWay recording) {
+        Optional<String> failure = recording.failure();
+        failure.ifPresent(
+                why -> {
+                    PrintWriter err = spec.commandLine().getErr();
+                    err.println("The recording ends before the simulation did: " + why + ".");
+                    err.flush();
+                });
+        return failure.isPresent() ? BROKEN_OFF : 0;
     }
 
     /** The process may end when this is done. */

@@ -13,12 +13,16 @@ import org.auvsim.auvsml.message.movement.TimestepAdvancedNotification;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -112,10 +116,55 @@ class ReplayTest {
 
             assertThat(replay()).isZero();
             assertThat(auvsim.out())
-                    .contains(" steps replayed, ")
+                    .containsPattern("steps replayed, |nothing was checked")
                     .contains(recording + ": it reaches step ")
                     .contains("the recording was cut off there");
         }
+    }
+
+    @Test
+    void oneWithoutAStepIsSaidToCheckNothing() throws IOException {
+        record(5);
+        try (GZIPInputStream in = new GZIPInputStream(Files.newInputStream(recording))) {
+            String text = new String(in.readAllBytes(), UTF_8);
+            String begun = text.substring(0, text.indexOf("\n<happened"));
+            int firstHash = text.indexOf("\n<state-hash");
+            String compared = text.substring(0, text.indexOf('\n', firstHash + 1));
+
+            assertThat(replayed(begun + "\n"))
+                    .startsWith("no step is recorded: nothing was checked\n");
+            assertThat(replayed(compared + "\n"))
+                    .startsWith("no step is recorded: nothing but the beginning was checked\n");
+        }
+    }
+
+    private String replayed(String text) throws IOException {
+        Files.writeString(recording, text);
+        assertThat(replay()).isZero();
+        return auvsim.out();
+    }
+
+    /** The reader of a pipe goes when it has got the beginning: what is written then fails. */
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void aRecordingThatBreaksOffIsToldAtTheEnd() throws Exception {
+        assertThat(new ProcessBuilder("mkfifo", recording.toString()).start().waitFor()).isZero();
+        Thread reader =
+                Thread.startVirtualThread(
+                        () -> {
+                            try (InputStream in = Files.newInputStream(recording)) {
+                                in.read();
+                            } catch (IOException e) {
+                                throw new UncheckedIOException(e);
+                            }
+                        });
+
+        assertThat(record(5, "--force")).isEqualTo(1);
+        assertThat(auvsim.err())
+                .isEqualTo(
+                        "The recording ends before the simulation did: it cannot be written: Broken"
+                                + " pipe.\n");
+        reader.join();
     }
 
     @Test

@@ -34,7 +34,9 @@ final class EntryQueue {
     /** Why it ends; empty while it goes on. Guarded by this, as those below. */
     private Optional<String> end = Optional.empty();
 
-    private boolean endsEarly;
+    /** Why it is not whole, if so. */
+    private Optional<String> failure = Optional.empty();
+
     private Optional<Consumer<String>> listener = Optional.empty();
 
     /** The place of the entry written last; the writing thread's. */
@@ -74,10 +76,10 @@ final class EntryQueue {
     }
 
     private synchronized void endEarly(String reason) {
-        if (end.isEmpty()) {
+        if (failure.isEmpty()) {
             LOG.error("the recording ends: {}", reason);
-            end = Optional.of(reason);
-            endsEarly = true;
+            failure = Optional.of(reason);
+            end = end.or(() -> failure);
             tellEnd();
         }
     }
@@ -89,11 +91,16 @@ final class EntryQueue {
     }
 
     private void tellEnd() {
-        if (endsEarly && listener.isPresent()) {
-            String reason = end.orElseThrow();
+        if (failure.isPresent() && listener.isPresent()) {
+            String reason = failure.get();
             Consumer<String> told = listener.get();
             Thread.startVirtualThread(() -> told.accept(reason));
         }
+    }
+
+    /** Why it is not whole; empty as long as it is. */
+    synchronized Optional<String> failure() {
+        return failure;
     }
 
     /** Ends it for this reason, unless it has ended, and waits until all is written. */

@@ -137,6 +137,14 @@ public final class Recorder implements InputLog, AutoCloseable {
         };
     }
 
+    /**
+     * Why the recording does not reach to the simulation's end, a sentence without a full stop;
+     * after {@link #close}, empty if it does.
+     */
+    public Optional<String> failure() {
+        return queue.failure();
+    }
+
     /** Ends the recording, when all is written; nothing happens if it has ended. */
     @Override
     public void close() {

@@ -55,6 +55,26 @@ class RecorderTest {
         assertThat(((RecordingEnded) entries.getLast()).reason()).contains("too slowly");
     }
 
+    @Test
+    void oneThatIsWholeTellsNoFailure() throws Exception {
+        Recorder recorder = Recorded.recorder(new ByteArrayOutputStream(), scenario);
+        recorder.close();
+
+        assertThat(recorder.failure()).isEmpty();
+    }
+
+    @Test
+    void whatCannotBeWrittenAtTheEndIsAFailureToo() throws Exception {
+        ByteArrayOutputStream begun = new ByteArrayOutputStream();
+        Recorded.recorder(begun, scenario).close();
+        SmallDisk disk = new SmallDisk(new ByteArrayOutputStream(), begun.size() - 1);
+        Recorder recorder = Recorded.recorder(disk, scenario);
+        recorder.close();
+
+        assertThat(recorder.failure())
+                .hasValue("it cannot be written: No space left on device");
+    }
+
     /** Runs as fast as it can; what a client hears of the recording's end, steps later. */
     private String toldWhileRunning(OutputStream disk) throws Exception {
         TcpTransport tcp = TcpTransport.onLoopback(0);
@@ -78,6 +98,7 @@ class RecorderTest {
         } finally {
             disk.close();
             recorder.close();
+            assertThat(recorder.failure()).isPresent();
         }
     }
 

@@ -274,6 +274,16 @@ class ReplayTest {
         assertThat(auvsim.out())
                 .containsPattern("^[1-9][0-9,]* steps replayed, [1-9][0-9,]* hashes equal\n")
                 .contains("the recording was cut off there");
+        assertThat(logOfReplay()).doesNotContain("has come");
+    }
+
+    /** What a replay writes to the standard error of a process of its own. */
+    private String logOfReplay() throws IOException {
+        Process replay =
+                OtherProcess.builder("replay", List.of(recording.toString()))
+                        .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                        .start();
+        return new String(replay.getErrorStream().readAllBytes(), UTF_8);
     }
 
     /** Listens until the world's time is beyond this one (s), and returns it. */
@@ -298,6 +308,17 @@ class ReplayTest {
         private final int port;
 
         OtherProcess(String command, List<String> arguments) throws IOException {
+            process =
+                    builder(command, arguments)
+                            .redirectError(ProcessBuilder.Redirect.DISCARD)
+                            .start();
+            BufferedReader out = process.inputReader(UTF_8);
+            String first = out.readLine();
+            port = Integer.parseInt(first.substring(first.lastIndexOf(':') + 1));
+        }
+
+        /** How its process is started. */
+        static ProcessBuilder builder(String command, List<String> arguments) {
             ProcessBuilder builder =
                     new ProcessBuilder(
                             Path.of(System.getProperty("java.home"), "bin", "java").toString(),
@@ -306,10 +327,7 @@ class ReplayTest {
                             Auvsim.class.getName(),
                             command);
             builder.command().addAll(arguments);
-            process = builder.redirectError(ProcessBuilder.Redirect.DISCARD).start();
-            BufferedReader out = process.inputReader(UTF_8);
-            String first = out.readLine();
-            port = Integer.parseInt(first.substring(first.lastIndexOf(':') + 1));
+            return builder;
         }
 
         int port() {

@@ -30,6 +30,7 @@ public final class ClientSession {
     private boolean inLockstep;
     private final Role role;
     private final AuvsmlWriter writer;
+    private final boolean ofThePast;
     private final Outbox outbox =
             new Outbox(MOST_STATES, MOST_CONTROL, (long) MOST_CONTROL_MIB << 20);
     private final Registrations registrations = new Registrations();
@@ -43,11 +44,28 @@ public final class ClientSession {
      * @param role what the client may do
      */
     public ClientSession(long id, String peer, Role role, AuvsmlWriter writer) {
+        this(id, peer, role, writer, /* ofThePast= */ false);
+    }
+
+    private ClientSession(long id, String peer, Role role, AuvsmlWriter writer, boolean ofThePast) {
         this.id = id;
         this.peer = peer;
         this.name = givenName(id);
         this.role = role;
         this.writer = writer;
+        this.ofThePast = ofThePast;
+    }
+
+    /** That of a client that there once was: what is sent to it goes nowhere. */
+    public static ClientSession ofThePast(long id, String peer, Role role, AuvsmlWriter writer) {
+        ClientSession session = new ClientSession(id, peer, role, writer, /* ofThePast= */ true);
+        session.close();
+        return session;
+    }
+
+    /** Whether its client was there once, in the run that is replayed, and not now. */
+    public boolean isOfThePast() {
+        return ofThePast;
     }
 
     /** What a client is called that has not said what it is called. */

@@ -115,11 +115,18 @@ final class Requests {
     }
 
     private void begin(ClientSession session) {
-        LOG.info("{} has come", session);
+        log(session, "come");
         notifications.add(session);
         session.send(
                 new WelcomeMessage(
                         PROTOCOL_VERSION, serverName, session.id(), session.role().roleName()));
+    }
+
+    /** Those of a replayed run do not come and go today. */
+    private static void log(ClientSession session, String has) {
+        if (!session.isOfThePast()) {
+            LOG.info("{} has {}", session, has);
+        }
     }
 
     /** A client goes, after what it has sent is carried out; what it controls is free again. */
@@ -137,7 +144,7 @@ final class Requests {
     }
 
     private void end(ClientSession session) {
-        LOG.info("{} has gone", session);
+        log(session, "gone");
         leaving.remove(session);
         execution.release(session);
         session.close();
@@ -229,8 +236,20 @@ final class Requests {
 
     private static void send(
             ClientSession session, Optional<String> requestId, List<Message> answers) {
-        if (!answers.isEmpty() && !session.isClosed()) {
+        if (answers.isEmpty() || session.isClosed()) {
+            return;
+        }
+        try {
             session.send(requestId, answers);
+        } catch (RuntimeException e) {
+            LOG.error("an answer to {} cannot be written", session, e);
+            session.send(
+                    requestId,
+                    List.of(
+                            error(
+                                    ErrorCode.REFUSED,
+                                    "the answer cannot be written in AUVSML; the simulator's log"
+                                            + " says why")));
         }
     }
 

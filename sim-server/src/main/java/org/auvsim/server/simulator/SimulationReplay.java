@@ -74,9 +74,7 @@ public final class SimulationReplay implements AutoCloseable {
 
     /** A client that there once was: what is sent to it goes nowhere. */
     public ClientSession session(long id, String peer, Role role) {
-        ClientSession session = new ClientSession(id, peer, role, writer);
-        session.close();
-        return session;
+        return ClientSession.ofThePast(id, peer, role, writer);
     }
 
     /** Takes an input. */

@@ -73,7 +73,22 @@ final class SimulationLoop implements TimeControl {
                 simulation.take(input);
             } catch (RuntimeException e) {
                 LOG.error("an input could not be taken", e);
+                tellFailure(input);
             }
+        }
+    }
+
+    /** Nobody waits for an answer in vain. */
+    private static void tellFailure(Input input) {
+        if (input instanceof Input.Sent(var session, var request)) {
+            session.send(
+                    request.requestId(),
+                    List.of(
+                            new ErrorResponse(
+                                    ErrorCode.REFUSED,
+                                    "this failed in the simulator; its log says why",
+                                    OptionalInt.empty(),
+                                    OptionalInt.empty())));
         }
     }
 

@@ -71,8 +71,7 @@ class RecorderTest {
         Recorder recorder = Recorded.recorder(disk, scenario);
         recorder.close();
 
-        assertThat(recorder.failure())
-                .hasValue("it cannot be written: No space left on device");
+        assertThat(recorder.failure()).hasValue("it cannot be written: No space left on device");
     }
 
     /** Runs as fast as it can; what a client hears of the recording's end, steps later. */

@@ -1,6 +1,8 @@
 package org.auvsim.auvsml.message;
 
-/** Text of clients that stands in lines of logs and of shells: it cannot begin a line of its own. */
+/**
+ * Text of clients that stands in lines of logs and of shells: it cannot begin a line of its own.
+ */
 public final class OneLine {
     private OneLine() {}
 

@@ -210,7 +210,8 @@ class AdministrationConversationTest {
                 .contains("<client session-id=\"1\" name=\"client 1\" peer=\"127.0.0.1:")
                 .contains("<client session-id=\"2\" name=\"REMUS\" peer=\"127.0.0.1:")
                 .contains(
-                        "role=\"admin\"><world-object id=\"1\"/><world-object id=\"3\"/></client>");
+                        "role=\"admin\" awaited=\"0\"><world-object id=\"1\"/><world-object"
+                                + " id=\"3\"/></client>");
     }
 
     @ParameterizedTest

@@ -236,6 +236,26 @@ class LockstepTest {
     }
 
     @Test
+    void whomAStepWaitsForIsListedAndCanBeDisconnected() throws IOException {
+        start(new LockstepTimestepper());
+        RawClient a = member("a");
+        RawClient hung = member("hung");
+        RawClient admin = RawClient.welcomed(tcp.port());
+        clients.add(admin);
+        assertThat(admin.ask("1", "<list-clients-request/>")).doesNotContain("awaited=\"1\"");
+        a.send("<auvsml><step-command/></auvsml>");
+        hung.next("timestep-advanced");
+        a.ask("ready", "<ready-command step=\"1\"/>");
+        admin.send("<auvsml request-id=\"later\"><take-snapshot-command name=\"s\"/></auvsml>");
+        String listed = admin.ask("2", "<list-clients-request/>");
+        assertThat(listed).containsPattern("name=\"hung\"[^>]*awaited=\"1\"");
+        assertThat(listed).containsOnlyOnce("awaited=\"1\"");
+        admin.send("<auvsml><disconnect-client-command client=\"hung\"/></auvsml>");
+        assertThat(admin.next("command-done-response")).contains("request-id=\"later\"");
+        nextStep(a, "ACTUAL");
+    }
+
+    @Test
     void whoIsLateCanBeGoneOnWithout() throws IOException {
         start(new LockstepTimestepper(Optional.of(Duration.ofMillis(200)), WhenLate.GO_ON));
         RawClient a = member("a");

@@ -9,18 +9,23 @@ import org.auvsim.server.net.Notifications;
 import java.util.List;
 
 /** The clients as an administrator sees them. */
-record ConnectedClients(Notifications notifications, ControlledObjects controlled) {
+record ConnectedClients(
+        Notifications notifications, ControlledObjects controlled, Members members) {
     /** All, in the order in which they came. */
     List<ListedClient> list() {
-        return notifications.sessions().stream().map(this::listed).toList();
+        List<ClientSession> missing = members.missing();
+        return notifications.sessions().stream()
+                .map(session -> listed(session, missing.contains(session)))
+                .toList();
     }
 
-    private ListedClient listed(ClientSession session) {
+    private ListedClient listed(ClientSession session, boolean isAwaited) {
         return new ListedClient(
                 session.id(),
                 session.name(),
                 session.peer(),
                 session.role().roleName(),
+                isAwaited,
                 controlled.of(session).stream().map(ListedClient.ControlledObject::new).toList());
     }
 

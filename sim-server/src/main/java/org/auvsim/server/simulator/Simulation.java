@@ -227,7 +227,7 @@ final class Simulation {
     }
 
     ConnectedClients clients() {
-        return new ConnectedClients(notifications, controlled);
+        return new ConnectedClients(notifications, controlled, members);
     }
 
     /** Ends the session of a client, which is told the reason. */

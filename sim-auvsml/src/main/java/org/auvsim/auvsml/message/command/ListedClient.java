@@ -1,5 +1,7 @@
 package org.auvsim.auvsml.message.command;
 
+import org.auvsim.core.description.Default;
+
 import java.util.List;
 
 /**
@@ -9,10 +11,16 @@ import java.util.List;
  * @param name as it says it is, or one of the simulator's
  * @param peer where it is, as {@code 127.0.0.1:51234}
  * @param role what it may do
+ * @param awaited whether the step that is under way waits for its answer
  * @param worldObject what it controls
  */
 public record ListedClient(
-        long sessionId, String name, String peer, String role, List<ControlledObject> worldObject) {
+        long sessionId,
+        String name,
+        String peer,
+        String role,
+        @Default("0") boolean awaited,
+        List<ControlledObject> worldObject) {
     /** A world object that a client controls. */
     public record ControlledObject(long id) {}
 }

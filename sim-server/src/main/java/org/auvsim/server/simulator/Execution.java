@@ -69,7 +69,7 @@ final class Execution {
                     throw new RefusedException(
                             ErrorCode.REFUSED,
                             "%s is a message that only the simulator sends"
-                                    .formatted(held.message().getClass().getSimpleName()));
+                                    .formatted(ElementName.of(held.message().getClass())));
         }
     }
 

@@ -11,6 +11,7 @@ import org.auvsim.auvsml.message.lockstep.LockstepTimeoutNotification;
 import org.auvsim.auvsml.message.session.CommandDoneResponse;
 import org.auvsim.auvsml.message.session.ErrorResponse;
 import org.auvsim.auvsml.message.session.WelcomeMessage;
+import org.auvsim.core.description.ElementName;
 import org.auvsim.core.world.WorldException;
 import org.auvsim.server.net.ClientSession;
 import org.auvsim.server.net.Notifications;
@@ -279,7 +280,7 @@ final class Requests {
         } catch (WorldException | IllegalArgumentException e) {
             return Optional.of(error(ErrorCode.INVALID_VALUE, String.valueOf(e.getMessage())));
         } catch (RuntimeException e) {
-            String name = held.message().getClass().getSimpleName();
+            String name = ElementName.of(held.message().getClass());
             LOG.error("{} of {} failed", name, held.session(), e);
             return Optional.of(
                     error(ErrorCode.REFUSED, name + " failed in the simulator; its log says why"));

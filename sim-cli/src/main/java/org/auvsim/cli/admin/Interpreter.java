@@ -9,12 +9,14 @@ import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.mapping.Part;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.xml.Limits;
+import org.auvsim.cli.report.FileTrouble;
 import org.auvsim.cli.report.UserError;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -131,9 +133,10 @@ final class Interpreter {
     private static String contents(String file) {
         try {
             return Files.readString(Path.of(file)).replaceFirst("^\\s*<\\?xml[^>]*\\?>", "");
-        } catch (IOException | RuntimeException e) {
-            throw new UserError(
-                    "Cannot read the file '%s': %s.".formatted(file, e.getMessage()), e);
+        } catch (InvalidPathException e) {
+            throw new UserError("'%s' is no path of a file.".formatted(file), e);
+        } catch (IOException e) {
+            throw FileTrouble.reading(Path.of(file), e);
         }
     }
 

@@ -154,7 +154,7 @@ class AdministrationTest {
                 "set rate 1 2 | '2' is one word too many: set rate RATE",
                 "take control Bob | There is no world object 'Bob'; there is [Red Fish].",
                 "remove entity 99 | refused: no entity has the id 99",
-                "add effect 7 @none.xml | Cannot read the file 'none.xml': ",
+                "add effect 7 @none.xml | Cannot read none.xml: there is no such file.",
                 "add effect 7 <gravty/> | unknown element 'gravty'; the nearest known name is",
                 "help fly | There is no command 'fly'; 'help' lists all.",
                 "take control \"Bob | A quotation does not end: close it with \".",

@@ -4,12 +4,17 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 
 import de.siegmar.fastcsv.writer.CsvWriter;
 
+import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.EventType;
 import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
+import org.auvsim.auvsml.message.control.TakeControlCommand;
+import org.auvsim.auvsml.message.lockstep.HelloCommand;
+import org.auvsim.auvsml.message.lockstep.HelloResponse;
 import org.auvsim.cli.mirror.MirrorTally;
 import org.auvsim.cli.mirror.MirrorWorld;
 import org.auvsim.cli.mirror.Mirroring;
@@ -34,6 +39,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
 
@@ -48,7 +54,8 @@ import java.util.concurrent.Callable;
             "The scenario is the other model: the same objects, with other effects, a finer step or"
                 + " another stepper. Each projected movement is answered with the mirror's full"
                 + " motion at its time; a simulator that projects nothing is answered after each"
-                + " step. At the end a table says how far the two were apart.",
+                + " step, and one in lock-step waits for the mirror. At the end a table says how"
+                + " far the two were apart.",
             "",
             "Example: auvsim mirror finer.xml --observe --csv apart.csv"
         })
@@ -96,11 +103,15 @@ final class Mirror implements Callable<Integer> {
         try (AuvsmlClient client = AuvsmlClient.connect(address.host(), address.port());
                 Interruption _ = new Interruption(client::close)) {
             MirrorWorld mirror = mirror(scenario, ServedObject.all(client));
-            prepare(client);
+            listen(client);
+            OptionalLong step = join(client, mirror);
+            if (resume) {
+                client.send(new ResumeSimulatorCommand());
+            }
             if (csv.isPresent()) {
-                runAndWrite(client, mirror, csv.get());
+                runAndWrite(client, mirror, step, csv.get());
             } else {
-                run(new Mirroring(client, mirror, processor(), (_, _, _, _) -> {}));
+                run(new Mirroring(client, mirror, step, processor(), (_, _, _, _) -> {}));
             }
         }
         return 0;
@@ -133,21 +144,49 @@ final class Mirror implements Callable<Integer> {
         return names.isEmpty() ? "are none" : "'" + String.join("', '", names) + "'";
     }
 
-    private void prepare(AuvsmlClient client) throws ConnectionException {
+    private void listen(AuvsmlClient client) throws ConnectionException {
         List<EventType> events =
                 new ArrayList<>(
-                        List.of(EventType.MOVEMENT_STATE_CHANGE, EventType.TIMESTEP_ADVANCED));
+                        List.of(
+                                EventType.MOVEMENT_STATE_CHANGE,
+                                EventType.PROJECTED_MOVEMENT,
+                                EventType.TIMESTEP_ADVANCED));
         if (!observe) {
-            events.add(EventType.PROJECTED_MOVEMENT);
             events.add(EventType.FEEDBACK_APPLIED);
         }
         Question.ask(client, Registration.of(Registration.EVERY_OBJECT, events));
-        if (resume) {
-            client.send(new ResumeSimulatorCommand());
-        }
     }
 
-    private void runAndWrite(AuvsmlClient client, MirrorWorld mirror, Path to)
+    /**
+     * Becomes a member of a simulation in lock-step, under the name that this client has. What is
+     * to be corrected is taken first: feedback for all that a member controls is its answer, so
+     * that what it corrects without control would come too late.
+     *
+     * @return the first step to answer; empty if this client may only look on
+     */
+    private OptionalLong join(AuvsmlClient client, MirrorWorld mirror) throws ConnectionException {
+        boolean mayJoin =
+                Role.named(client.welcome().role())
+                        .filter(role -> role.allows(Role.CONTROLLER))
+                        .isPresent();
+        if (!mayJoin) {
+            return OptionalLong.empty();
+        }
+        if (!observe) {
+            for (long id : mirror.movable()) {
+                client.send(new TakeControlCommand(id));
+            }
+        }
+        String name = "client " + client.welcome().sessionId();
+        for (Message message : Question.ask(client, new HelloCommand(name))) {
+            if (message instanceof HelloResponse hello) {
+                return OptionalLong.of(hello.step());
+            }
+        }
+        return OptionalLong.empty();
+    }
+
+    private void runAndWrite(AuvsmlClient client, MirrorWorld mirror, OptionalLong step, Path to)
             throws ConnectionException {
         try (CsvWriter rows = CsvWriter.builder().build(to, UTF_8)) {
             rows.writeRecord(
@@ -164,6 +203,7 @@ final class Mirror implements Callable<Integer> {
                     new Mirroring(
                             client,
                             mirror,
+                            step,
                             processor(),
                             (time, name, served, mirrored) ->
                                     write(rows, time, name, served, mirrored)));

@@ -12,9 +12,12 @@ import org.junit.jupiter.params.provider.ValueSource;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
 
 /**
- * A ship that a simulator takes to go north at 1 m/s, and a mirror at 1.2 m/s, in steps of 0.1 s
+ * Two ships that a simulator takes to go north at 1 m/s, and a mirror at 1.2 m/s, in steps of 0.1 s
  * and 0.03 s, over 2 s.
  */
 @Timeout(60)
@@ -22,6 +25,8 @@ class MirrorTest {
     private static final String WAITS =
             "<simple-fixed-time-feedback-timestepper wait='30'><client name='client 1'/>"
                     + "</simple-fixed-time-feedback-timestepper>";
+
+    private static final String LOCKSTEP = "<lockstep-timestepper/>";
 
     @TempDir private Path folder;
     private CommandLineHarness auvsim;
@@ -31,17 +36,23 @@ class MirrorTest {
         auvsim = new CommandLineHarness(folder);
     }
 
-    private Path scenario(String file, String name, double step, double speed, String timestepper)
+    private Path scenario(
+            String file, double horizon, String name, double step, double speed, String timestepper)
             throws IOException {
         return auvsim.file(
                 file,
                 """
-                <scenario>
+                <scenario feedback-horizon="%s">
                   <time-step delta="%s"/>
                   %s
                   <world-object name="%s" mass="100">
                     <sphere radius="1"/>
                     <position x="3" y="0" z="0"/>
+                    <velocity x="0" y="%s" z="0"/>
+                  </world-object>
+                  <world-object name="other %s" mass="100">
+                    <sphere radius="1"/>
+                    <position x="-3" y="0" z="0"/>
                     <velocity x="0" y="%s" z="0"/>
                   </world-object>
                   <world-object name="rock of %s" mass="1" fixed="1">
@@ -50,16 +61,20 @@ class MirrorTest {
                   </world-object>
                 </scenario>
                 """
-                        .formatted(step, timestepper, name, speed, file));
+                        .formatted(horizon, step, timestepper, name, speed, name, speed, file));
     }
 
     private Path other(String name) throws IOException {
-        return scenario("mirror.xml", name, 0.03, 1.2, "");
+        return scenario("mirror.xml", 0, name, 0.03, 1.2, "");
     }
 
     private ServerProcess serve(String timestepper) throws IOException {
+        return serve(timestepper, 0);
+    }
+
+    private ServerProcess serve(String timestepper, double horizon) throws IOException {
         return new ServerProcess(
-                scenario("served.xml", "ship", 0.1, 1, timestepper),
+                scenario("served.xml", horizon, "ship", 0.1, 1, timestepper),
                 "--paused",
                 "--rate",
                 "4",
@@ -68,17 +83,68 @@ class MirrorTest {
     }
 
     /** 0.02 m apart when the first step is projected; then the speed has been corrected, too. */
-    @Test
-    void correctsThePositionAndTheSpeed() throws IOException {
-        try (ServerProcess server = serve(WAITS)) {
+    @ParameterizedTest
+    @ValueSource(strings = {WAITS, LOCKSTEP})
+    void correctsThePositionAndTheSpeed(String timestepper) throws IOException {
+        try (ServerProcess server = serve(timestepper)) {
             assertThat(auvsim.run("mirror", other("ship"), server.address(), "--resume")).isZero();
         }
         assertThat(auvsim.err()).isEmpty();
         assertThat(auvsim.out().lines())
                 .containsExactly(
-                        "object   compared      rms (m)  largest (m)   at end (m)",
-                        "ship           20     0.004472     0.020000     0.000000",
-                        "corrections: 20 sent, 20 applied, 0 refused");
+                        "object       compared      rms (m)  largest (m)   at end (m)",
+                        "ship               20     0.004472     0.020000     0.000000",
+                        "other ship         20     0.004472     0.020000     0.000000",
+                        "corrections: 40 sent, 40 applied, 0 refused");
+    }
+
+    /**
+     * Its answers come after the step, so that the past is made again with them and the present is
+     * told twice.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 5})
+    void comparesAndAnswersATimeOnce(double horizon) throws IOException {
+        Path csv = folder.resolve("apart.csv");
+        try (ServerProcess server = serve("<asynchronous-feedback-timestepper/>", horizon)) {
+            assertThat(
+                            auvsim.run(
+                                    "mirror",
+                                    other("ship"),
+                                    server.address(),
+                                    "--csv",
+                                    csv,
+                                    "--resume"))
+                    .isZero();
+        }
+        assertThat(
+                        Files.readAllLines(csv).stream()
+                                .skip(1)
+                                .map(row -> row.substring(0, row.indexOf(','))))
+                .hasSize(40)
+                .isSortedAccordingTo(Comparator.comparingDouble(Double::parseDouble));
+        assertThat(auvsim.out())
+                .containsPattern("\nship +20 ")
+                .containsPattern("\nother ship +20 ");
+    }
+
+    /** The server is cut off after it has told of some steps, as if its process were killed. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aConnectionThatBreaksIsToldAfterTheTable(boolean observe) throws Exception {
+        try (ServerProcess server = serve(LOCKSTEP);
+                BrokenLine line = new BrokenLine(server.port(), "timestamp=\"1.0")) {
+            List<Object> arguments =
+                    new ArrayList<>(List.of("mirror", other("ship"), line.address(), "--resume"));
+            if (observe) {
+                arguments.add("--observe");
+            }
+            assertThat(auvsim.run(arguments.toArray())).isEqualTo(2);
+            assertThat(auvsim.err())
+                    .startsWith("The connection to " + line.address() + " broke at ")
+                    .hasLineCount(1);
+        }
+        assertThat(auvsim.out()).startsWith("object ").containsPattern("\nship +[0-9]+ ");
     }
 
     /** 0.02 m more in each step: the root of the mean of (0.02 i)^2 over i = 1 to 20. */
@@ -87,7 +153,8 @@ class MirrorTest {
             strings = {
                 "",
                 "<simple-fixed-time-feedback-timestepper wait='0.001'/>",
-                "<asynchronous-feedback-timestepper/>"
+                "<asynchronous-feedback-timestepper/>",
+                LOCKSTEP
             })
     void observesWithoutCorrecting(String timestepper) throws IOException {
         Path csv = folder.resolve("apart.csv");
@@ -105,10 +172,11 @@ class MirrorTest {
         }
         assertThat(auvsim.out().lines())
                 .containsExactly(
-                        "object   compared      rms (m)  largest (m)   at end (m)",
-                        "ship           20     0.239583     0.400000     0.400000");
+                        "object       compared      rms (m)  largest (m)   at end (m)",
+                        "ship               20     0.239583     0.400000     0.400000",
+                        "other ship         20     0.239583     0.400000     0.400000");
         assertThat(Files.readAllLines(csv))
-                .hasSize(21)
+                .hasSize(41)
                 .first()
                 .isEqualTo(
                         "time_s,object,served_x_m,served_y_m,served_z_m,mirrored_x_m,"
@@ -125,7 +193,8 @@ class MirrorTest {
                 .isEqualTo(
                         mirror
                                 + " and the simulator have no object of one name: here 'boat',"
-                                + " 'rock of mirror.xml', there 'ship', 'rock of served.xml'.\n");
+                                + " 'other boat', 'rock of mirror.xml', there 'ship', 'other"
+                                + " ship', 'rock of served.xml'.\n");
     }
 
     @Test

@@ -138,6 +138,16 @@ public final class AuvsmlClient implements AutoCloseable {
         return welcome;
     }
 
+    /** Where the simulator listens, as {@code host:port}. */
+    public String address() {
+        return address;
+    }
+
+    /** Whether this side has ended the connection. */
+    public boolean isClosed() {
+        return closed;
+    }
+
     /**
      * Sends messages, together in one root element.
      *

@@ -11,7 +11,7 @@ import java.util.TreeMap;
 /** A world of our own, some of whose objects stand for a server's of the same name. */
 public final class MirrorWorld {
     /** Times (s) this close are one: they are sums of steps, which round. */
-    private static final double SAME_TIME = 1e-9;
+    static final double SAME_TIME = 1e-9;
 
     private final World world;
     private final Map<Long, WorldObject> images = new TreeMap<>();
@@ -32,6 +32,14 @@ public final class MirrorWorld {
     /** Names of the objects that both have, in the order of the server's ids. */
     public List<String> common() {
         return images.values().stream().map(WorldObject::name).toList();
+    }
+
+    /** The server's ids of the objects that both have and that can move here, in order. */
+    public List<Long> movable() {
+        return images.entrySet().stream()
+                .filter(image -> !image.getValue().isFixed())
+                .map(Map.Entry::getKey)
+                .toList();
     }
 
     /** Lets time go on to a time (s), in steps of its own or shorter; never back. */

@@ -62,11 +62,7 @@ final class Export implements Callable<Integer> {
     @Override
     public Integer call() throws DocumentException {
         RecordingExport export = new RecordingExport(format, out);
-        if (!force && export.existing().isPresent()) {
-            throw new UserError(
-                    "%s exists; name another place by --out, or write over it with --force."
-                            .formatted(export.existing().get()));
-        }
+        requireWritable(export);
         AuvsmlMapper mapper = AuvsmlMapper.load(Export.class.getClassLoader());
         try (RecordingReader recording = RecordingReader.open(file, mapper)) {
             tell(write(export, recording, mapper), recording.reach());
@@ -74,6 +70,33 @@ final class Export implements Callable<Integer> {
             throw FileTrouble.reading(file, e);
         }
         return 0;
+    }
+
+    private void requireWritable(RecordingExport export) {
+        if (destroys(export)) {
+            throw new UserError(
+                    "%s is the recording that is read; name another place by --out."
+                            .formatted(file));
+        }
+        export.obstacle()
+                .ifPresent(
+                        what -> {
+                            throw new UserError(
+                                    "--format %s; name another place by --out.".formatted(what));
+                        });
+        if (!force && export.existing().isPresent()) {
+            throw new UserError(
+                    "%s exists; name another place by --out, or write over it with --force."
+                            .formatted(export.existing().get()));
+        }
+    }
+
+    private boolean destroys(RecordingExport export) {
+        try {
+            return export.destroys(file);
+        } catch (IOException e) {
+            throw FileTrouble.reading(file, e);
+        }
     }
 
     private Map<Table, Long> write(

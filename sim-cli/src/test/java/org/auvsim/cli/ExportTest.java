@@ -220,6 +220,54 @@ class ExportTest {
         assertThat(Files.size(there)).isGreaterThan(4);
     }
 
+    /** The file itself, by another name, and where an export keeps what it has begun. */
+    @ParameterizedTest
+    @CsvSource({
+        "sqlite, run.auvsml.gz, run.auvsml.gz",
+        "sqlite, link.db, run.auvsml.gz",
+        "sqlite, run.db, run.db.part",
+        "csv, tables, tables/movements.csv"
+    })
+    void theRecordingItselfIsNeverWrittenOver(String format, String out, String recording)
+            throws IOException {
+        Path read = folder.resolve(recording);
+        if (!read.equals(file)) {
+            Files.createDirectories(read.getParent());
+            Files.move(file, read);
+        }
+        Files.createSymbolicLink(folder.resolve("link.db"), read);
+        byte[] before = Files.readAllBytes(read);
+
+        assertThat(
+                        auvsim.run(
+                                "export",
+                                read,
+                                "--format",
+                                format,
+                                "--out",
+                                folder.resolve(out),
+                                "--force"))
+                .isEqualTo(2);
+        assertThat(auvsim.err())
+                .isEqualTo(read + " is the recording that is read; name another place by --out.\n");
+        assertThat(Files.readAllBytes(read)).isEqualTo(before);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "csv, run.db, '--format csv needs a folder, but %s is a file; name another place by --out.'",
+        "sqlite, f, '--format sqlite needs a file, but %s is a folder; name another place by --out.'"
+    })
+    void whatIsInTheWayIsTold(String format, String name, String sentence) throws IOException {
+        Files.createFile(folder.resolve("run.db"));
+        Files.createDirectory(folder.resolve("f"));
+        Path out = folder.resolve(name);
+
+        assertThat(auvsim.run("export", file, "--format", format, "--out", out, "--force"))
+                .isEqualTo(2);
+        assertThat(auvsim.err()).isEqualTo(sentence.formatted(out) + "\n");
+    }
+
     @Test
     void oneThatWasCutOffIsExportedAsFarAsItGoes() throws IOException {
         byte[] whole = Files.readAllBytes(file);

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /** What tables are written as. */
@@ -15,6 +17,13 @@ public enum ExportFormat {
             return Stream.of(Table.values())
                     .map(table -> out.resolve(CsvTables.fileName(table)))
                     .toList();
+        }
+
+        @Override
+        Optional<String> obstacle(Path out) {
+            return Files.exists(out) && !Files.isDirectory(out)
+                    ? Optional.of("csv needs a folder, but %s is a file".formatted(out))
+                    : super.obstacle(out);
         }
 
         @Override
@@ -37,6 +46,18 @@ public enum ExportFormat {
 
     /** The files that an export makes. */
     abstract List<Path> files(Path out);
+
+    /** What cannot be written over, as a sentence without a full stop; empty if nothing is. */
+    Optional<String> obstacle(Path out) {
+        return files(out).stream()
+                .filter(Files::isDirectory)
+                .findFirst()
+                .map(folder -> "%s needs a file, but %s is a folder".formatted(formatName(), folder));
+    }
+
+    private String formatName() {
+        return name().toLowerCase(Locale.ROOT);
+    }
 
     /** Begins to write the files of {@code draft}, of which none is there. */
     abstract TableWriter begin(Path draft) throws IOException;

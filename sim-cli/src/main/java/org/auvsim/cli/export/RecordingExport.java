@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -23,6 +24,29 @@ public record RecordingExport(ExportFormat format, Path out) {
         return format.files(out).stream().filter(Files::exists).findFirst();
     }
 
+    /** What is in the way and cannot be written over, as a sentence without a full stop. */
+    public Optional<String> obstacle() {
+        return format.obstacle(out);
+    }
+
+    /** Whether one of the files that it writes or removes is this one. */
+    public boolean destroys(Path file) throws IOException {
+        Path draft = draft();
+        List<Path> written = new ArrayList<>(format.files(out));
+        written.addAll(format.files(draft));
+        written.add(draft);
+        for (Path path : written) {
+            if (Files.exists(path) && Files.exists(file) && Files.isSameFile(path, file)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private Path draft() {
+        return out.resolveSibling(out.getFileName() + ".part");
+    }
+
     /**
      * Writes the tables of a recording, in place of such files as there are.
      *
@@ -32,7 +56,7 @@ public record RecordingExport(ExportFormat format, Path out) {
      */
     public Map<Table, Long> write(RecordingReader recording, AuvsmlMapper mapper)
             throws DocumentException, IOException {
-        Path draft = out.resolveSibling(out.getFileName() + ".part");
+        Path draft = draft();
         try {
             remove(draft);
             Map<Table, Long> rows;

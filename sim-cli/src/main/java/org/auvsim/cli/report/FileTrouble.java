@@ -2,6 +2,9 @@ package org.auvsim.cli.report;
 
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.DirectoryNotEmptyException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
@@ -25,6 +28,11 @@ public final class FileTrouble {
         return switch (e) {
             case NoSuchFileException _ -> ifMissing;
             case AccessDeniedException _ -> "you may not";
+            case FileAlreadyExistsException there -> there.getFile() + " is in the way";
+            case DirectoryNotEmptyException there ->
+                    there.getFile() + " is a folder in which there is something";
+            case FileSystemException trouble when trouble.getReason() != null ->
+                    trouble.getReason();
             default -> String.valueOf(e.getMessage());
         };
     }

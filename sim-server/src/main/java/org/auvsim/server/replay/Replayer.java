@@ -107,7 +107,7 @@ public final class Replayer implements AutoCloseable {
                 entries.advance();
                 comparison.missing(next);
             } else {
-                return !(isHere && next instanceof RecordingEnded);
+                return !entries.endBeforeStepAfter(simulation.steps());
             }
         }
         return false;

@@ -69,7 +69,12 @@ public final class ScenarioLoader {
     /** A file's bytes, one more than the limit at most. */
     byte[] bytes(Path file) throws DocumentException {
         try (InputStream in = Files.newInputStream(file)) {
-            return in.readNBytes(limits.bytes() + 1);
+            byte[] bytes = in.readNBytes(limits.bytes() + 1);
+            if (DocumentKind.of(bytes) == DocumentKind.RECORDING) {
+                throw new DocumentException(
+                        file + " is a recording; replay it with 'auvsim replay'");
+            }
+            return bytes;
         } catch (NoSuchFileException e) {
             throw new DocumentException(file + ": there is no such file", e);
         } catch (IOException e) {

@@ -1,5 +1,6 @@
 package org.auvsim.auvsml.xml;
 
+import com.ctc.wstx.exc.WstxEOFException;
 import com.ctc.wstx.exc.WstxLazyException;
 
 import org.auvsim.auvsml.AuvsmlException;
@@ -11,6 +12,7 @@ import org.jdom2.IllegalDataException;
 import org.jdom2.Namespace;
 import org.jdom2.UncheckedJDOMFactory;
 
+import java.util.Arrays;
 import java.util.Optional;
 
 import javax.xml.XMLConstants;
@@ -75,6 +77,29 @@ public final class XmlTreeReader {
             }
         } catch (XMLStreamException | WstxLazyException _) {
             return Optional.empty();
+        }
+    }
+
+    /** Whether a text is sound as far as it goes, but ends before its root element does. */
+    public boolean isUnfinished(byte[] xml) {
+        int end = xml.length;
+        while (end > 0 && xml[end - 1] < 0) {
+            end--; // a character of several bytes may not be whole
+        }
+        try {
+            XMLStreamReader2 reader = parser.open(Arrays.copyOf(xml, end));
+            try {
+                while (reader.hasNext()) {
+                    reader.next();
+                }
+                return false;
+            } finally {
+                reader.close();
+            }
+        } catch (WstxEOFException _) {
+            return true;
+        } catch (XMLStreamException | WstxLazyException _) {
+            return false;
         }
     }
 

@@ -4,6 +4,7 @@ import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.Fault;
 import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.document.DocumentKind;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
@@ -50,6 +51,7 @@ public final class RecordingReader implements Closeable {
         this.blocks = blocks(in, file);
         this.roots = new RootTexts(blocks);
         this.recording = readRecording();
+        this.reach = new Reach(false, 0, 0, CUT_OFF);
         this.scenario = readScenario();
         this.order = new EntryOrder(scenario.startTime());
         this.reach = new Reach(false, 0, scenario.startTime(), CUT_OFF);
@@ -89,11 +91,20 @@ public final class RecordingReader implements Closeable {
         }
     }
 
-    private static Blocks blocks(InputStream in, String file) throws IOException {
+    private static Blocks blocks(InputStream in, String file)
+            throws IOException, DocumentException {
         in.mark(1);
         boolean isGzip = in.read() == (GzipMember.HEADER[0] & 0xff);
         in.reset();
-        return isGzip ? new GzipMembers(in, file) : new PlainText(in);
+        if (isGzip) {
+            return new GzipMembers(in, file);
+        }
+        in.mark(DocumentKind.BEGINNING);
+        if (DocumentKind.of(in.readNBytes(DocumentKind.BEGINNING)) == DocumentKind.SCENARIO) {
+            throw new DocumentException(file + " is a scenario, no recording");
+        }
+        in.reset();
+        return new PlainText(in);
     }
 
     /** What it begins with. */
@@ -148,7 +159,9 @@ public final class RecordingReader implements Closeable {
     private boolean isCutOff(RootText root, AuvsmlException e) {
         return root.isLast()
                 && blocks.mayEndAnywhere()
-                && e.fault().code() == ErrorCode.MALFORMED_XML;
+                && !reach.isWhole()
+                && e.fault().code() == ErrorCode.MALFORMED_XML
+                && trees.isUnfinished(root.bytes());
     }
 
     private Entry decode(RootText root) throws AuvsmlException, DocumentException {

@@ -7,6 +7,7 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 
 import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.recording.ClientCame;
@@ -111,6 +112,57 @@ class RecordingReaderTest {
 
             assertThat(read).isEqualTo(entries.subList(0, read.size()));
             assertThat(reader.reach().isWhole()).isFalse();
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "garbage, unexpected character 'g'",
+        "<<<, unexpected character '<'",
+        "<client-came, unexpected end",
+        "&amp;, unexpected character '&'"
+    })
+    void whatFollowsTheEndIsNoCut(String garbage, String problem) throws Exception {
+        String text = new String(unpacked(Recordings.written(entries)), UTF_8);
+
+        assertThatThrownBy(() -> Recordings.rest(Recordings.reader((text + garbage).getBytes(UTF_8))))
+                .isInstanceOf(DocumentException.class)
+                .hasMessageStartingWith("run.auvsml.gz:%d:".formatted(text.lines().count() + 1))
+                .hasMessageContaining(problem);
+    }
+
+    @Test
+    void textBetweenOrAfterEntriesIsNoCut() throws Exception {
+        String text = new String(unpacked(Recordings.written(entries.subList(0, 5))), UTF_8);
+
+        for (String garbage : List.of("garbage", "\0\0\0", "< client-came", "<a b=c")) {
+            assertThatThrownBy(
+                            () ->
+                                    Recordings.rest(
+                                            Recordings.reader((text + garbage).getBytes(UTF_8))))
+                    .as(garbage)
+                    .isInstanceOf(DocumentException.class);
+        }
+    }
+
+    @Test
+    void aScenarioIsNoRecording() {
+        String text = "<?xml version='1.0'?>\n<!-- a tank -->\n<scenario/>\n";
+
+        assertThatThrownBy(() -> Recordings.reader(text.getBytes(UTF_8)))
+                .isInstanceOf(DocumentException.class)
+                .hasMessage("run.auvsml.gz is a scenario, no recording");
+    }
+
+    @Test
+    void aRecordingIsNoScenario(@TempDir Path folder) throws Exception {
+        byte[] packed = Recordings.written(entries);
+        for (byte[] bytes : List.of(packed, unpacked(packed))) {
+            Path file = Files.write(folder.resolve("run.xml"), bytes);
+
+            assertThatThrownBy(() -> ScenarioLoader.load(getClass().getClassLoader()).load(file))
+                    .isInstanceOf(DocumentException.class)
+                    .hasMessage(file + " is a recording; replay it with 'auvsim replay'");
         }
     }
 

@@ -59,6 +59,7 @@ record RecordingRun(ReplayedFile file, double until) {
     private Observed replay(Replayer replayer, RecordingReader recording, RecordedCourse recorded)
             throws DocumentException, ReplayException {
         requireEndAfter(recording.scenario().startTime());
+        requireEndWithin(recorded.reach());
         Observation observation = new Observation(replayer.world());
         boolean goesOn = true;
         while (goesOn && !isOver(replayer)) {
@@ -84,6 +85,14 @@ record RecordingRun(ReplayedFile file, double until) {
             throw new ReplayException(
                     "%s begins at %s s: until must be after that, but is %s s."
                             .formatted(file.name(), text(start), text(until)));
+        }
+    }
+
+    private void requireEndWithin(Reach reach) throws ReplayException {
+        if (until > reach.timestamp() + Trajectory.SAME_TIME) {
+            throw new ReplayException(
+                    "%s ends at %s s: until must not be after that, but is %s s."
+                            .formatted(file.name(), text(reach.timestamp()), text(until)));
         }
     }
 

@@ -3,9 +3,11 @@ package org.auvsim.junit;
 import static java.util.Objects.requireNonNull;
 
 import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.document.DocumentKind;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
 
+import java.io.IOException;
 import java.net.URI;
 import java.net.URISyntaxException;
 import java.net.URL;
@@ -61,9 +63,17 @@ record ReplayedFile(String name, Path path, ClassLoader loader) {
      * @throws ReplayException if that cannot be done
      */
     Observed replay(double until) throws ReplayException {
-        return name.endsWith(".gz")
+        return isRecording()
                 ? new RecordingRun(this, until).replay()
                 : new ScenarioRun(name, scenario(), until).replay();
+    }
+
+    private boolean isRecording() throws ReplayException {
+        try {
+            return DocumentKind.of(path) == DocumentKind.RECORDING;
+        } catch (IOException e) {
+            throw new ReplayException("%s cannot be read: %s".formatted(name, e.getMessage()), e);
+        }
     }
 
     private Scenario scenario() throws ReplayException {

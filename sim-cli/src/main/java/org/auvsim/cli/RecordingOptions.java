@@ -32,11 +32,11 @@ final class RecordingOptions {
     @Option(
             names = "--hash-every",
             paramLabel = "STEPS",
-            defaultValue = "" + Recording.USUAL_HASH_EVERY,
             description =
-                    "The recording has a hash of the state each so many steps; by default"
-                            + " ${DEFAULT-VALUE}.")
-    private int hashEvery;
+                    "The recording has a hash of the state each so many steps; by default "
+                            + Recording.USUAL_HASH_EVERY
+                            + ".")
+    private Optional<Integer> hashEvery = Optional.empty();
 
     @Option(names = "--force", description = "Overwrites a recording that is there already.")
     private boolean force;
@@ -47,11 +47,29 @@ final class RecordingOptions {
      * @throws UserError if that cannot be done
      */
     RecordingUnderWay start(Scenario scenario, String server) {
-        if (hashEvery < 1) {
-            throw new UserError("--hash-every must be 1 or more, but is %d.".formatted(hashEvery));
-        }
-        Recording recording = new Recording(Recording.VERSION, server, hashEvery);
+        requireSense();
+        Recording recording =
+                new Recording(
+                        Recording.VERSION, server, hashEvery.orElse(Recording.USUAL_HASH_EVERY));
         return new RecordingUnderWay(file.map(target -> start(target, recording, scenario)));
+    }
+
+    private void requireSense() {
+        if (hashEvery.isPresent() && hashEvery.get() < 1) {
+            throw new UserError(
+                    "--hash-every must be 1 or more, but is %d.".formatted(hashEvery.get()));
+        }
+        if (file.isEmpty() && (hashEvery.isPresent() || force)) {
+            throw new UserError(
+                    "%s is for a recording; name its file by --record."
+                            .formatted(hashEvery.isPresent() ? "--hash-every" : "--force"));
+        }
+        file.filter(Files::isDirectory)
+                .ifPresent(
+                        folder -> {
+                            throw new UserError(
+                                    "--record needs a file, but %s is a folder.".formatted(folder));
+                        });
     }
 
     private Recorder start(Path target, Recording recording, Scenario scenario) {

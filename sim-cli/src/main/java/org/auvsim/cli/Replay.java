@@ -90,6 +90,7 @@ final class Replay implements Callable<Integer> {
     }
 
     private Replayer replayer(RecordingReader recording, ThreadLanes lanes) {
+        requireUntilAfter(recording.scenario().startTime());
         SimulatorBuilder simulator =
                 ServedScenario.simulator(recording.scenario(), lanes, file)
                         .serverName(recording.recording().server())
@@ -101,6 +102,14 @@ final class Replay implements Callable<Integer> {
         Replayer replayer = new Replayer(recording, simulator.transport(transport));
         tell("replaying %s at 127.0.0.1:%d".formatted(file, transport.port()));
         return replayer;
+    }
+
+    private void requireUntilAfter(double start) {
+        if (until.isPresent() && !(until.get() > start)) {
+            throw new UserError(
+                    "--until must be after the recording's start at %s s, but is %s s."
+                            .formatted(start, until.get()));
+        }
     }
 
     private static InetSocketAddress address(int port) {
@@ -144,7 +153,13 @@ final class Replay implements Callable<Integer> {
 
     private void tellChecked(long steps, long hashes) {
         if (steps > 0) {
-            tell("%,d steps replayed, %,d hashes equal".formatted(steps, hashes));
+            tell(
+                    "%,d %s replayed, %,d %s equal"
+                            .formatted(
+                                    steps,
+                                    steps == 1 ? "step" : "steps",
+                                    hashes,
+                                    hashes == 1 ? "hash" : "hashes"));
         } else if (hashes > 0) {
             tell("no step is recorded: nothing but the beginning was checked");
         } else {

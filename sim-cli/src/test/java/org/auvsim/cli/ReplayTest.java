@@ -93,6 +93,55 @@ class ReplayTest {
     }
 
     @Test
+    void oneStepAndOneHashAreToldAsSuch() {
+        assertThat(record(0.05)).isZero();
+
+        assertThat(replay()).isZero();
+        assertThat(auvsim.out()).isEqualTo("1 step replayed, 1 hash equal\n");
+    }
+
+    @Test
+    void anEndBeforeTheStartIsRefused() {
+        record(1);
+
+        assertThat(replay("--until", -1)).isEqualTo(2);
+        assertThat(auvsim.err())
+                .isEqualTo(
+                        "--until must be after the recording's start at 0.0 s, but is -1.0 s.\n");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "--force, --force is for a recording; name its file by --record.",
+        "--hash-every=3, --hash-every is for a recording; name its file by --record."
+    })
+    void whatIsForARecordingNeedsOne(String option, String sentence) {
+        assertThat(auvsim.run("serve", scenario, "--port", 0, "--until", 1, option)).isEqualTo(2);
+        assertThat(auvsim.err()).isEqualTo(sentence + "\n");
+    }
+
+    @Test
+    void aRecordingIsNoFolder() {
+        recording = folder;
+
+        assertThat(record(1, "--force")).isEqualTo(2);
+        assertThat(auvsim.err())
+                .isEqualTo("--record needs a file, but %s is a folder.\n".formatted(folder));
+    }
+
+    @Test
+    void aScenarioAndARecordingGivenForEachOtherAreToldApart() {
+        record(1);
+        assertThat(auvsim.run("serve", recording, "--port", 0)).isEqualTo(2);
+        assertThat(auvsim.err())
+                .isEqualTo(recording + " is a recording; replay it with 'auvsim replay'\n");
+
+        recording = scenario;
+        assertThat(replay()).isEqualTo(2);
+        assertThat(auvsim.err()).isEqualTo(scenario + " is a scenario, no recording\n");
+    }
+
+    @Test
     void aDifferenceIsToldWithStepTimeObjectAndValue() throws IOException {
         record(5);
         unpackAndEdit("<velocity x=\"1.0\"", "<velocity x=\"1.1\"");

@@ -21,8 +21,9 @@ import java.lang.annotation.Target;
 @ExtendWith(ReplayExtension.class)
 public @interface ReplayScenario {
     /**
-     * The file: a recording or a scenario, whatever its name is. A resource named relative to the test's class, or from the class path's root if it begins with {@code /}; else
-     * a file, relative to where the tests run, with Maven the module's folder.
+     * The file: a recording or a scenario, whatever its name is. A resource named relative to the
+     * test's class, or from the class path's root if it begins with {@code /}; else a file,
+     * relative to where the tests run, with Maven the module's folder.
      */
     String value();
 

@@ -77,6 +77,22 @@ class RecordingTest {
                         "drift.auvsml.gz begins at 0 s: until must be after that, but is -1 s.");
     }
 
+    @Test
+    void aReplayCannotEndAfterTheRecording() {
+        assertThatThrownBy(() -> replay(1000))
+                .isInstanceOf(ReplayException.class)
+                .hasMessage(
+                        "drift.auvsml.gz ends at 6 s: until must not be after that, but is 1000"
+                            + " s.");
+    }
+
+    @Test
+    void aRecordingIsKnownByWhatItHolds() throws Exception {
+        file = Files.move(file, folder.resolve("drift.auvsml"));
+
+        assertThat(replay(3).divergence()).isEmpty();
+    }
+
     /** 0.1 m/s faster, it is 0.325 m ahead after 3.25 s, and most where the recorded one ends. */
     @Test
     void anotherCourseIsToldWithTimeAndPlaces() throws Exception {

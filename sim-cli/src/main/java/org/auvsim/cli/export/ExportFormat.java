@@ -52,7 +52,10 @@ public enum ExportFormat {
         return files(out).stream()
                 .filter(Files::isDirectory)
                 .findFirst()
-                .map(folder -> "%s needs a file, but %s is a folder".formatted(formatName(), folder));
+                .map(
+                        folder ->
+                                "%s needs a file, but %s is a folder"
+                                        .formatted(formatName(), folder));
     }
 
     private String formatName() {

@@ -59,7 +59,10 @@ class CutStepTest {
                 List<Entry> ended = new ArrayList<>(entries.subList(0, i + 1));
                 ended.add(
                         new RecordingEnded(
-                                last.revision(), last.step(), last.timestamp(), "the disk is full"));
+                                last.revision(),
+                                last.step(),
+                                last.timestamp(),
+                                "the disk is full"));
                 assertThat(stepsReplayed(ended)).isEqualTo(last.step());
             }
         }

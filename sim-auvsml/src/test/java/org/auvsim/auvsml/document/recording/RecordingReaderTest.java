@@ -125,7 +125,8 @@ class RecordingReaderTest {
     void whatFollowsTheEndIsNoCut(String garbage, String problem) throws Exception {
         String text = new String(unpacked(Recordings.written(entries)), UTF_8);
 
-        assertThatThrownBy(() -> Recordings.rest(Recordings.reader((text + garbage).getBytes(UTF_8))))
+        assertThatThrownBy(
+                        () -> Recordings.rest(Recordings.reader((text + garbage).getBytes(UTF_8))))
                 .isInstanceOf(DocumentException.class)
                 .hasMessageStartingWith("run.auvsml.gz:%d:".formatted(text.lines().count() + 1))
                 .hasMessageContaining(problem);

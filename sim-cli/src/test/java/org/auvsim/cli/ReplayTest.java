@@ -255,7 +255,7 @@ class ReplayTest {
         recording = scenario;
         assertThat(replay()).isEqualTo(2);
         assertThat(auvsim.err())
-                .contains("expected the root element <recording>, but found <scenario>")
+                .contains("is a scenario, no recording")
                 .hasLineCount(1);
     }
 

@@ -53,7 +53,10 @@ def answer(step):
 
 
 dawdle(0.05)
-link = socket.create_connection((host, port))
+try:
+    link = socket.create_connection((host, port))
+except OSError as refusal:
+    sys.exit(f"no simulator at {host}:{port} ({refusal}); start one with ./auvsim serve SCENARIO")
 link.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
 parser = XMLPullParser(["end"])
 parser.feed("<stream>")  # messages follow one another on the wire; this makes them one document

@@ -139,8 +139,8 @@ class StateFeedbackConversationTest {
                     <position x="NaN" y="0" z="0"/>                 | expected a finite number, but found 'NaN'
                     <velocity x="1e999" y="0" z="0"/>               | expected a finite number
                     <orientation w="2" x="0" y="0" z="0"/>          | a quaternion of length 1
-                    <position x="0" y="0" z="0"/><covariance><row values="1 0 0"/></covariance> | rows must have 1 numbers, but row 1 has 3
-                    <position x="0" y="0" z="0"/><covariance><row values="1"/></covariance> | the covariance of 3 measured numbers must have 3 rows, but has 1
+                    <position x="0" y="0" z="0"/><covariance><row values="1 0 0"/></covariance> | must have 3 rows of 3 numbers, but has 1
+                    <position x="0" y="0" z="0"/><covariance><row values="1"/></covariance> | the covariance of 3 measured numbers must have 3 rows of 3 numbers, but has 1
                     <position x="0" y="0" z="0"/><covariance><row values="1 0 0"/><row values="0 1 0"/><row values="0 0 0"/></covariance> | must be positive definite
                     <position x="0" y="0" z="0"/><covariance><row values="1 3 0"/><row values="3 1 0"/><row values="0 0 1"/></covariance> | row 2
                     <position x="0" y="0" z="0"/><covariance><row values="1 0.1 0"/><row values="0.2 1 0"/><row values="0 0 1"/></covariance> | must be symmetric

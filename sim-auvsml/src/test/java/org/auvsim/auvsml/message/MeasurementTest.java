@@ -102,20 +102,24 @@ class MeasurementTest {
         assertThat(message(">" + POSITION + three).measurement().covariance())
                 .contains(Covariance.diagonal(1, 1, 1));
         assertThat(fault(">" + POSITION + "<velocity x=\"0\" y=\"0\" z=\"0\"/>" + three))
-                .contains("the covariance of 6 measured numbers must have 6 rows, but has 3");
+                .contains(
+                        "the covariance of 6 measured numbers must have 6 rows of 6 numbers, but"
+                            + " has 3");
     }
 
     @Test
     void aCovarianceIsSquareSymmetricAndPositiveDefinite() throws IOException {
         assertThat(fault(">" + POSITION + covariance("1 0 0", "0 1", "0 0 1")))
                 .contains("rows must have 3 numbers, but row 2 has 2");
+        assertThat(fault(">" + POSITION + covariance("1 0 0", "0 1 0")))
+                .contains("must have 3 rows of 3 numbers, but has 2");
         assertThat(fault(">" + POSITION + covariance("1 0 0", "0.5 1 0", "0 0 1")))
                 .contains("symmetric, but row 2 has 0.5 in column 1 and row 1 has 0.0 in column 2");
         assertThat(fault(">" + POSITION + covariance("1 2 0", "2 1 0", "0 0 1")))
                 .contains("positive definite")
-                .contains("of 1.0 on the diagonal of row 2, -3.0 is left as pivot");
+                .contains("but row 2 has 1.0 on the diagonal, where more than 4.0 is needed");
         assertThat(fault(">" + POSITION + covariance("1 1 0", "1 1 0", "0 0 1")))
-                .contains("row 2, 0.0 is left");
+                .contains("row 2 has 1.0 on the diagonal, where more than 1.0 is needed");
     }
 
     @Test

@@ -42,9 +42,8 @@ public final class Cholesky {
     private static double positive(double pivot, double diagonal, int row) {
         if (!(pivot > ROUNDING * Math.abs(diagonal)) || Double.isInfinite(pivot)) {
             throw new IllegalArgumentException(
-                    "it is not positive definite: of %s on the diagonal of row %d, %s is left"
-                                    .formatted(diagonal, row + 1, pivot)
-                            + " as pivot");
+                    "row %d has %s on the diagonal, where more than %s is needed"
+                            .formatted(row + 1, diagonal, diagonal - pivot));
         }
         return pivot;
     }

@@ -30,7 +30,7 @@ public record Covariance(List<CovarianceRow> row) {
             new Cholesky(elements(row), row.size());
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException(
-                    "a covariance must be positive definite; " + e.getMessage(), e);
+                    "a covariance must be positive definite, but " + e.getMessage(), e);
         }
     }
 
@@ -62,6 +62,14 @@ public record Covariance(List<CovarianceRow> row) {
     private static void requireSquare(List<CovarianceRow> rows) {
         if (rows.isEmpty()) {
             throw new IllegalArgumentException("a covariance must have rows, but has none");
+        }
+        int columns = rows.getFirst().values().size();
+        if (columns != rows.size()
+                && rows.stream().allMatch(each -> each.values().size() == columns)) {
+            throw new IllegalArgumentException(
+                    "a covariance with rows of %d numbers must have %d rows of %d numbers,"
+                                    .formatted(columns, columns, columns)
+                            + " but has %d".formatted(rows.size()));
         }
         for (int i = 0; i < rows.size(); i++) {
             int length = rows.get(i).values().size();

@@ -46,8 +46,9 @@ public record Measurement(
         }
         if (covariance.isPresent() && covariance.get().size() != size) {
             throw new IllegalArgumentException(
-                    "the covariance of %d measured numbers must have %d rows, but has %d"
-                            .formatted(size, size, covariance.get().size()));
+                    "the covariance of %d measured numbers must have %d rows of %d numbers,"
+                                    .formatted(size, size, size)
+                            + " but has %d".formatted(covariance.get().size()));
         }
     }
 

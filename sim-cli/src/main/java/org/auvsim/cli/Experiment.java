@@ -1,5 +1,8 @@
 package org.auvsim.cli;
 
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
+
 import org.auvsim.cli.report.FileTrouble;
 import org.auvsim.cli.report.UserError;
 import org.auvsim.experiments.Conduct;
@@ -9,6 +12,7 @@ import org.auvsim.experiments.distributed.DistributedExperiment;
 import org.auvsim.experiments.report.Report;
 import org.auvsim.experiments.report.ReportPage;
 import org.auvsim.experiments.runtime.RuntimeExperiment;
+import org.slf4j.LoggerFactory;
 
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -65,6 +69,8 @@ final class Experiment implements Callable<Integer> {
 
     @Override
     public Integer call() {
+        // Clients that come and go would stand between the lines that tell how far it is.
+        ((Logger) LoggerFactory.getLogger("org.auvsim.server")).setLevel(Level.WARN);
         prepareFolder();
         try (Interruption interruption = new Interruption(() -> {})) {
             Conduct conduct = new Conduct(quick, this::tellProgress, interruption::isRequested);
@@ -73,7 +79,7 @@ final class Experiment implements Callable<Integer> {
                 tellProgress("ended early: no page is written");
                 return ExitCode.OK;
             }
-            tellReport(report.get());
+            tellReport(quick ? report.get().ofQuickRun() : report.get());
             return ExitCode.OK;
         } catch (IOException e) {
             throw new UserError("The experiment broke off: %s".formatted(e.getMessage()), e);

@@ -39,19 +39,29 @@ final class OptionValues {
         }
     }
 
-    /** The sentence on a value that an option does not take; empty if that is not the fault. */
+    /**
+     * The sentence on a value that an option or a choice does not take; empty if that is not the
+     * fault.
+     */
     static Optional<String> refusal(ParameterException e) {
         ArgSpec argument = e.getArgSpec();
-        if (!(argument instanceof OptionSpec option)
-                || !String.valueOf(e.getMessage()).startsWith("Invalid value ")) {
+        if (argument == null || !String.valueOf(e.getMessage()).startsWith("Invalid value ")) {
+            return Optional.empty();
+        }
+        boolean isChoice = argument.auxiliaryTypes()[0].isEnum();
+        if (!isChoice && argument.isPositional()) {
             return Optional.empty();
         }
         String problem =
-                argument.auxiliaryTypes()[0].isEnum()
+                isChoice
                         ? "expected %s, but found '%s'"
                                 .formatted(names(argument.auxiliaryTypes()[0]), e.getValue())
                         : String.valueOf(e.getMessage()).replaceFirst(OPENING, "");
-        return Optional.of("%s: %s.".formatted(option.longestName(), problem));
+        return Optional.of("%s: %s.".formatted(shown(argument), problem));
+    }
+
+    private static String shown(ArgSpec argument) {
+        return argument instanceof OptionSpec option ? option.longestName() : argument.paramLabel();
     }
 
     private static String names(Class<?> choices) {

@@ -39,8 +39,9 @@ public final class DistributedExperiment implements ThesisExperiment {
         asynchronous(WARM_UP).run(Scene.world(Optional.empty()), drivers(), _ -> {});
         conduct.tell("run 1, inside the simulator, %s s of world time".formatted(seconds));
         Trace local = local(seconds);
-        List<Trace> asynchronous = distributed("asynchronous", asynchronous(seconds), conduct);
-        List<Trace> lockstep = distributed("lock-step", lockstep(seconds), conduct);
+        List<Trace> asynchronous = distributed("asynchronous", 2, asynchronous(seconds), conduct);
+        List<Trace> lockstep =
+                distributed("lock-step", 2 + DISTRIBUTED_RUNS, lockstep(seconds), conduct);
         return conduct.isStopped()
                 ? Optional.empty()
                 : Optional.of(new DistributedReport(RATE, local, asynchronous, lockstep).report());
@@ -64,10 +65,10 @@ public final class DistributedExperiment implements ThesisExperiment {
         return trace;
     }
 
-    private static List<Trace> distributed(String how, LiveRun run, Conduct conduct)
+    private static List<Trace> distributed(String how, int first, LiveRun run, Conduct conduct)
             throws IOException {
         List<Trace> traces = new ArrayList<>();
-        for (int k = 2; k < 2 + DISTRIBUTED_RUNS && !conduct.isStopped(); k++) {
+        for (int k = first; k < first + DISTRIBUTED_RUNS && !conduct.isStopped(); k++) {
             String name = "run %d: five clients, %s".formatted(k, how);
             conduct.tell(name);
             Trace trace = new Trace(name);

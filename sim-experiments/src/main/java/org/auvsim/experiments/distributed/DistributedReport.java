@@ -29,6 +29,7 @@ record DistributedReport(double rate, Trace local, List<Trace> asynchronous, Lis
                                             + " four curves of Figure 8.8 differ.",
                                         rate),
                                 asynchronous,
+                                "Figure 8.8: distance of the first sphere from the target",
                                 "A force acts some steps late, a different number each time. What"
                                     + " comes late gives energy each time round, so that spheres"
                                     + " fly farther; after the first collisions the runs have"
@@ -39,6 +40,7 @@ record DistributedReport(double rate, Trace local, List<Trace> asynchronous, Lis
                                     + " projected to end, and the simulator waits for all of them."
                                     + " It runs as fast as they answer.",
                                 lockstep,
+                                "Distance of the first sphere from the target, in lock-step",
                                 agrees()
                                         ? "One curve: the dashed ones lie upon the run inside the"
                                                 + " simulator."
@@ -66,7 +68,8 @@ record DistributedReport(double rate, Trace local, List<Trace> asynchronous, Lis
                 local.lastHash());
     }
 
-    private Section section(String heading, String what, List<Trace> traces, String reading) {
+    private Section section(
+            String heading, String what, List<Trace> traces, String title, String reading) {
         List<Curve> curves = new ArrayList<>();
         curves.add(Curve.line(local.name(), local.distances()));
         for (Trace trace : traces) {
@@ -75,12 +78,7 @@ record DistributedReport(double rate, Trace local, List<Trace> asynchronous, Lis
         return Section.of(
                 heading,
                 new Text(what),
-                new Chart(
-                        "Figure 8.8: distance of the first sphere from the target",
-                        "world time (s)",
-                        "distance (m)",
-                        curves,
-                        reading));
+                new Chart(title, "world time (s)", "distance (m)", curves, reading));
     }
 
     private Section hashes() {

@@ -14,6 +14,16 @@ public record Report(String title, String summary, List<Section> sections) {
         sections = List.copyOf(sections);
     }
 
+    /** This report with the words that its figures come of a small run and are none to compare. */
+    public Report ofQuickRun() {
+        return new Report(
+                title + ": a quick run",
+                "This is a quick run, which shows that the experiment works; its figures are not"
+                        + " those to compare with the thesis. "
+                        + summary,
+                sections);
+    }
+
     /** One question, and what answers it. */
     public record Section(String heading, List<Block> blocks) {
         /** A section whose blocks stay as they are. */

@@ -41,7 +41,11 @@ public final class Administration {
         Conversation conversation = new Conversation(client);
         KnownNames names = new KnownNames(conversation);
         conversation.begin(notice -> print.accept(told(notice)), () -> {});
-        new Script(lines, conversation, operator(conversation, names, print)).run();
+        try {
+            new Script(lines, conversation, operator(conversation, names, print)).run();
+        } finally {
+            conversation.farewell().ifPresent(last -> print.accept(told(last)));
+        }
     }
 
     /**
@@ -60,6 +64,7 @@ public final class Administration {
                 notice -> reader.printAbove(told(notice)),
                 () -> terminal.raise(Terminal.Signal.INT));
         new Shell(reader, conversation, operator(conversation, names, print)).run();
+        conversation.farewell().ifPresent(last -> print.accept(told(last)));
     }
 
     private LineReader reader(Terminal terminal, Path history, KnownNames names) {

@@ -4,6 +4,7 @@ import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.client.Received;
 import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.session.DisconnectedNotification;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -25,6 +26,7 @@ final class Conversation {
     private Optional<String> awaited = Optional.empty();
     private int asked;
     private boolean ended;
+    private Optional<DisconnectedNotification> farewell = Optional.empty();
 
     /** A conversation that has yet to begin. */
     Conversation(AuvsmlClient client) {
@@ -34,7 +36,7 @@ final class Conversation {
     /**
      * Takes what comes from now on, on a thread of its own.
      *
-     * @param notices gets what nobody has asked for
+     * @param notices gets what nobody has asked for, but not the farewell
      * @param afterwards is done when the connection has ended
      */
     void begin(Consumer<Message> notices, Runnable afterwards) {
@@ -53,12 +55,25 @@ final class Conversation {
             Optional<Received> received = client.next();
             while (received.isPresent()) {
                 if (!isAnswer(received.get())) {
-                    received.get().messages().forEach(notices);
+                    received.get().messages().forEach(message -> tell(message, notices));
                 }
                 received = client.next();
             }
         } catch (ConnectionException _) {
             // whoever asks next is told
+        }
+    }
+
+    private void tell(Message message, Consumer<Message> notices) {
+        if (message instanceof DisconnectedNotification disconnected) {
+            lock.lock();
+            try {
+                farewell = Optional.of(disconnected);
+            } finally {
+                lock.unlock();
+            }
+        } else {
+            notices.accept(message);
         }
     }
 
@@ -81,6 +96,18 @@ final class Conversation {
         try {
             ended = true;
             changed.signalAll();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /**
+     * Why the simulator has ended the connection, if it has said so: the last that is to be told.
+     */
+    Optional<DisconnectedNotification> farewell() {
+        lock.lock();
+        try {
+            return farewell;
         } finally {
             lock.unlock();
         }

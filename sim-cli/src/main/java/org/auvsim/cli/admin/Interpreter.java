@@ -2,6 +2,7 @@ package org.auvsim.cli.admin;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
+import org.auvsim.auvsml.Fault;
 import org.auvsim.auvsml.framing.AuvsmlReader;
 import org.auvsim.auvsml.framing.Incoming;
 import org.auvsim.auvsml.framing.RootDecoder;
@@ -22,7 +23,9 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /** Turns a line of plain words, or of AUVSML, into messages. */
@@ -54,12 +57,23 @@ final class Interpreter {
         Words words = Words.of(line);
         if (words.words().isEmpty()) {
             return decode(
-                    isRoot(words.xml()) ? words.xml() : "<auvsml>" + words.xml() + "</auvsml>");
+                    isRoot(words.xml()) ? words.xml() : "<auvsml>" + words.xml() + "</auvsml>",
+                    Fault::sentence);
         }
         Vocabulary.Said said =
                 vocabulary.in(words.words()).orElseThrow(() -> unknown(words.words()));
         List<String> values = words.words().subList(said.words(), words.words().size());
-        return decode("<auvsml>" + element(said.phrase(), values, words.xml()) + "</auvsml>");
+        return decode(
+                "<auvsml>" + element(said.phrase(), values, words.xml()) + "</auvsml>",
+                Interpreter::withoutPath);
+    }
+
+    /** What is wrong, with the name of the value instead of a path that nobody has typed. */
+    private static String withoutPath(Fault fault) {
+        String name = fault.path().substring(fault.path().indexOf('@') + 1);
+        return fault.path().contains("@") && !fault.problem().contains(name)
+                ? name + ": " + fault.problem()
+                : fault.problem();
     }
 
     private static boolean isRoot(String xml) {
@@ -69,6 +83,15 @@ final class Interpreter {
 
     private UserError unknown(List<String> words) {
         String first = words.getFirst();
+        Optional<Phrase> nearest =
+                words.size() == 1 && !vocabulary.beginningWith(first).isEmpty()
+                        ? Optional.empty()
+                        : vocabulary.nearest(words);
+        if (nearest.isPresent()) {
+            return new UserError(
+                    "There is no command '%s'; the nearest is '%s', and 'help' lists all."
+                            .formatted(String.join(" ", words), nearest.get().text()));
+        }
         String near =
                 vocabulary.beginningWith(first).stream()
                         .limit(MOST_SUGGESTED)
@@ -101,21 +124,28 @@ final class Interpreter {
                 attributes.put(name, id(name, value));
             }
         }
-        StringBuilder element = new StringBuilder("<").append(phrase.element());
+        boolean isWhole =
+                open.stream().noneMatch(Part::isRequired)
+                        && (phrase.parts().stream()
+                                        .noneMatch(part -> !part.isAttribute() && part.isRequired())
+                                || !inside.isEmpty()
+                                || !xml.isEmpty());
+        if (!isWhole) {
+            throw new UserError("Something is missing: " + phrase.usage());
+        }
+        return element(phrase.element(), attributes, inside + xml);
+    }
+
+    private static String element(String name, Map<String, String> attributes, String inside) {
+        StringBuilder element = new StringBuilder("<").append(name);
         attributes.forEach(
-                (name, value) ->
+                (attribute, value) ->
                         element.append(' ')
-                                .append(name)
+                                .append(attribute)
                                 .append("=\"")
                                 .append(escaped(value))
                                 .append('"'));
-        return element.append('>')
-                .append(inside)
-                .append(xml)
-                .append("</")
-                .append(phrase.element())
-                .append('>')
-                .toString();
+        return element.append('>').append(inside).append("</").append(name).append('>').toString();
     }
 
     private static boolean isPart(Phrase phrase, String name) {
@@ -140,7 +170,7 @@ final class Interpreter {
         }
     }
 
-    private List<Message> decode(String xml) {
+    private List<Message> decode(String xml, Function<Fault, String> told) {
         List<Message> messages = new ArrayList<>();
         AuvsmlReader reader =
                 new AuvsmlReader(new ByteArrayInputStream(xml.getBytes(UTF_8)), decoder, LIMITS);
@@ -149,7 +179,7 @@ final class Interpreter {
                 switch (next) {
                     case Incoming.Request request -> messages.addAll(request.messages());
                     case Incoming.Rejected rejected ->
-                            throw new UserError(rejected.fault().sentence());
+                            throw new UserError(told.apply(rejected.fault()));
                     case Incoming.End _ -> throw new AssertionError("it ends the loop");
                 }
                 next = reader.next();

@@ -43,12 +43,17 @@ record Phrase(String text, String element, List<Part> parts) {
     String usage() {
         StringBuilder usage = new StringBuilder(text);
         for (Part part : parts) {
-            String name =
-                    part.isAttribute()
-                            ? part.name().toUpperCase(Locale.ROOT)
-                            : "<" + part.name() + ">";
+            String name = part.isAttribute() ? place(part.name()) : "<" + part.name() + ">";
             usage.append(' ').append(part.isRequired() ? name : "[" + name + "]");
         }
         return usage.toString();
+    }
+
+    private static String place(String attribute) {
+        return switch (attribute) {
+            case "world-object-id", "agent-id" -> "OBJECT";
+            case "entity-id" -> "ENTITY";
+            default -> attribute.toUpperCase(Locale.ROOT);
+        };
     }
 }

@@ -9,6 +9,9 @@ import java.util.Optional;
 
 /** The commands that can be said in plain words: all that the catalogue has, a user's own too. */
 final class Vocabulary {
+    /** A phrase is near if no more than one letter in so many is another one. */
+    private static final int LETTERS_A_SLIP = 3;
+
     private final List<Phrase> phrases;
 
     Vocabulary(MessageCatalogue catalogue) {
@@ -43,6 +46,22 @@ final class Vocabulary {
             }
         }
         return longest;
+    }
+
+    /** The phrase that the beginning of these words comes nearest to; empty if none is near. */
+    Optional<Phrase> nearest(List<String> words) {
+        Comparator<Phrase> byDistance = Comparator.comparingInt(p -> distance(p, words));
+        return phrases.stream()
+                .min(byDistance)
+                .filter(
+                        phrase ->
+                                distance(phrase, words) * LETTERS_A_SLIP <= phrase.text().length());
+    }
+
+    private static int distance(Phrase phrase, List<String> words) {
+        int count = phrase.text().split(" ", -1).length;
+        String said = String.join(" ", words.subList(0, Math.min(count, words.size())));
+        return EditDistance.between(said, phrase.text());
     }
 
     /** The phrases that begin with these words; the last of them may be unfinished. */

@@ -104,4 +104,13 @@ class ShellTest {
         simulator.close();
         assertThat(screen.join()).contains("* disconnected: the simulation has ended");
     }
+
+    @Test
+    void afterTheFarewellNothingIsShown() throws Exception {
+        try (Simulator _ = simulator()) {
+            assertThat(screenAfter("shutdown\n").strip())
+                    .contains("done")
+                    .endsWith("* disconnected: the simulation has ended");
+        }
+    }
 }

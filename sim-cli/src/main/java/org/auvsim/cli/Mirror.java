@@ -11,7 +11,9 @@ import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.EventType;
+import org.auvsim.auvsml.message.control.GetSimulatorStateRequest;
 import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
+import org.auvsim.auvsml.message.control.SimulatorStateResponse;
 import org.auvsim.auvsml.message.control.TakeControlCommand;
 import org.auvsim.auvsml.message.lockstep.HelloCommand;
 import org.auvsim.auvsml.message.lockstep.HelloResponse;
@@ -103,6 +105,9 @@ final class Mirror implements Callable<Integer> {
         try (AuvsmlClient client = AuvsmlClient.connect(address.host(), address.port());
                 Interruption _ = new Interruption(client::close)) {
             MirrorWorld mirror = mirror(scenario, ServedObject.all(client));
+            if (!resume) {
+                tellIfPaused(client);
+            }
             listen(client);
             OptionalLong step = join(client, mirror);
             if (resume) {
@@ -115,6 +120,17 @@ final class Mirror implements Callable<Integer> {
             }
         }
         return 0;
+    }
+
+    private void tellIfPaused(AuvsmlClient client) throws ConnectionException {
+        for (Message message : Question.ask(client, new GetSimulatorStateRequest())) {
+            if (message instanceof SimulatorStateResponse state && !state.running()) {
+                PrintWriter err = spec.commandLine().getErr();
+                err.println(
+                        "the simulator is paused; resume it, or start the mirror with --resume");
+                err.flush();
+            }
+        }
     }
 
     private Optional<String> processor() {

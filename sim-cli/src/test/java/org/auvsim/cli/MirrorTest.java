@@ -98,6 +98,22 @@ class MirrorTest {
                         "corrections: 40 sent, 40 applied, 0 refused");
     }
 
+    @Test
+    void aProcessorThatTheSimulatorDoesNotHaveEndsIt() throws IOException {
+        try (ServerProcess server = serve(WAITS)) {
+            assertThat(
+                            auvsim.run(
+                                    "mirror",
+                                    other("ship"),
+                                    server.address(),
+                                    "--processor",
+                                    "Foo",
+                                    "--resume"))
+                    .isEqualTo(2);
+        }
+        assertThat(auvsim.err()).contains("no feedback processor has the name 'Foo'; there are ");
+    }
+
     /**
      * Its answers come after the step, so that the past is made again with them and the present is
      * told twice.

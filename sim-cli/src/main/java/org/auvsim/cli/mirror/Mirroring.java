@@ -1,5 +1,6 @@
 package org.auvsim.cli.mirror;
 
+import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.client.Received;
@@ -148,6 +149,7 @@ public final class Mirroring {
                 // it does not wait for us: it is not in lock-step, or the corrections were enough
             }
             case ErrorResponse error -> {
+                requireProcessor(error);
                 refused++;
                 refusal = refusal.or(() -> Optional.of(error.text()));
             }
@@ -156,6 +158,17 @@ public final class Mirroring {
             default -> {
                 // of no interest here
             }
+        }
+    }
+
+    /** A processor that the simulator does not have will be refused for ever. */
+    private void requireProcessor(ErrorResponse error) {
+        boolean isAboutIt =
+                error.code() == ErrorCode.UNKNOWN_ENTITY
+                        && processor.filter(name -> error.text().contains("'" + name + "'"))
+                                .isPresent();
+        if (isAboutIt) {
+            throw new UserError(error.text());
         }
     }
 

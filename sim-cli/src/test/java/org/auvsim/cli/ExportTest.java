@@ -256,9 +256,9 @@ class ExportTest {
     @ParameterizedTest
     @CsvSource({
         "csv, run.db, '--format csv needs a folder, but %s is a file; name another place by"
-            + " --out.'",
+                + " --out.'",
         "sqlite, f, '--format sqlite needs a file, but %s is a folder; name another place by"
-            + " --out.'"
+                + " --out.'"
     })
     void whatIsInTheWayIsTold(String format, String name, String sentence) throws IOException {
         Files.createFile(folder.resolve("run.db"));

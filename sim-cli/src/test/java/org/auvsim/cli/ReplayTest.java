@@ -254,9 +254,7 @@ class ReplayTest {
         assertThat(auvsim.err()).isEqualTo(recording + ": there is no such file\n");
         recording = scenario;
         assertThat(replay()).isEqualTo(2);
-        assertThat(auvsim.err())
-                .contains("is a scenario, no recording")
-                .hasLineCount(1);
+        assertThat(auvsim.err()).contains("is a scenario, no recording").hasLineCount(1);
     }
 
     @Test

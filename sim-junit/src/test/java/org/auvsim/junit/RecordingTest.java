@@ -83,7 +83,7 @@ class RecordingTest {
                 .isInstanceOf(ReplayException.class)
                 .hasMessage(
                         "drift.auvsml.gz ends at 6 s: until must not be after that, but is 1000"
-                            + " s.");
+                                + " s.");
     }
 
     @Test

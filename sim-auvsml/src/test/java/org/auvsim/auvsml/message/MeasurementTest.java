@@ -104,7 +104,7 @@ class MeasurementTest {
         assertThat(fault(">" + POSITION + "<velocity x=\"0\" y=\"0\" z=\"0\"/>" + three))
                 .contains(
                         "the covariance of 6 measured numbers must have 6 rows of 6 numbers, but"
-                            + " has 3");
+                                + " has 3");
     }
 
     @Test

@@ -165,7 +165,8 @@ public final class Mirroring {
     private void requireProcessor(ErrorResponse error) {
         boolean isAboutIt =
                 error.code() == ErrorCode.UNKNOWN_ENTITY
-                        && processor.filter(name -> error.text().contains("'" + name + "'"))
+                        && processor
+                                .filter(name -> error.text().contains("'" + name + "'"))
                                 .isPresent();
         if (isAboutIt) {
             throw new UserError(error.text());

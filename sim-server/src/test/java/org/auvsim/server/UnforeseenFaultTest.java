@@ -126,7 +126,7 @@ class UnforeseenFaultTest {
     @Test
     void aCommandThatFailsIsAnswered() throws IOException {
         isAnswered(
-                "<stumble-command/>", "StumbleCommand failed in the simulator; its log says why");
+                "<stumble-command/>", "stumble-command failed in the simulator; its log says why");
     }
 
     @Test

@@ -34,15 +34,20 @@ public interface Current extends Field<Vec3> {
      */
     default void addTo(Block block) {
         for (int i = 0; i < block.count; i++) {
-            Vec3 place = block.position(i);
-            Vec3 u = valueAt(place, block.time);
-            block.ux[i] += u.x();
-            block.uy[i] += u.y();
-            block.uz[i] += u.z();
-            if (isUneven()) {
-                block.elevation[i] += elevation(place.x(), place.y(), block.time);
-                FlowDifferences.add(this, block, i, place);
-            }
+            addTo(block, i);
+        }
+    }
+
+    /** The same for body {@code i} of the block alone, by values and their differences. */
+    default void addTo(Block block, int i) {
+        Vec3 place = block.position(i);
+        Vec3 u = valueAt(place, block.time);
+        block.ux[i] += u.x();
+        block.uy[i] += u.y();
+        block.uz[i] += u.z();
+        if (isUneven()) {
+            block.elevation[i] += elevation(place.x(), place.y(), block.time);
+            FlowDifferences.add(this, block, i, place);
         }
     }
 }

@@ -174,6 +174,11 @@ public record WorldObjectDefinition(
         return same.build();
     }
 
+    /** Starts a definition that is like this one in all that is not changed. */
+    public Builder toBuilder() {
+        return new Builder(this);
+    }
+
     /** Starts a definition of an object that moves freely. */
     public static Builder named(String name) {
         return new Builder(name);
@@ -181,7 +186,7 @@ public record WorldObjectDefinition(
 
     /** Collects what a definition needs; everything but volume and mass has a default. */
     public static final class Builder {
-        private final String name;
+        private String name;
         private OptionalLong id = OptionalLong.empty();
         private boolean fixed;
         private OptionalDouble mass = OptionalDouble.empty();
@@ -215,7 +220,7 @@ public record WorldObjectDefinition(
             restitution = same.restitution;
             friction = same.friction;
             layer = same.layer;
-            ignores = same.ignores;
+            ignores = new ArrayList<>(same.ignores);
             volume = Optional.of(same.volume);
             inertia = same.inertia;
             centreOfMass = same.centreOfMass;
@@ -226,9 +231,27 @@ public record WorldObjectDefinition(
             velocity = same.velocity;
             angularVelocity = same.angularVelocity;
             response = same.response;
-            forces = same.force;
-            effects = same.effect;
-            components = same.component;
+            forces = new ArrayList<>(same.force);
+            effects = new ArrayList<>(same.effect);
+            components = new ArrayList<>(same.component);
+        }
+
+        /** Its name, in place of the first. */
+        public Builder renamed(String other) {
+            name = other;
+            return this;
+        }
+
+        /** The effects, in place of those before. */
+        public Builder effects(List<Effect> others) {
+            effects = new ArrayList<>(others);
+            return this;
+        }
+
+        /** The components, in place of those before. */
+        public Builder components(List<Component> others) {
+            components = new ArrayList<>(others);
+            return this;
         }
 
         /** Its id, 1 or more; else the world gives the next free one. */

@@ -16,7 +16,7 @@ import org.auvsim.core.math.Vec3;
  */
 public record RigidMotion(Vec3 position, Quat orientation, Vec3 velocity, Vec3 angularVelocity) {
     /** How many numbers the error of a motion has. */
-    static final int SIZE = 12;
+    public static final int SIZE = 12;
 
     /** That of an object now. */
     public static RigidMotion of(WorldObject object) {
@@ -70,7 +70,7 @@ public record RigidMotion(Vec3 position, Quat orientation, Vec3 velocity, Vec3 a
      *
      * @param error twelve numbers
      */
-    RigidMotion plus(double[] error) {
+    public RigidMotion plus(double[] error) {
         return new RigidMotion(
                 position.plus(vector(error, 0)),
                 Turns.of(vector(error, 3)).times(orientation).normalized(),
@@ -79,7 +79,7 @@ public record RigidMotion(Vec3 position, Quat orientation, Vec3 velocity, Vec3 a
     }
 
     /** The error by which this differs from another motion: twelve numbers. */
-    double[] minus(RigidMotion o) {
+    public double[] minus(RigidMotion o) {
         Vec3 way = position.minus(o.position);
         Vec3 turn = Turns.between(o.orientation, orientation);
         Vec3 v = velocity.minus(o.velocity);

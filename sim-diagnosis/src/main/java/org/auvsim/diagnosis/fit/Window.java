@@ -1,0 +1,20 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.server.feedback.RigidMotion;
+
+/**
+ * A part of a run that is simulated from a start of its own.
+ *
+ * @param from its first sample
+ * @param to the first sample of the next window, or the last of the run
+ * @param start the motion at its first sample
+ */
+record Window(int from, int to, RigidMotion start) {
+    Window startingAt(RigidMotion other) {
+        return new Window(from, to, other);
+    }
+
+    int length() {
+        return to - from;
+    }
+}

@@ -1,0 +1,212 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.diagnosis.run.MeasuredRun.KnownStart;
+import org.auvsim.server.feedback.RigidMotion;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Windows that follow one another without a gap, with one free start (Bock's condensing): a change
+ * of the start, or of a parameter, runs through all of them along the measured motion. With x = (12
+ * numbers of the start, parameters, 1) the misses are linear; the start is then projected out.
+ */
+final class WindowBlock {
+    private static final int START = RigidMotion.SIZE;
+
+    /** So far off (m, rad, m/s, rad/s) a start that is not known may be. */
+    private static final double[] UNKNOWN = {1e3, 1e1, 1e2, 1e2};
+
+    private final List<WindowDerivatives> windows;
+    private final int columns;
+
+    /** By window: its start's 12 numbers as a linear function of x. */
+    private final List<double[][]> chain = new ArrayList<>();
+
+    /** Rows of misses as a linear function of x, then made triangular in its first 12. */
+    private final double[][] rows;
+
+    WindowBlock(List<WindowDerivatives> windows, Optional<KnownStart> known) {
+        this.windows = windows;
+        columns = START + windows.getFirst().byParameter.length + 1;
+        int count = START;
+        for (WindowDerivatives window : windows) {
+            count += window.misses.length;
+        }
+        rows = new double[columns][count];
+        startRows(known);
+        int row = START;
+        double[][] at = identity();
+        for (int w = 0; w < windows.size(); w++) {
+            chain.add(at);
+            row = missRows(windows.get(w), at, row);
+            if (w + 1 < windows.size()) {
+                at = next(windows.get(w), at, windows.get(w + 1).window.start());
+            }
+        }
+        triangulate();
+    }
+
+    private double[][] identity() {
+        double[][] at = new double[START][columns];
+        for (int i = 0; i < START; i++) {
+            at[i][i] = 1;
+        }
+        return at;
+    }
+
+    private void startRows(Optional<KnownStart> known) {
+        double[] off =
+                known.map(k -> windows.getFirst().window.start().minus(k.motion()))
+                        .orElse(new double[START]);
+        for (int i = 0; i < START; i++) {
+            int index = i;
+            double deviation = known.map(k -> k.deviations().get(index)).orElse(UNKNOWN[i / 3]);
+            rows[i][i] = 1 / deviation;
+            rows[columns - 1][i] = off[i] / deviation;
+        }
+    }
+
+    /** Misses of a window: by its start, which depends on x, and by the parameters. */
+    private int missRows(WindowDerivatives window, double[][] at, int row) {
+        int count = window.misses.length;
+        for (int c = 0; c < columns; c++) {
+            double[] column = rows[c];
+            for (int i = 0; i < START; i++) {
+                double factor = at[i][c];
+                if (factor != 0) {
+                    double[] by = window.byStart[i];
+                    for (int k = 0; k < count; k++) {
+                        column[row + k] += factor * by[k];
+                    }
+                }
+            }
+            double[] own =
+                    c < START
+                            ? NONE
+                            : c == columns - 1 ? window.misses : window.byParameter[c - START];
+            for (int k = 0; k < own.length; k++) {
+                column[row + k] += own[k];
+            }
+        }
+        return row + count;
+    }
+
+    private static final double[] NONE = {};
+
+    /** The next window's start as a linear function of x: where this one ends, and the gap. */
+    private double[][] next(WindowDerivatives window, double[][] at, RigidMotion nextStart) {
+        double[] gap = window.end.minus(nextStart);
+        double[][] next = new double[START][columns];
+        for (int i = 0; i < START; i++) {
+            for (int c = 0; c < columns; c++) {
+                double sum = 0;
+                for (int j = 0; j < START; j++) {
+                    sum += window.endByStart[j][i] * at[j][c];
+                }
+                next[i][c] = sum;
+            }
+            for (int p = 0; p < window.endByParameter.length; p++) {
+                next[i][START + p] += window.endByParameter[p][i];
+            }
+            next[i][columns - 1] += gap[i];
+        }
+        return next;
+    }
+
+    /** Householder reflections on the columns of the start, applied to all. */
+    private void triangulate() {
+        int count = rows[0].length;
+        for (int c = 0; c < START; c++) {
+            double[] pivot = rows[c];
+            double norm = 0;
+            for (int k = c; k < count; k++) {
+                norm += pivot[k] * pivot[k];
+            }
+            norm = Math.sqrt(norm);
+            double alpha = pivot[c] > 0 ? -norm : norm;
+            double[] v = new double[count];
+            System.arraycopy(pivot, c, v, c, count - c);
+            v[c] -= alpha;
+            double size = 0;
+            for (int k = c; k < count; k++) {
+                size += v[k] * v[k];
+            }
+            if (size == 0) {
+                continue;
+            }
+            for (int other = c; other < columns; other++) {
+                double[] column = rows[other];
+                double dot = 0;
+                for (int k = c; k < count; k++) {
+                    dot += v[k] * column[k];
+                }
+                double factor = 2 * dot / size;
+                for (int k = c; k < count; k++) {
+                    column[k] -= factor * v[k];
+                }
+            }
+        }
+    }
+
+    /** Adds the products of the projected columns (parameters, then the misses) to a matrix. */
+    void addGram(double[][] gram) {
+        int size = columns - START;
+        for (int a = 0; a < size; a++) {
+            for (int b = a; b < size; b++) {
+                double product = product(rows[START + a], rows[START + b]);
+                gram[a][b] += product;
+                if (a != b) {
+                    gram[b][a] += product;
+                }
+            }
+        }
+    }
+
+    private static double product(double[] a, double[] b) {
+        double sum = 0;
+        for (int k = START; k < a.length; k++) {
+            sum += a[k] * b[k];
+        }
+        return sum;
+    }
+
+    /**
+     * The windows with the starts that fit best when parameters change so.
+     *
+     * @param share of the way that is gone, above 0 and up to 1
+     */
+    List<Window> moved(double[] parameters, double share) {
+        double[] x = new double[columns];
+        System.arraycopy(parameters, 0, x, START, parameters.length);
+        x[columns - 1] = 1;
+        for (int i = START - 1; i >= 0; i--) {
+            double sum = 0;
+            for (int c = i + 1; c < columns; c++) {
+                sum += rows[c][i] * x[c];
+            }
+            x[i] = -sum / rows[i][i];
+        }
+        for (int c = 0; c < columns - 1; c++) {
+            x[c] *= share;
+        }
+        x[columns - 1] = share;
+        List<Window> moved = new ArrayList<>();
+        for (int w = 0; w < windows.size(); w++) {
+            Window window = windows.get(w).window;
+            moved.add(window.startingAt(window.start().plus(product(chain.get(w), x))));
+        }
+        return moved;
+    }
+
+    private static double[] product(double[][] matrix, double[] x) {
+        double[] result = new double[matrix.length];
+        for (int i = 0; i < matrix.length; i++) {
+            for (int c = 0; c < x.length; c++) {
+                result[i] += matrix[i][c] * x[c];
+            }
+        }
+        return result;
+    }
+}

@@ -1,0 +1,164 @@
+package org.auvsim.diagnosis.model;
+
+import org.auvsim.core.actuator.Propulsor;
+import org.auvsim.core.entity.Component;
+import org.auvsim.core.entity.Current;
+import org.auvsim.core.entity.WorldObject;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.step.EndOfStepFinder;
+import org.auvsim.core.step.NoRestricter;
+import org.auvsim.core.step.SnapshotStepper;
+import org.auvsim.core.world.World;
+import org.auvsim.core.world.WorldBuilder;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.server.feedback.RigidMotion;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Variants of one body in the model's world, each as if it were alone, side by side through a part
+ * of a measured run: by the engine's own step, many bodies at a time.
+ */
+public final class Ensemble {
+    /** Share of a step by which times may be off that mean the same. */
+    private static final double ROUNDING = 1e-6;
+
+    /** Variants have ids beyond those of the scenario. */
+    private static final long FIRST_ID = 1_000_000_000L;
+
+    /**
+     * A variant and how it moves at the beginning.
+     *
+     * @param start at the first sample of the part
+     */
+    public record Entrant(Variant variant, RigidMotion start) {}
+
+    private final MeasuredRun run;
+    private final World world;
+    private final List<WorldObject> bodies = new ArrayList<>();
+    private final double longestStep;
+
+    private Ensemble(BelievedModel model, MeasuredRun run, int from, List<Entrant> entrants) {
+        this.run = run;
+        this.longestStep = model.scenario().timeStep().delta();
+        WorldBuilder builder =
+                World.builder()
+                        .startTime(run.time(from))
+                        .timeStep(longestStep)
+                        .allowOverlaps()
+                        .stepper(
+                                new SnapshotStepper(
+                                        new NoRestricter(),
+                                        new NoCollisions(),
+                                        new EndOfStepFinder()));
+        model.scenario().field().forEach(builder::add);
+        for (int i = 0; i < entrants.size(); i++) {
+            builder.add(definition(i, entrants.get(i), from));
+        }
+        world = builder.build();
+        long id = world.entities().stream().mapToLong(e -> e.id()).max().orElse(0);
+        for (int i = 0; i < entrants.size(); i++) {
+            WorldObject body = world.object(name(i));
+            bodies.add(body);
+            for (Current current : entrants.get(i).variant().currents()) {
+                id++;
+                world.add(new CurrentOfOne(id, "own " + id, current.prepared(), body.slot()));
+            }
+        }
+    }
+
+    private static String name(int i) {
+        return "variant " + i;
+    }
+
+    private WorldObjectDefinition definition(int i, Entrant entrant, int from) {
+        RigidMotion start = entrant.start();
+        WorldObjectDefinition body = entrant.variant().body();
+        return body.toBuilder()
+                .id(FIRST_ID + i)
+                .renamed(name(i))
+                .position(start.position())
+                .orientation(start.orientation())
+                .velocity(
+                        start.velocity().x(), start.velocity().y(), start.velocity().z())
+                .angularVelocity(
+                        start.angularVelocity().x(),
+                        start.angularVelocity().y(),
+                        start.angularVelocity().z())
+                .components(commanded(body.component(), from))
+                .build();
+    }
+
+    /** Components as the commands before a sample left them. */
+    private List<Component> commanded(List<Component> components, int from) {
+        List<Component> now = new ArrayList<>();
+        for (Component component : components) {
+            int index = run.commandNames().indexOf(component.name());
+            if (index >= 0 && component instanceof Propulsor propulsor) {
+                now.add(commanded(propulsor, index, from));
+            } else {
+                now.add(component);
+            }
+        }
+        return now;
+    }
+
+    private Component commanded(Propulsor propulsor, int index, int from) {
+        Propulsor now = propulsor;
+        for (int k = 0; k < from; k++) {
+            double level = run.samples().get(k).commands().get(index);
+            if (level != now.command()) {
+                now = (Propulsor) now.commanded(level, run.time(k));
+            }
+        }
+        return now;
+    }
+
+    /**
+     * Simulates variants from one sample of a run to another.
+     *
+     * @return motion of each variant at each sample, the first and the last included; empty for a
+     *     variant from where on it could not be simulated
+     */
+    public static RigidMotion[][] simulate(
+            BelievedModel model, MeasuredRun run, int from, int to, List<Entrant> entrants) {
+        Ensemble ensemble = new Ensemble(model, run, from, entrants);
+        RigidMotion[][] motions = new RigidMotion[entrants.size()][to - from + 1];
+        ensemble.keep(motions, 0);
+        for (int k = from; k < to; k++) {
+            ensemble.command(k);
+            ensemble.advance(run.time(k + 1));
+            ensemble.keep(motions, k + 1 - from);
+        }
+        return motions;
+    }
+
+    private void keep(RigidMotion[][] motions, int sample) {
+        for (int i = 0; i < motions.length; i++) {
+            motions[i][sample] = RigidMotion.of(bodies.get(i));
+        }
+    }
+
+    private void command(int sample) {
+        List<Double> levels = run.samples().get(sample).commands();
+        for (int c = 0; c < levels.size(); c++) {
+            boolean isNew =
+                    sample == 0 || !levels.get(c).equals(run.samples().get(sample - 1).commands().get(c));
+            if (isNew) {
+                for (WorldObject body : bodies) {
+                    body.command(Propulsor.class, run.commandNames().get(c), levels.get(c));
+                }
+            }
+        }
+    }
+
+    private void advance(double until) {
+        double span = until - world.time();
+        int steps = (int) Math.ceil(span / longestStep - ROUNDING);
+        for (int s = steps; s > 0; s--) {
+            world.advanceTimestep((until - world.time()) / s);
+        }
+    }
+}

@@ -1,0 +1,69 @@
+package org.auvsim.diagnosis.fit;
+
+/**
+ * Whether residuals are noise: those of a good model have no memory, so that means over blocks of
+ * them are as small as chance makes them. Each channel is scaled by its own deviation, so that a
+ * wrong estimate of the noise is not taken for a cause.
+ */
+final class Whiteness {
+    private static final int[] BLOCKS = {4, 8, 16, 32};
+
+    /** Above this a channel is not white; over four lengths and six channels 1 in 10,000 is. */
+    static final double LIMIT = 4.5;
+
+    private Whiteness() {}
+
+    /**
+     * How unlikely the largest of the block sums is, as a normal deviate.
+     *
+     * @param misses rows of samples, {@value Weights#ROWS} each
+     */
+    static double largest(double[] misses) {
+        double largest = 0;
+        for (int channel = 0; channel < Weights.ROWS; channel++) {
+            double[] ofChannel = channel(misses, channel);
+            double deviation = deviation(ofChannel);
+            if (deviation == 0) {
+                continue; // not measured
+            }
+            for (int length : BLOCKS) {
+                largest = Math.max(largest, deviate(ofChannel, deviation, length));
+            }
+        }
+        return largest;
+    }
+
+    private static double[] channel(double[] misses, int channel) {
+        double[] of = new double[misses.length / Weights.ROWS];
+        for (int k = 0; k < of.length; k++) {
+            of[k] = misses[k * Weights.ROWS + channel];
+        }
+        return of;
+    }
+
+    private static double deviation(double[] values) {
+        double sum = 0;
+        for (double value : values) {
+            sum += value * value;
+        }
+        return Math.sqrt(sum / values.length);
+    }
+
+    /** Squared block means are a chi square of as many degrees of freedom as there are blocks. */
+    private static double deviate(double[] values, double deviation, int length) {
+        int blocks = values.length / length;
+        if (blocks < 2) {
+            return 0;
+        }
+        double sum = 0;
+        for (int b = 0; b < blocks; b++) {
+            double mean = 0;
+            for (int k = 0; k < length; k++) {
+                mean += values[b * length + k];
+            }
+            mean /= length * deviation / Math.sqrt(length);
+            sum += mean * mean;
+        }
+        return (sum / blocks - 1) * Math.sqrt(blocks / 2.0);
+    }
+}

@@ -1,13 +1,28 @@
 package org.auvsim.diagnosis.cause;
 
 import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.run.MeasuredRun;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
 
-/** Something that a model may lack or have wrong; a whole family of them, by its parameters. */
+/**
+ * Something that a model may lack or have wrong; a whole family of it, by its parameters. It changes
+ * the model by what a scenario can state, too, so that what is found can be written down.
+ */
 public interface Cause {
+    /** Share of a parameter's scale by which smooth effects are moved. */
+    double SMALL = 1e-3;
+
     /** By which reports name it, as {@code quadratic_drag}. */
     String id();
+
+    /** The part of the body that it is about, as a propulsor's name. */
+    default Optional<String> subject() {
+        return Optional.empty();
+    }
 
     /** What it depends on. */
     List<Parameter> parameters();
@@ -18,4 +33,31 @@ public interface Cause {
      * @param theta a number for each parameter
      */
     Variant in(Variant model, double[] theta);
+
+    /** Where to begin; all parameters at 0, if nothing else is said. */
+    default List<Guess> guesses(List<MeasuredRun> runs) {
+        List<Double> zeros = new ArrayList<>();
+        List<Double> steps = new ArrayList<>();
+        for (Parameter parameter : parameters()) {
+            zeros.add(0.0);
+            steps.add(SMALL * parameter.scale());
+        }
+        return List.of(
+                new Guess(zeros, IntStream.range(0, zeros.size()).boxed().toList(), steps));
+    }
+
+    /** Its numbers as people know them: amplitude and phase rather than sine and cosine. */
+    default List<Quantity> quantities(double[] theta) {
+        List<Quantity> quantities = new ArrayList<>();
+        for (int i = 0; i < theta.length; i++) {
+            Parameter parameter = parameters().get(i);
+            quantities.add(new Quantity(parameter.name(), parameter.unit(), theta[i]));
+        }
+        return quantities;
+    }
+
+    /** Whether it can imitate many others and so counts only where none of those passes. */
+    default boolean isGeneric() {
+        return false;
+    }
 }

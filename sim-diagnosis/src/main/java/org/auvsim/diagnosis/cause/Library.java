@@ -23,43 +23,39 @@ public final class Library {
         }
     }
 
-    private static Parameter signed(String name, String unit, double scale) {
-        return new Parameter(name, unit, scale, false);
-    }
-
     /** Those that fit a body of this kind. */
     public static List<Cause> of(WorldObjectDefinition body) {
         double mass = body.mass().orElseThrow();
         return List.of(
                 new Plain(
                         "linear_drag",
-                        List.of(signed("c", "N s/m", 0.1 * mass)),
+                        List.of(Parameter.signed("c", "N s/m", 0.1 * mass)),
                         (v, t) -> v.with(b -> b.effect(new IsotropicDrag(t[0], 0, 0)))),
                 new Plain(
                         "quadratic_drag",
-                        List.of(signed("k", "kg/m", 0.1 * mass)),
+                        List.of(Parameter.signed("k", "kg/m", 0.1 * mass)),
                         (v, t) -> v.with(b -> b.effect(new IsotropicDrag(0, t[0], 0)))),
                 new Plain(
                         "rotational_drag",
-                        List.of(signed("c", "N m s/rad", 0.01 * mass)),
+                        List.of(Parameter.signed("c", "N m s/rad", 0.01 * mass)),
                         (v, t) -> v.with(b -> b.effect(new IsotropicDrag(0, 0, t[0])))),
                 new Plain(
                         "current_constant",
                         List.of(
-                                signed("u.x", "m/s", 0.1),
-                                signed("u.y", "m/s", 0.1),
-                                signed("u.z", "m/s", 0.1)),
+                                Parameter.signed("u.x", "m/s", 0.1),
+                                Parameter.signed("u.y", "m/s", 0.1),
+                                Parameter.signed("u.z", "m/s", 0.1)),
                         (v, t) ->
                                 v.in(
                                         new UniformCurrent(
                                                 1, "found", new Vec3(t[0], t[1], t[2])))),
                 new Plain(
                         "mass_error",
-                        List.of(signed("factor-1", "1", 0.1)),
+                        List.of(Parameter.signed("factor-1", "1", 0.1)),
                         (v, t) -> v.with(b -> b.mass(v.body().mass().orElseThrow() * (1 + t[0])))),
                 new Plain(
                         "buoyancy_weight",
-                        List.of(signed("force", "N", 0.1 * mass)),
+                        List.of(Parameter.signed("force", "N", 0.1 * mass)),
                         (v, t) ->
                                 v.with(
                                         b ->

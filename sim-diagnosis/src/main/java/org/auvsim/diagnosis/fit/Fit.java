@@ -1,13 +1,10 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.core.step.StepException;
-import org.auvsim.diagnosis.cause.Cause;
-import org.auvsim.diagnosis.fit.WindowDerivatives.Column;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble;
 import org.auvsim.diagnosis.model.Ensemble.Entrant;
 import org.auvsim.diagnosis.model.Variant;
-import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
@@ -16,48 +13,29 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * A set of causes with parameters, and windows that follow the measurement under the model that has
- * them. Immutable; a step leads to a better one.
+ * A hypothesis, and windows that follow the measurement under it. Immutable; a step leads to a
+ * better one.
  *
+ * @param data what motions miss of each run
  * @param windows of each run, in order
  */
 record Fit(
-        BelievedModel model,
-        List<MeasuredRun> runs,
-        Weights weights,
-        List<Cause> causes,
-        List<double[]> theta,
-        List<List<Window>> windows) {
+        BelievedModel model, List<Misses> data, Hypothesis hypothesis, List<List<Window>> windows) {
     /** The model with the causes. */
     Variant variant() {
-        Variant variant = model.variant();
-        for (int i = 0; i < causes.size(); i++) {
-            variant = causes.get(i).in(variant, theta.get(i));
-        }
-        return variant;
+        return hypothesis.in(model.variant());
     }
 
-    /** The columns of the parameters of the causes. */
-    List<Column> columns() {
-        return columns(causes);
+    Fit with(Hypothesis other, List<List<Window>> moved) {
+        return new Fit(model, data, other, moved);
     }
 
-    static List<Column> columns(List<Cause> causes) {
-        List<Column> columns = new ArrayList<>();
-        for (Cause cause : causes) {
-            for (int p = 0; p < cause.parameters().size(); p++) {
-                columns.add(new Column(cause, p));
-            }
-        }
-        return columns;
-    }
-
-    /** The same, its windows as they are, with derivatives by these parameters, run by run. */
-    List<List<WindowDerivatives>> derivatives(List<Column> columns) {
+    /** Derivatives by the starts of the windows and by parameters, run by run. */
+    List<List<WindowDerivatives>> derivatives(List<Variant> moved, double[] steps) {
         Variant variant = variant();
         List<List<WindowDerivatives>> all = new ArrayList<>();
-        for (int r = 0; r < runs.size(); r++) {
-            MeasuredRun run = runs.get(r);
+        for (int r = 0; r < data.size(); r++) {
+            Misses of = data.get(r);
             List<Window> ofRun = windows.get(r);
             all.add(
                     IntStream.range(0, ofRun.size())
@@ -67,63 +45,74 @@ record Fit(
                                             WindowDerivatives.of(
                                                     model,
                                                     variant,
-                                                    run,
-                                                    weights,
+                                                    of,
                                                     ofRun.get(w),
                                                     w == ofRun.size() - 1,
-                                                    columns))
+                                                    moved,
+                                                    steps))
                             .toList());
         }
         return all;
     }
 
+    /** Derivatives by the hypothesis's own parameters. */
+    List<List<WindowDerivatives>> derivatives() {
+        return derivatives(hypothesis.moved(model.variant()), hypothesis.steps());
+    }
+
     /** Windows chained in blocks of so many; known starts hold the first of each run. */
-    static List<List<WindowBlock>> blocks(
-            List<MeasuredRun> runs, List<List<WindowDerivatives>> derivatives, int perBlock) {
+    List<List<WindowBlock>> blocks(List<List<WindowDerivatives>> derivatives, int perBlock) {
         List<List<WindowBlock>> all = new ArrayList<>();
-        for (int r = 0; r < runs.size(); r++) {
+        for (int r = 0; r < data.size(); r++) {
             List<WindowDerivatives> ofRun = derivatives.get(r);
             List<WindowBlock> blocks = new ArrayList<>();
             for (int w = 0; w < ofRun.size(); w += perBlock) {
                 blocks.add(
                         new WindowBlock(
                                 ofRun.subList(w, Math.min(ofRun.size(), w + perBlock)),
-                                w == 0 ? runs.get(r).start() : Optional.empty()));
+                                w == 0 ? data.get(r).run().start() : Optional.empty()));
             }
             all.add(blocks);
         }
         return all;
     }
 
-    /** Simulated in one go from the start of each run: the misses, in standard deviations. */
+    /** Most windows of a run. */
+    int longest() {
+        return windows.stream().mapToInt(List::size).max().orElse(1);
+    }
+
+    /** Simulated in one go from the start of each run: squared misses in all. */
     double cost() {
         try {
-            return simulatedCost();
+            double cost = 0;
+            for (double[] ofRun : misses()) {
+                for (double miss : ofRun) {
+                    cost += miss * miss;
+                }
+            }
+            return cost;
         } catch (StepException e) {
             return Double.POSITIVE_INFINITY; // so far off that no step can be made
         }
     }
 
-    private double simulatedCost() {
-        double cost = 0;
+    /** Simulated in one go from the start of each run: the misses of each. */
+    List<double[]> misses() {
         Variant variant = variant();
-        for (int r = 0; r < runs.size(); r++) {
-            MeasuredRun run = runs.get(r);
+        List<double[]> all = new ArrayList<>();
+        for (int r = 0; r < data.size(); r++) {
+            Misses of = data.get(r);
+            int last = of.run().size() - 1;
             RigidMotion[] motion =
                     Ensemble.simulate(
                             model,
-                            run,
+                            of.run(),
                             0,
-                            run.size() - 1,
+                            last,
                             List.of(new Entrant(variant, windows.get(r).getFirst().start())))[0];
-            double[] misses = new double[Weights.ROWS];
-            for (int k = 0; k < run.size(); k++) {
-                weights.residuals(run.samples().get(k), motion[k], misses, 0);
-                for (double miss : misses) {
-                    cost += miss * miss;
-                }
-            }
+            all.add(of.of(motion, variant.sensing(), 0, last + 1));
         }
-        return cost;
+        return all;
     }
 }

@@ -1,11 +1,10 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.model.BelievedModel;
-import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
-import org.auvsim.diagnosis.run.MeasuredRun.KnownStart;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -29,15 +28,15 @@ final class Following {
     private static final double TURN = 0.06;
 
     private final BelievedModel model;
-    private final Variant variant;
     private final MeasuredRun run;
-    private final Weights weights;
+    private final Misses data;
+    private final Noise noise;
 
-    Following(BelievedModel model, Variant variant, MeasuredRun run, Weights weights) {
+    Following(BelievedModel model, Misses data, Noise noise) {
         this.model = model;
-        this.variant = variant;
-        this.run = run;
-        this.weights = weights;
+        this.run = data.run();
+        this.data = data;
+        this.noise = noise;
     }
 
     /** A window as it was fitted, and by how much it misses: chi squared of its samples. */
@@ -131,34 +130,38 @@ final class Following {
     private Fitted derive(Window window, boolean isLast) {
         return new Fitted(
                 window,
-                WindowDerivatives.of(model, variant, run, weights, window, isLast, List.of()));
+                WindowDerivatives.of(
+                        model, model.variant(), data, window, isLast, List.of(), new double[0]));
     }
 
     private boolean follows(List<Fitted> fitted) {
-        for (Fitted window : fitted) {
-            double[] misses = window.derivatives().misses;
-            if (systematic(misses, 0) * weights.position()
-                            > Math.max(SHARE_OF_RANGE * range(), SHARE_OF_NOISE * weights.position())
-                    || (run.hasOrientation()
-                            && systematic(misses, 3) * weights.rotation()
-                                    > Math.max(TURN, SHARE_OF_NOISE * weights.rotation()))) {
-                return false;
+        for (Channel channel : List.of(Channel.POSITION, Channel.ORIENTATION)) {
+            double allowed =
+                    channel == Channel.POSITION
+                            ? Math.max(SHARE_OF_RANGE * range(), SHARE_OF_NOISE * noise.of(channel))
+                            : Math.max(TURN, SHARE_OF_NOISE * noise.of(channel));
+            for (Fitted window : fitted) {
+                if (systematic(window.derivatives().misses, channel) * noise.of(channel)
+                        > allowed) {
+                    return false;
+                }
             }
         }
         return true;
     }
 
     /** Root of what the mean square miss has beyond noise, in standard deviations. */
-    private static double systematic(double[] misses, int first) {
+    private double systematic(double[] misses, Channel channel) {
+        List<Misses.Row> rows = data.rows();
         double sum = 0;
         int count = 0;
-        for (int row = first; row < misses.length; row += Weights.ROWS) {
-            for (int i = 0; i < 3; i++) {
-                sum += misses[row + i] * misses[row + i];
+        for (int i = 0; i < misses.length; i++) {
+            if (rows.get(i % rows.size()).channel() == channel) {
+                sum += misses[i] * misses[i];
                 count++;
             }
         }
-        return Math.sqrt(Math.max(0, sum / count - 1));
+        return count == 0 ? 0 : Math.sqrt(Math.max(0, sum / count - 1));
     }
 
     /** The largest extent of the motion along an axis (m). */
@@ -167,26 +170,15 @@ final class Following {
         for (int axis = 0; axis < 3; axis++) {
             double low = Double.POSITIVE_INFINITY;
             double high = Double.NEGATIVE_INFINITY;
-            for (MeasuredRun.Sample sample : run.samples()) {
-                if (sample.position().isPresent()) {
-                    var p = sample.position().get();
-                    double x = axis == 0 ? p.x() : axis == 1 ? p.y() : p.z();
-                    low = Math.min(low, x);
-                    high = Math.max(high, x);
+            for (int k = 0; k < run.size(); k++) {
+                double place = run.value(Channel.POSITION, k, axis);
+                if (!Double.isNaN(place)) {
+                    low = Math.min(low, place);
+                    high = Math.max(high, place);
                 }
             }
             range = Math.max(range, high - low);
         }
         return range;
-    }
-
-    /** Windows of several runs under one model. */
-    static List<List<Window>> of(
-            BelievedModel model, Variant variant, List<MeasuredRun> runs, Weights weights) {
-        List<List<Window>> all = new ArrayList<>();
-        for (MeasuredRun run : runs) {
-            all.add(new Following(model, variant, run, weights).windows());
-        }
-        return all;
     }
 }

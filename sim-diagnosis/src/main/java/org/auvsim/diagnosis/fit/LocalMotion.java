@@ -2,11 +2,14 @@ package org.auvsim.diagnosis.fit;
 
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
 import org.apache.commons.math3.fitting.PolynomialCurveFitter;
 import org.apache.commons.math3.fitting.WeightedObservedPoints;
+
+import java.util.Optional;
 
 /** The motion at a sample by what was measured around it, without any model: local parabolas. */
 final class LocalMotion {
@@ -24,12 +27,13 @@ final class LocalMotion {
             WeightedObservedPoints turns = new WeightedObservedPoints();
             for (int k = from; k <= to; k++) {
                 double t = run.time(k) - run.time(at);
-                MeasuredRun.Sample sample = run.samples().get(k);
-                if (sample.position().isPresent()) {
-                    places.add(t, component(sample.position().get(), i));
+                double place = run.value(Channel.POSITION, k, i);
+                if (!Double.isNaN(place)) {
+                    places.add(t, place);
                 }
-                if (sample.orientation().isPresent()) {
-                    turns.add(t, turn(axes, sample.orientation().get())[i]);
+                Optional<Quat> orientation = run.orientation(k);
+                if (orientation.isPresent()) {
+                    turns.add(t, Misses.axis(Misses.turn(axes, orientation.get()), i));
                 }
             }
             position[i] = parabola(places);
@@ -46,18 +50,7 @@ final class LocalMotion {
     }
 
     private static Quat orientationNear(MeasuredRun run, int at) {
-        return run.samples().get(at).orientation().orElse(Quat.IDENTITY);
-    }
-
-    private static double[] turn(Quat from, Quat to) {
-        double[] d =
-                new RigidMotion(Vec3.ZERO, to, Vec3.ZERO, Vec3.ZERO)
-                        .minus(new RigidMotion(Vec3.ZERO, from, Vec3.ZERO, Vec3.ZERO));
-        return new double[] {d[3], d[4], d[5]};
-    }
-
-    private static double component(Vec3 v, int i) {
-        return i == 0 ? v.x() : i == 1 ? v.y() : v.z();
+        return run.orientation(at).orElse(Quat.IDENTITY);
     }
 
     private static double[] parabola(WeightedObservedPoints points) {

@@ -1,7 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.core.step.StepException;
-import org.auvsim.diagnosis.fit.WindowDerivatives.Column;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -20,26 +19,27 @@ final class Refinement {
     private Refinement() {}
 
     /** One step with windows chained in blocks of so many. */
-    static Fit step(Fit fit, int perBlock, double share) {
-        List<Column> columns = fit.columns();
-        List<List<WindowBlock>> blocks =
-                Fit.blocks(fit.runs(), fit.derivatives(columns), perBlock);
-        return moved(fit, blocks, columns, share);
+    static Fit step(Fit fit, int perBlock) {
+        return moved(fit, fit.blocks(fit.derivatives(), perBlock), 1);
     }
 
-    private static Fit moved(
-            Fit fit, List<List<WindowBlock>> blocks, List<Column> columns, double share) {
-        int[] all = IntStream.range(0, columns.size()).toArray();
-        double[] change =
-                all.length == 0 ? new double[0] : new Gram(blocks, columns.size()).solve(all);
-        List<double[]> theta = new ArrayList<>();
-        int at = 0;
-        for (double[] before : fit.theta()) {
-            double[] after = before.clone();
-            for (int p = 0; p < after.length; p++) {
-                after[p] += share * change[at++];
-            }
-            theta.add(after);
+    private static Fit moved(Fit fit, List<List<WindowBlock>> blocks, double share) {
+        int size = fit.hypothesis().size();
+        int[] all = IntStream.range(0, size).toArray();
+        double[] change = size == 0 ? new double[0] : new Gram(blocks, size).solve(all);
+        return moved(fit, blocks, change, fit.hypothesis(), share);
+    }
+
+    /** The windows moved as a change of parameters asks for, and these for the hypothesis given. */
+    static Fit moved(
+            Fit fit,
+            List<List<WindowBlock>> blocks,
+            double[] change,
+            Hypothesis hypothesis,
+            double share) {
+        double[] gone = new double[change.length];
+        for (int i = 0; i < gone.length; i++) {
+            gone[i] = share * change[i];
         }
         List<List<Window>> windows = new ArrayList<>();
         for (List<WindowBlock> ofRun : blocks) {
@@ -47,18 +47,18 @@ final class Refinement {
             ofRun.forEach(block -> moved.addAll(block.moved(change, share)));
             windows.add(moved);
         }
-        return new Fit(fit.model(), fit.runs(), fit.weights(), fit.causes(), theta, windows);
+        return fit.with(hypothesis.plus(gone), windows);
     }
 
     /** From blocks of so many windows up to whole runs, then until nothing is gained any more. */
     static Fit refine(Fit start, int perBlock) {
         Fit fit = start;
-        int longest = start.windows().stream().mapToInt(List::size).max().orElse(1);
+        int longest = start.longest();
         try {
             for (int block = perBlock; block < longest; block *= 2) {
-                fit = step(fit, block, 1);
+                fit = step(fit, block);
             }
-            fit = step(fit, longest, 1);
+            fit = step(fit, longest);
         } catch (StepException e) {
             fit = start; // lost its way: what follows begins where the windows did
         }
@@ -69,12 +69,12 @@ final class Refinement {
     /** One window a run. */
     static Fit whole(Fit fit) {
         List<List<Window>> windows = new ArrayList<>();
-        for (int r = 0; r < fit.runs().size(); r++) {
+        for (int r = 0; r < fit.data().size(); r++) {
             Window first = fit.windows().get(r).getFirst();
-            windows.add(List.of(new Window(0, fit.runs().get(r).size() - 1, first.start())));
+            windows.add(
+                    List.of(new Window(0, fit.data().get(r).run().size() - 1, first.start())));
         }
-        return new Fit(
-                fit.model(), fit.runs(), fit.weights(), fit.causes(), fit.theta(), windows);
+        return fit.with(fit.hypothesis(), windows);
     }
 
     /** Gauss-Newton steps of whole runs, halved until they help. */
@@ -85,13 +85,11 @@ final class Refinement {
             return best;
         }
         for (int s = 0; s < MOST_STEPS; s++) {
-            List<Column> columns = best.columns();
-            List<List<WindowBlock>> blocks =
-                    Fit.blocks(best.runs(), best.derivatives(columns), 1);
+            List<List<WindowBlock>> blocks = best.blocks(best.derivatives(), 1);
             double before = cost;
             double share = 1;
             for (int h = 0; h < MOST_HALVINGS; h++) {
-                Fit tried = moved(best, blocks, columns, share);
+                Fit tried = moved(best, blocks, share);
                 double triedCost = tried.cost();
                 if (triedCost < cost) {
                     best = tried;

@@ -16,12 +16,13 @@ final class Whiteness {
     /**
      * How unlikely the largest of the block sums is, as a normal deviate.
      *
-     * @param misses rows of samples, {@value Weights#ROWS} each
+     * @param misses sample by sample
+     * @param rows how many of them are of one sample
      */
-    static double largest(double[] misses) {
+    static double largest(double[] misses, int rows) {
         double largest = 0;
-        for (int channel = 0; channel < Weights.ROWS; channel++) {
-            double[] ofChannel = channel(misses, channel);
+        for (int row = 0; row < rows; row++) {
+            double[] ofChannel = row(misses, row, rows);
             double deviation = deviation(ofChannel);
             if (deviation == 0) {
                 continue; // not measured
@@ -33,10 +34,10 @@ final class Whiteness {
         return largest;
     }
 
-    private static double[] channel(double[] misses, int channel) {
-        double[] of = new double[misses.length / Weights.ROWS];
+    private static double[] row(double[] misses, int row, int rows) {
+        double[] of = new double[misses.length / rows];
         for (int k = 0; k < of.length; k++) {
-            of[k] = misses[k * Weights.ROWS + channel];
+            of[k] = misses[k * rows + row];
         }
         return of;
     }

@@ -1,6 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
-import org.auvsim.diagnosis.run.MeasuredRun.KnownStart;
+import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;

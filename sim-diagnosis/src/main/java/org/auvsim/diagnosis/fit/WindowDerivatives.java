@@ -1,11 +1,9 @@
 package org.auvsim.diagnosis.fit;
 
-import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble;
 import org.auvsim.diagnosis.model.Ensemble.Entrant;
 import org.auvsim.diagnosis.model.Variant;
-import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
@@ -19,12 +17,9 @@ final class WindowDerivatives {
     /** Changes of a start: position (m), turn (rad), velocity (m/s), angular velocity (rad/s). */
     private static final double[] STEPS = {1e-5, 1e-6, 1e-6, 1e-6};
 
-    /** Share of a parameter's scale. */
-    private static final double SHARE = 1e-3;
-
     final Window window;
 
-    /** Misses of the samples, {@value Weights#ROWS} rows each, in standard deviations. */
+    /** Of the samples, row by row, in standard deviations. */
     final double[] misses;
 
     /** Derivative of the misses by each number of the start, and by each parameter. */
@@ -38,56 +33,50 @@ final class WindowDerivatives {
     final double[][] endByStart;
     final double[][] endByParameter;
 
-    /** A column of the library: one parameter of one cause. */
-    record Column(Cause cause, int parameter) {
-        Variant shifted(Variant variant, double by) {
-            double[] theta = new double[cause.parameters().size()];
-            theta[parameter] = by;
-            return cause.in(variant, theta);
-        }
-
-        double step() {
-            return SHARE * cause.parameters().get(parameter).scale();
-        }
-    }
-
     private WindowDerivatives(
-            MeasuredRun run,
-            Weights weights,
+            Misses of,
             Window window,
             boolean isLast,
+            List<Entrant> entrants,
             RigidMotion[][] motions,
-            List<Column> columns) {
+            double[] steps) {
         this.window = window;
         int samples = window.length() + (isLast ? 1 : 0);
-        misses = misses(run, weights, motions[0], samples);
+        int parameters = steps.length;
+        misses = misses(of, entrants.getFirst(), motions[0], samples);
         end = motions[0][window.length()];
         byStart = new double[RigidMotion.SIZE][];
         endByStart = new double[RigidMotion.SIZE][];
         for (int i = 0; i < RigidMotion.SIZE; i++) {
             RigidMotion[] moved = motions[1 + i];
-            byStart[i] = slope(misses(run, weights, moved, samples), misses, STEPS[i / 3]);
+            byStart[i] =
+                    slope(misses(of, entrants.get(1 + i), moved, samples), misses, STEPS[i / 3]);
             endByStart[i] = slope(moved[window.length()].minus(end), STEPS[i / 3]);
         }
-        byParameter = new double[columns.size()][];
-        endByParameter = new double[columns.size()][];
-        for (int j = 0; j < columns.size(); j++) {
-            RigidMotion[] moved = motions[1 + RigidMotion.SIZE + j];
-            double step = columns.get(j).step();
-            byParameter[j] = slope(misses(run, weights, moved, samples), misses, step);
-            endByParameter[j] = slope(moved[window.length()].minus(end), step);
+        byParameter = new double[parameters][];
+        endByParameter = new double[parameters][];
+        for (int j = 0; j < parameters; j++) {
+            int at = 1 + RigidMotion.SIZE + j;
+            RigidMotion[] moved = motions[at];
+            byParameter[j] =
+                    slope(misses(of, entrants.get(at), moved, samples), misses, steps[j]);
+            endByParameter[j] = slope(moved[window.length()].minus(end), steps[j]);
         }
     }
 
-    /** Those of a window under a variant of the model. */
+    /**
+     * Those of a window under a variant of the model.
+     *
+     * @param moved variants in which one parameter each is moved by its step
+     */
     static WindowDerivatives of(
             BelievedModel model,
             Variant variant,
-            MeasuredRun run,
-            Weights weights,
+            Misses of,
             Window window,
             boolean isLast,
-            List<Column> columns) {
+            List<Variant> moved,
+            double[] steps) {
         List<Entrant> entrants = new ArrayList<>();
         entrants.add(new Entrant(variant, window.start()));
         for (int i = 0; i < RigidMotion.SIZE; i++) {
@@ -95,22 +84,16 @@ final class WindowDerivatives {
             by[i] = STEPS[i / 3];
             entrants.add(new Entrant(variant, window.start().plus(by)));
         }
-        for (Column column : columns) {
-            entrants.add(new Entrant(column.shifted(variant, column.step()), window.start()));
+        for (Variant other : moved) {
+            entrants.add(new Entrant(other, window.start()));
         }
         RigidMotion[][] motions =
-                Ensemble.simulate(model, run, window.from(), window.to(), entrants);
-        return new WindowDerivatives(run, weights, window, isLast, motions, columns);
+                Ensemble.simulate(model, of.run(), window.from(), window.to(), entrants);
+        return new WindowDerivatives(of, window, isLast, entrants, motions, steps);
     }
 
-    private double[] misses(
-            MeasuredRun run, Weights weights, RigidMotion[] motions, int samples) {
-        double[] misses = new double[samples * Weights.ROWS];
-        for (int k = 0; k < samples; k++) {
-            weights.residuals(
-                    run.samples().get(window.from() + k), motions[k], misses, k * Weights.ROWS);
-        }
-        return misses;
+    private double[] misses(Misses of, Entrant entrant, RigidMotion[] motions, int samples) {
+        return of.of(motions, entrant.variant().sensing(), window.from(), samples);
     }
 
     private static double[] slope(double[] moved, double[] before, double step) {

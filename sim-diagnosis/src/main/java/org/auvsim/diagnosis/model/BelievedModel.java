@@ -41,6 +41,6 @@ public record BelievedModel(Scenario scenario, String body) {
 
     /** The body as it is believed. */
     public Variant variant() {
-        return new Variant(definition(scenario, body), List.of());
+        return new Variant(definition(scenario, body), List.of(), Sensing.EXACT);
     }
 }

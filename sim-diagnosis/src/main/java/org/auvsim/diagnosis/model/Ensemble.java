@@ -1,7 +1,5 @@
 package org.auvsim.diagnosis.model;
 
-import org.auvsim.core.actuator.Propulsor;
-import org.auvsim.core.entity.Component;
 import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -10,12 +8,12 @@ import org.auvsim.core.step.NoRestricter;
 import org.auvsim.core.step.SnapshotStepper;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldBuilder;
+import org.auvsim.diagnosis.run.KnownDifferences;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 
 /**
  * Variants of one body in the model's world, each as if it were alone, side by side through a part
@@ -36,12 +34,14 @@ public final class Ensemble {
     public record Entrant(Variant variant, RigidMotion start) {}
 
     private final MeasuredRun run;
+    private final Inputs inputs;
     private final World world;
     private final List<WorldObject> bodies = new ArrayList<>();
     private final double longestStep;
 
     private Ensemble(BelievedModel model, MeasuredRun run, int from, List<Entrant> entrants) {
         this.run = run;
+        this.inputs = new Inputs(run, model.variant().body());
         this.longestStep = model.scenario().timeStep().delta();
         WorldBuilder builder =
                 World.builder()
@@ -54,6 +54,7 @@ public final class Ensemble {
                                         new NoCollisions(),
                                         new EndOfStepFinder()));
         model.scenario().field().forEach(builder::add);
+        run.differences().currents().forEach(builder::add);
         for (int i = 0; i < entrants.size(); i++) {
             builder.add(definition(i, entrants.get(i), from));
         }
@@ -75,8 +76,13 @@ public final class Ensemble {
 
     private WorldObjectDefinition definition(int i, Entrant entrant, int from) {
         RigidMotion start = entrant.start();
-        WorldObjectDefinition body = entrant.variant().body();
-        return body.toBuilder()
+        WorldObjectDefinition.Builder body = entrant.variant().body().toBuilder();
+        KnownDifferences known = run.differences();
+        known.effects().forEach(body::effect);
+        if (known.mass() != 0) {
+            body.mass(entrant.variant().body().mass().orElseThrow() + known.mass());
+        }
+        return body
                 .id(FIRST_ID + i)
                 .renamed(name(i))
                 .position(start.position())
@@ -87,33 +93,8 @@ public final class Ensemble {
                         start.angularVelocity().x(),
                         start.angularVelocity().y(),
                         start.angularVelocity().z())
-                .components(commanded(body.component(), from))
+                .components(inputs.before(from, entrant.variant().body().component()))
                 .build();
-    }
-
-    /** Components as the commands before a sample left them. */
-    private List<Component> commanded(List<Component> components, int from) {
-        List<Component> now = new ArrayList<>();
-        for (Component component : components) {
-            int index = run.commandNames().indexOf(component.name());
-            if (index >= 0 && component instanceof Propulsor propulsor) {
-                now.add(commanded(propulsor, index, from));
-            } else {
-                now.add(component);
-            }
-        }
-        return now;
-    }
-
-    private Component commanded(Propulsor propulsor, int index, int from) {
-        Propulsor now = propulsor;
-        for (int k = 0; k < from; k++) {
-            double level = run.samples().get(k).commands().get(index);
-            if (level != now.command()) {
-                now = (Propulsor) now.commanded(level, run.time(k));
-            }
-        }
-        return now;
     }
 
     /**
@@ -128,7 +109,7 @@ public final class Ensemble {
         RigidMotion[][] motions = new RigidMotion[entrants.size()][to - from + 1];
         ensemble.keep(motions, 0);
         for (int k = from; k < to; k++) {
-            ensemble.command(k);
+            ensemble.inputs.command(k, k == from, ensemble.bodies);
             ensemble.advance(run.time(k + 1));
             ensemble.keep(motions, k + 1 - from);
         }
@@ -141,22 +122,17 @@ public final class Ensemble {
         }
     }
 
-    private void command(int sample) {
-        List<Double> levels = run.samples().get(sample).commands();
-        for (int c = 0; c < levels.size(); c++) {
-            boolean isNew =
-                    sample == 0 || !levels.get(c).equals(run.samples().get(sample - 1).commands().get(c));
-            if (isNew) {
-                for (WorldObject body : bodies) {
-                    body.command(Propulsor.class, run.commandNames().get(c), levels.get(c));
-                }
-            }
+    private void advance(double until) {
+        double rounding = ROUNDING * longestStep;
+        while (world.time() < until - rounding) {
+            inputs.schedule(world.time(), rounding, bodies);
+            step(inputs.nextChange(world.time(), rounding, until));
         }
     }
 
-    private void advance(double until) {
+    private void step(double until) {
         double span = until - world.time();
-        int steps = (int) Math.ceil(span / longestStep - ROUNDING);
+        int steps = Math.max(1, (int) Math.ceil(span / longestStep - ROUNDING));
         for (int s = steps; s > 0; s--) {
             world.advanceTimestep((until - world.time()) / s);
         }

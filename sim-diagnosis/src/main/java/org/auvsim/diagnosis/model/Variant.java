@@ -13,8 +13,9 @@ import java.util.function.UnaryOperator;
  *
  * @param body with its mass, effects and components
  * @param currents of the water that it moves in, beside those of the model's world
+ * @param sensing what measuring does to its motion
  */
-public record Variant(WorldObjectDefinition body, List<Current> currents) {
+public record Variant(WorldObjectDefinition body, List<Current> currents, Sensing sensing) {
     /** The lists cannot be changed. */
     public Variant {
         currents = List.copyOf(currents);
@@ -22,13 +23,18 @@ public record Variant(WorldObjectDefinition body, List<Current> currents) {
 
     /** The same with another body. */
     public Variant with(UnaryOperator<WorldObjectDefinition.Builder> change) {
-        return new Variant(change.apply(body.toBuilder()).build(), currents);
+        return new Variant(change.apply(body.toBuilder()).build(), currents, sensing);
     }
 
     /** The same in one more current. */
     public Variant in(Current current) {
         List<Current> more = new ArrayList<>(currents);
         more.add(current);
-        return new Variant(body, more);
+        return new Variant(body, more, sensing);
+    }
+
+    /** The same measured otherwise. */
+    public Variant sensed(UnaryOperator<Sensing> change) {
+        return new Variant(body, currents, change.apply(sensing));
     }
 }

@@ -1,67 +1,160 @@
 package org.auvsim.diagnosis.run;
 
+import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
-import org.auvsim.server.feedback.RigidMotion;
 
+import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
- * A measured run: where a body was when, and what it was told to do. Times increase. Immutable.
- *
- * @param name for people, as that of its file
- * @param samples at least two
- * @param commandNames the propulsors that were commanded
- * @param start the motion at the first sample, if it is known otherwise than by the measurement
+ * A measured run: where a body was when, and what it was told to do. Times increase; a number that
+ * was not measured is NaN. Immutable.
  */
-public record MeasuredRun(
-        String name,
-        List<Sample> samples,
-        List<String> commandNames,
-        Optional<KnownStart> start) {
-    /**
-     * What was measured at an instant.
-     *
-     * @param time (s)
-     * @param position of the origin (m, world)
-     * @param orientation body to world
-     * @param commands of the propulsors named, each holds until the next sample
-     */
-    public record Sample(
-            double time, Optional<Vec3> position, Optional<Quat> orientation, List<Double> commands) {
-        /** The list cannot be changed. */
-        public Sample {
-            commands = List.copyOf(commands);
+public final class MeasuredRun {
+    private static final int AXES = 3;
+
+    private final String name;
+    private final double[] times;
+    private final Map<Channel, double[]> measured;
+    private final Map<Channel, double[]> deviations;
+    private final double[] quaternions;
+    private final Map<Channel, Frame> frames;
+    private final List<Command> commands;
+    private final List<ScheduledForce> forces;
+    private final Optional<KnownStart> start;
+    private final KnownDifferences differences;
+
+    MeasuredRun(MeasuredRunBuilder b) {
+        name = b.name;
+        times = b.times.toArray();
+        measured = new EnumMap<>(Channel.class);
+        deviations = new EnumMap<>(Channel.class);
+        b.measured.forEach((channel, values) -> keep(measured, channel, values.toArray()));
+        b.deviations.forEach((channel, values) -> keep(deviations, channel, values.toArray()));
+        quaternions = b.quaternions.toArray();
+        frames = new EnumMap<>(b.frames);
+        commands = List.copyOf(b.commands());
+        forces = List.copyOf(b.forces);
+        start = b.start;
+        differences = b.differences;
+    }
+
+    private static void keep(Map<Channel, double[]> to, Channel channel, double[] values) {
+        if (Arrays.stream(values).anyMatch(Double::isFinite)) {
+            to.put(channel, values);
         }
     }
 
-    /**
-     * A motion that is known.
-     *
-     * @param deviations standard deviations of position (m), rotation vector (rad), velocity (m/s)
-     *     and angular velocity (rad/s): twelve numbers
-     */
-    public record KnownStart(RigidMotion motion, List<Double> deviations) {}
+    /** An empty run of this name, to be filled. */
+    public static MeasuredRunBuilder named(String name) {
+        return new MeasuredRunBuilder(name);
+    }
 
-    /** The lists cannot be changed. */
-    public MeasuredRun {
-        samples = List.copyOf(samples);
-        commandNames = List.copyOf(commandNames);
+    /** For people, as that of its file. */
+    public String name() {
+        return name;
     }
 
     /** Number of samples. */
     public int size() {
-        return samples.size();
+        return times.length;
     }
 
     /** When a sample was taken (s). */
     public double time(int sample) {
-        return samples.get(sample).time();
+        return times[sample];
     }
 
-    /** Whether orientations were measured. */
-    public boolean hasOrientation() {
-        return samples.stream().anyMatch(sample -> sample.orientation().isPresent());
+    /** Time from the first sample to the last (s). */
+    public double duration() {
+        return times[times.length - 1] - times[0];
+    }
+
+    /** Whether a channel was measured at all, be it along one axis alone. */
+    public boolean measures(Channel channel) {
+        return measured.containsKey(channel);
+    }
+
+    /** Whether a channel was ever measured along or about an axis (0 to 2). */
+    public boolean measures(Channel channel, int axis) {
+        for (int k = 0; k < size() && measures(channel); k++) {
+            if (!Double.isNaN(value(channel, k, axis))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /**
+     * A measured number, NaN where there is none. Of {@link Channel#ORIENTATION} it is not the
+     * angle, but 0 where the turn about this axis of the world was measured: {@link #orientation}
+     * has the value.
+     */
+    public double value(Channel channel, int sample, int axis) {
+        double[] values = measured.get(channel);
+        return values == null ? Double.NaN : values[AXES * sample + axis];
+    }
+
+    /** A measured vector, if all of it was measured. */
+    public Optional<Vec3> vector(Channel channel, int sample) {
+        Vec3 v =
+                new Vec3(
+                        value(channel, sample, 0),
+                        value(channel, sample, 1),
+                        value(channel, sample, 2));
+        return v.isFinite() ? Optional.of(v) : Optional.empty();
+    }
+
+    /** Body to world; what was not measured of it is as good as can be known. */
+    public Optional<Quat> orientation(int sample) {
+        int i = 4 * sample;
+        return Double.isNaN(quaternions[i])
+                ? Optional.empty()
+                : Optional.of(
+                        new Quat(
+                                quaternions[i],
+                                quaternions[i + 1],
+                                quaternions[i + 2],
+                                quaternions[i + 3]));
+    }
+
+    /** The standard deviation that the data states of a number; NaN where it states none. */
+    public double deviation(Channel channel, int sample, int axis) {
+        double[] values = deviations.get(channel);
+        return values == null ? Double.NaN : values[AXES * sample + axis];
+    }
+
+    /** The axes in which velocities of this channel were measured. */
+    public Frame frame(Channel channel) {
+        return frames.getOrDefault(channel, Frame.WORLD);
+    }
+
+    /** What the body was told, by actuator or force. */
+    public List<Command> commands() {
+        return commands;
+    }
+
+    /** Forces that acted for a while. */
+    public List<ScheduledForce> forces() {
+        return forces;
+    }
+
+    /** The motion at the first sample, if it is known otherwise than by the measurement. */
+    public Optional<KnownStart> start() {
+        return start;
+    }
+
+    /** What was known to be different in this run. */
+    public KnownDifferences differences() {
+        return differences;
+    }
+
+    /** The part from one sample to another, both included; its known start only if it has it. */
+    public MeasuredRun part(String name, int from, int to) {
+        return MeasuredRunBuilder.part(this, name, from, to);
     }
 }

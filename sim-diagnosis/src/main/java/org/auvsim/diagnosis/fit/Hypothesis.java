@@ -1,0 +1,93 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Parameter;
+import org.auvsim.diagnosis.model.Variant;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.UnaryOperator;
+
+/**
+ * Causes, and the numbers that each has.
+ *
+ * @param theta for each cause a number for each of its parameters
+ */
+record Hypothesis(List<Cause> causes, List<double[]> theta) {
+    /** That the model lacks nothing. */
+    static final Hypothesis NONE = new Hypothesis(List.of(), List.of());
+
+    /** A parameter of one of the causes. */
+    private record Place(int cause, int parameter) {}
+
+    private List<Place> places() {
+        List<Place> places = new ArrayList<>();
+        for (int c = 0; c < causes.size(); c++) {
+            for (int p = 0; p < theta.get(c).length; p++) {
+                places.add(new Place(c, p));
+            }
+        }
+        return places;
+    }
+
+    /** Number of parameters of all causes. */
+    int size() {
+        return theta.stream().mapToInt(t -> t.length).sum();
+    }
+
+    /** Parameters of all causes in a row. */
+    List<Parameter> parameters() {
+        return causes.stream().flatMap(cause -> cause.parameters().stream()).toList();
+    }
+
+    /** The model with the causes. */
+    Variant in(Variant model) {
+        Variant variant = model;
+        for (int c = 0; c < causes.size(); c++) {
+            variant = causes.get(c).in(variant, theta.get(c));
+        }
+        return variant;
+    }
+
+    /** Steps of differences, parameter by parameter. */
+    double[] steps() {
+        return parameters().stream().mapToDouble(p -> Cause.SMALL * p.scale()).toArray();
+    }
+
+    /** The model with the causes, one parameter moved by its step in each. */
+    List<Variant> moved(Variant model) {
+        double[] steps = steps();
+        List<Variant> moved = new ArrayList<>();
+        for (int i = 0; i < steps.length; i++) {
+            double[] change = new double[steps.length];
+            change[i] = steps[i];
+            moved.add(plus(change, UnaryOperator.identity()).in(model));
+        }
+        return moved;
+    }
+
+    /** The same with other numbers, clipped to those that make sense. */
+    Hypothesis plus(double[] change) {
+        return plus(change, this::clipped);
+    }
+
+    private Hypothesis plus(double[] change, UnaryOperator<Hypothesis> then) {
+        List<double[]> next = new ArrayList<>();
+        theta.forEach(t -> next.add(t.clone()));
+        int i = 0;
+        for (Place place : places()) {
+            next.get(place.cause())[place.parameter()] += change[i++];
+        }
+        return then.apply(new Hypothesis(causes, next));
+    }
+
+    private Hypothesis clipped(Hypothesis of) {
+        for (int c = 0; c < of.causes.size(); c++) {
+            double[] numbers = of.theta.get(c);
+            for (int p = 0; p < numbers.length; p++) {
+                numbers[p] = of.causes.get(c).parameters().get(p).clipped(numbers[p]);
+            }
+        }
+        return of;
+    }
+}

@@ -1,0 +1,135 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.core.entity.Frame;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.model.Sensing;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.server.feedback.RigidMotion;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * By how much simulated motions miss a measured run, in standard deviations: a row for each axis of
+ * each channel that was measured at all, 0 in samples that have no number there.
+ */
+final class Misses {
+    private final MeasuredRun run;
+    private final List<Row> rows = new ArrayList<>();
+
+    /** By sample and row: one over the standard deviation; 0 where nothing was measured. */
+    private final double[] weights;
+
+    /** An axis (0 to 2) of a channel. */
+    record Row(Channel channel, int axis) {}
+
+    /** Those of a run whose measurements have this noise, where they do not state their own. */
+    Misses(MeasuredRun run, Noise noise) {
+        this.run = run;
+        for (Channel channel : Channel.values()) {
+            for (int axis = 0; axis < 3; axis++) {
+                if (run.measures(channel, axis)) {
+                    rows.add(new Row(channel, axis));
+                }
+            }
+        }
+        weights = new double[run.size() * rows.size()];
+        for (int k = 0; k < run.size(); k++) {
+            for (int r = 0; r < rows.size(); r++) {
+                weights[k * rows.size() + r] = weight(k, rows.get(r), noise);
+            }
+        }
+    }
+
+    private double weight(int sample, Row row, Noise noise) {
+        if (Double.isNaN(run.value(row.channel(), sample, row.axis()))) {
+            return 0;
+        }
+        double stated = run.deviation(row.channel(), sample, row.axis());
+        return 1 / (Double.isNaN(stated) ? noise.of(row.channel()) : stated);
+    }
+
+    MeasuredRun run() {
+        return run;
+    }
+
+    /** What is measured at each sample. */
+    List<Row> rows() {
+        return rows;
+    }
+
+    /** How many numbers were measured. */
+    int count() {
+        int count = 0;
+        for (double weight : weights) {
+            if (weight > 0) {
+                count++;
+            }
+        }
+        return count;
+    }
+
+    /**
+     * Those of motions at samples from {@code from} on, row by row within each sample.
+     *
+     * @param samples how many of the motions count
+     */
+    double[] of(RigidMotion[] motions, Sensing sensing, int from, int samples) {
+        double[] misses = new double[samples * rows.size()];
+        for (int k = 0; k < samples; k++) {
+            int sample = from + k;
+            RigidMotion told = sensing.of(motions[k], run.time(sample) - run.time(0));
+            write(sample, told, misses, k * rows.size());
+        }
+        return misses;
+    }
+
+    private void write(int sample, RigidMotion told, double[] to, int at) {
+        Channel of = Channel.POSITION;
+        Vec3 off = told.position();
+        boolean isFresh = false;
+        for (int r = 0; r < rows.size(); r++) {
+            Row row = rows.get(r);
+            double weight = weights[sample * rows.size() + r];
+            if (weight == 0) {
+                continue;
+            }
+            if (!isFresh || row.channel() != of) {
+                of = row.channel();
+                off = told(of, sample, told);
+                isFresh = true;
+            }
+            to[at + r] = weight * (axis(off, row.axis()) - run.value(of, sample, row.axis()));
+        }
+    }
+
+    private Vec3 told(Channel channel, int sample, RigidMotion told) {
+        return switch (channel) {
+            case POSITION -> told.position();
+            case ORIENTATION -> turn(run.orientation(sample).orElseThrow(), told.orientation());
+            case VELOCITY -> inFrame(told.velocity(), told.orientation(), channel);
+            case ANGULAR_VELOCITY ->
+                    inFrame(told.angularVelocity(), told.orientation(), channel);
+        };
+    }
+
+    private Vec3 inFrame(Vec3 world, Quat orientation, Channel channel) {
+        return run.frame(channel) == Frame.BODY ? orientation.rotateInverse(world) : world;
+    }
+
+    /** The rotation vector (rad, world axes) that turns one orientation into another. */
+    static Vec3 turn(Quat from, Quat to) {
+        double[] error = still(to).minus(still(from));
+        return new Vec3(error[3], error[4], error[5]);
+    }
+
+    private static RigidMotion still(Quat orientation) {
+        return new RigidMotion(Vec3.ZERO, orientation, Vec3.ZERO, Vec3.ZERO);
+    }
+
+    static double axis(Vec3 v, int axis) {
+        return axis == 0 ? v.x() : axis == 1 ? v.y() : v.z();
+    }
+}

@@ -1,0 +1,144 @@
+package org.auvsim.diagnosis.model;
+
+import org.auvsim.core.entity.Actuator;
+import org.auvsim.core.entity.Component;
+import org.auvsim.core.entity.NamedForce;
+import org.auvsim.core.entity.WorldObject;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.Command;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.ScheduledForce;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** What a run did to the body: commands of actuators, and forces. */
+final class Inputs {
+    private static final String AXES = "xyz";
+
+    private final MeasuredRun run;
+    private final List<Command> ofActuators = new ArrayList<>();
+    private final List<CommandedForce> ofForces = new ArrayList<>();
+
+    /** A force of the scenario whose vector is commanded, by axis; an axis that is not stays. */
+    private record CommandedForce(NamedForce force, List<Optional<Command>> byAxis) {
+        boolean changesAt(int sample) {
+            return byAxis.stream().flatMap(Optional::stream).anyMatch(c -> c.changesAt(sample));
+        }
+
+        NamedForce at(int sample) {
+            Vec3 v = force.vector();
+            return new NamedForce(
+                    force.name(),
+                    force.frame(),
+                    new Vec3(
+                            level(0, sample, v.x()),
+                            level(1, sample, v.y()),
+                            level(2, sample, v.z())),
+                    force.point());
+        }
+
+        private double level(int axis, int sample, double otherwise) {
+            return byAxis.get(axis).map(c -> c.level(sample)).orElse(otherwise);
+        }
+    }
+
+    /** Those of a run on a body. */
+    Inputs(MeasuredRun run, WorldObjectDefinition body) {
+        this.run = run;
+        for (Command command : run.commands()) {
+            if (isActuator(body, command.name())) {
+                ofActuators.add(command);
+            }
+        }
+        for (NamedForce force : body.force()) {
+            List<Optional<Command>> byAxis = new ArrayList<>();
+            for (int axis = 0; axis < AXES.length(); axis++) {
+                byAxis.add(command(force.name() + "." + AXES.charAt(axis)));
+            }
+            if (byAxis.stream().anyMatch(Optional::isPresent)) {
+                ofForces.add(new CommandedForce(force, byAxis));
+            }
+        }
+    }
+
+    private Optional<Command> command(String name) {
+        return run.commands().stream().filter(c -> c.name().equals(name)).findFirst();
+    }
+
+    private static boolean isActuator(WorldObjectDefinition body, String name) {
+        return body.component().stream()
+                .anyMatch(c -> c instanceof Actuator && c.name().equals(name));
+    }
+
+    /** Components as the commands before a sample left them. */
+    List<Component> before(int sample, List<Component> components) {
+        List<Component> now = new ArrayList<>(components);
+        for (Command command : ofActuators) {
+            now.replaceAll(
+                    component ->
+                            component instanceof Actuator actuator
+                                            && component.name().equals(command.name())
+                                    ? before(sample, actuator, command)
+                                    : component);
+        }
+        return now;
+    }
+
+    private Actuator before(int sample, Actuator actuator, Command command) {
+        Actuator now = actuator;
+        for (int k = 0; k < sample; k++) {
+            if (command.changesAt(k)) {
+                now = now.commanded(command.level(k), run.time(k));
+            }
+        }
+        return now;
+    }
+
+    /** Gives bodies what a sample commands; if they are new, also what was commanded before. */
+    void command(int sample, boolean areNew, List<WorldObject> bodies) {
+        for (Command command : ofActuators) {
+            if (areNew || command.changesAt(sample)) {
+                for (WorldObject body : bodies) {
+                    body.command(Actuator.class, command.name(), command.level(sample));
+                }
+            }
+        }
+        for (CommandedForce force : ofForces) {
+            if (areNew || force.changesAt(sample)) {
+                NamedForce now = force.at(sample);
+                bodies.forEach(body -> body.applyForce(now));
+            }
+        }
+    }
+
+    /** Begins and ends scheduled forces as they are at a time (s), for the time after it. */
+    void schedule(double time, double rounding, List<WorldObject> bodies) {
+        for (ScheduledForce scheduled : run.forces()) {
+            boolean acts =
+                    scheduled.from() <= time + rounding && time + rounding < scheduled.until();
+            for (WorldObject body : bodies) {
+                if (acts) {
+                    body.applyForce(scheduled.force());
+                } else {
+                    body.removeForce(scheduled.force().name());
+                }
+            }
+        }
+    }
+
+    /** The next time after one (s) at which a scheduled force begins or ends; or that given. */
+    double nextChange(double after, double rounding, double atLatest) {
+        double next = atLatest;
+        for (ScheduledForce scheduled : run.forces()) {
+            for (double edge : new double[] {scheduled.from(), scheduled.until()}) {
+                if (edge > after + rounding && edge < next - rounding) {
+                    next = edge;
+                }
+            }
+        }
+        return next;
+    }
+}

@@ -1,0 +1,65 @@
+package org.auvsim.diagnosis.model;
+
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.server.feedback.RigidMotion;
+
+/**
+ * What measuring does to a motion: what sensors tell when the body moves so. Each change is made in
+ * the order of the components.
+ *
+ * @param delay by which what is told is old (s)
+ * @param scale of coordinates, less 1
+ * @param turn by which the sensors' axes are off the world's (rotation vector, rad)
+ * @param yaw by which orientations are off about the vertical (rad)
+ * @param yawRate by which that grows (rad/s)
+ */
+public record Sensing(double delay, Vec3 scale, Vec3 turn, double yaw, double yawRate) {
+    /** What is told is what is. */
+    public static final Sensing EXACT = new Sensing(0, Vec3.ZERO, Vec3.ZERO, 0, 0);
+
+    /**
+     * What is told of a motion.
+     *
+     * @param since time since the run's beginning (s)
+     */
+    public RigidMotion of(RigidMotion motion, double since) {
+        if (equals(EXACT)) {
+            return motion;
+        }
+        RigidMotion then =
+                delay == 0
+                        ? motion
+                        : motion.plus(
+                                change(
+                                        motion.velocity().times(-delay),
+                                        motion.angularVelocity().times(-delay)));
+        Quat axes = rotation(turn);
+        Quat heading = rotation(new Vec3(0, 0, yaw + yawRate * since));
+        Vec3 p = then.position();
+        Vec3 v = then.velocity();
+        return new RigidMotion(
+                axes.rotate(scaled(p)),
+                heading.times(axes).times(then.orientation()).normalized(),
+                axes.rotate(scaled(v)),
+                axes.rotate(then.angularVelocity()));
+    }
+
+    private Vec3 scaled(Vec3 v) {
+        return new Vec3(
+                v.x() * (1 + scale.x()), v.y() * (1 + scale.y()), v.z() * (1 + scale.z()));
+    }
+
+    private static Quat rotation(Vec3 turn) {
+        double[] change = change(Vec3.ZERO, turn);
+        return new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO)
+                .plus(change)
+                .orientation();
+    }
+
+    private static double[] change(Vec3 way, Vec3 turn) {
+        return new double[] {
+            way.x(), way.y(), way.z(), turn.x(), turn.y(), turn.z(), 0, 0, 0, 0, 0, 0
+        };
+    }
+}

@@ -1,0 +1,17 @@
+package org.auvsim.diagnosis.result;
+
+import java.util.List;
+
+/**
+ * Causes that explain the data about as well as those selected.
+ *
+ * @param causes names as {@link Finding#name}
+ * @param isIndistinguishable whether no amount of such data could tell them apart
+ * @param determined what the data does determine, in words: {@code mass / thruster gain = 1.20}
+ */
+public record Alternative(List<String> causes, boolean isIndistinguishable, String determined) {
+    /** The list cannot be changed. */
+    public Alternative {
+        causes = List.copyOf(causes);
+    }
+}

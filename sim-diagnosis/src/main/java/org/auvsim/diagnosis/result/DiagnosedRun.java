@@ -1,0 +1,22 @@
+package org.auvsim.diagnosis.result;
+
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.server.feedback.RigidMotion;
+
+import java.util.List;
+
+/**
+ * A run beside what the model makes of it, sample by sample, as its sensors would tell.
+ *
+ * @param isHeldOut whether nothing was fitted to it but its start
+ * @param before as the model was believed
+ * @param after with what was found
+ */
+public record DiagnosedRun(
+        MeasuredRun run, boolean isHeldOut, List<RigidMotion> before, List<RigidMotion> after) {
+    /** The lists cannot be changed. */
+    public DiagnosedRun {
+        before = List.copyOf(before);
+        after = List.copyOf(after);
+    }
+}

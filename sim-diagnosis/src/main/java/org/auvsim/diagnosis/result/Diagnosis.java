@@ -1,0 +1,65 @@
+package org.auvsim.diagnosis.result;
+
+import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.diagnosis.run.Channel;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/**
+ * What measured runs say of a model.
+ *
+ * @param sentence the verdict for people
+ * @param body the measured body's name
+ * @param selected the causes found; none unless the verdict is {@link Verdict#EXPLAINED}
+ * @param ranked sets of causes that were tried, the best first
+ * @param alternatives that explain the data about as well
+ * @param noise standard deviation of each channel that was measured
+ * @param heldOut error on held-out runs by channel
+ * @param horizons the same, by how far ahead is predicted
+ * @param usedHeldOut whether held-out runs had to be used for the search, too: the gain is then that
+ *     of leaving each run out in turn
+ * @param runs fitted and held-out, with the model's motion before and after
+ * @param discrepancy what is known of a misfit that was not explained
+ * @param proposal a formula or field that imitates it
+ * @param nextExperiment what to measure next
+ * @param extended the model with what was found
+ * @param notices what was done to the data, and what limits the verdict
+ * @param seed with which it can be repeated
+ * @param isComplete whether the search came to its end, or was stopped with the best so far
+ */
+public record Diagnosis(
+        Verdict verdict,
+        String sentence,
+        String body,
+        List<Finding> selected,
+        List<Ranked> ranked,
+        List<Alternative> alternatives,
+        Map<Channel, Double> noise,
+        Map<Channel, Gain> heldOut,
+        List<HorizonGain> horizons,
+        boolean usedHeldOut,
+        List<DiagnosedRun> runs,
+        Optional<Discrepancy> discrepancy,
+        Optional<Proposal> proposal,
+        Optional<NextExperiment> nextExperiment,
+        Identifiability identifiability,
+        Scenario extended,
+        List<String> notices,
+        long seed,
+        boolean isComplete) {
+    /** The lists cannot be changed. */
+    public Diagnosis {
+        selected = List.copyOf(selected);
+        ranked = List.copyOf(ranked);
+        alternatives = List.copyOf(alternatives);
+        noise = Collections.unmodifiableSortedMap(new TreeMap<>(noise));
+        heldOut = Collections.unmodifiableSortedMap(new TreeMap<>(heldOut));
+        horizons = List.copyOf(horizons);
+        runs = List.copyOf(runs);
+        notices = List.copyOf(notices);
+    }
+}

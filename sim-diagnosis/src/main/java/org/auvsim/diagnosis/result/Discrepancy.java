@@ -1,0 +1,23 @@
+package org.auvsim.diagnosis.result;
+
+import org.auvsim.diagnosis.run.Channel;
+
+import java.util.OptionalDouble;
+
+/**
+ * What is known of a misfit that no cause explains.
+ *
+ * @param channel where it shows most
+ * @param axis along or about which it shows most: x, y or z of the world
+ * @param run in which it is largest
+ * @param time at which it is largest (s)
+ * @param frequency that stands out in it (Hz)
+ * @param share of the squared misfit that the best set of causes takes away, 0 to 1
+ */
+public record Discrepancy(
+        Channel channel,
+        char axis,
+        String run,
+        double time,
+        OptionalDouble frequency,
+        double share) {}

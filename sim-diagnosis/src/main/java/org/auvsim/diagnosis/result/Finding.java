@@ -1,0 +1,33 @@
+package org.auvsim.diagnosis.result;
+
+import org.auvsim.diagnosis.cause.Quantity;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A cause that was found.
+ *
+ * @param cause its id
+ * @param subject the part of the body that it is about
+ * @param quantities its numbers
+ * @param deviations the standard deviation of each, in the same order; empty if none can be stated
+ * @param share of the misfit beyond noise that goes when this cause is added last, 0 to 1
+ */
+public record Finding(
+        String cause,
+        Optional<String> subject,
+        List<Quantity> quantities,
+        List<Double> deviations,
+        double share) {
+    /** The lists cannot be changed. */
+    public Finding {
+        quantities = List.copyOf(quantities);
+        deviations = List.copyOf(deviations);
+    }
+
+    /** The id and what it is about: {@code thruster_gain (port)}. */
+    public String name() {
+        return subject.map(of -> cause + " (" + of + ")").orElse(cause);
+    }
+}

@@ -1,0 +1,25 @@
+package org.auvsim.diagnosis.result;
+
+import org.auvsim.diagnosis.cause.Quantity;
+
+import java.util.List;
+
+/**
+ * A set of causes that was tried; the empty one is the model as it is believed.
+ *
+ * @param causes names as {@link Finding#name}
+ * @param quantities the numbers of each cause
+ * @param logEvidence natural logarithm, up to the same constant for all sets
+ * @param probability among all sets that were tried
+ */
+public record Ranked(
+        List<String> causes,
+        List<List<Quantity>> quantities,
+        double logEvidence,
+        double probability) {
+    /** The lists cannot be changed. */
+    public Ranked {
+        causes = List.copyOf(causes);
+        quantities = List.copyOf(quantities);
+    }
+}

@@ -1,0 +1,206 @@
+package org.auvsim.diagnosis.run;
+
+import org.auvsim.core.entity.Frame;
+import org.auvsim.core.math.Quat;
+
+import org.apache.commons.math3.util.ResizableDoubleArray;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Takes a run sample by sample: {@link #at} begins one, the rest fills it. */
+public final class MeasuredRunBuilder {
+    private static final double[] NOTHING = {Double.NaN, Double.NaN, Double.NaN};
+
+    final String name;
+    final Numbers times = new Numbers();
+    final Map<Channel, Numbers> measured = new EnumMap<>(Channel.class);
+    final Map<Channel, Numbers> deviations = new EnumMap<>(Channel.class);
+    final Numbers quaternions = new Numbers();
+    final Map<Channel, Frame> frames = new EnumMap<>(Channel.class);
+    final List<ScheduledForce> forces = new ArrayList<>();
+    Optional<KnownStart> start = Optional.empty();
+    KnownDifferences differences = KnownDifferences.NONE;
+    private final List<String> commandNames = new ArrayList<>();
+    private final List<Numbers> levels = new ArrayList<>();
+    private double last = Double.NEGATIVE_INFINITY;
+
+    /** Doubles in a row. */
+    static final class Numbers {
+        private final ResizableDoubleArray values = new ResizableDoubleArray();
+
+        void add(double... more) {
+            values.addElements(more);
+        }
+
+        void setLast(int from, double[] last) {
+            int first = values.getNumElements() - from;
+            for (int i = 0; i < last.length; i++) {
+                values.setElement(first + i, last[i]);
+            }
+        }
+
+        int size() {
+            return values.getNumElements();
+        }
+
+        double[] toArray() {
+            return values.getElements();
+        }
+    }
+
+    MeasuredRunBuilder(String name) {
+        this.name = name;
+        for (Channel channel : Channel.values()) {
+            measured.put(channel, new Numbers());
+            deviations.put(channel, new Numbers());
+        }
+    }
+
+    /** Names what is commanded; before the first sample. */
+    public MeasuredRunBuilder commands(List<String> names) {
+        for (String command : names) {
+            commandNames.add(command);
+            levels.add(new Numbers());
+        }
+        return this;
+    }
+
+    /**
+     * Begins a sample at a time (s).
+     *
+     * @throws IllegalArgumentException if it is not after the last one
+     */
+    public MeasuredRunBuilder at(double time) {
+        if (!(time > last)) {
+            throw new IllegalArgumentException(
+                    "times must increase, but %s s follows %s s".formatted(time, last));
+        }
+        last = time;
+        times.add(time);
+        measured.values().forEach(values -> values.add(NOTHING));
+        deviations.values().forEach(values -> values.add(NOTHING));
+        quaternions.add(Double.NaN, Double.NaN, Double.NaN, Double.NaN);
+        levels.forEach(level -> level.add(0));
+        return this;
+    }
+
+    /** Position (m, world); NaN where a coordinate was not measured. */
+    public MeasuredRunBuilder position(double x, double y, double z) {
+        return measured(Channel.POSITION, x, y, z);
+    }
+
+    /** Orientation, body to world, wholly measured. */
+    public MeasuredRunBuilder orientation(Quat q) {
+        return orientation(q, true, true, true);
+    }
+
+    /** Orientation, of which the turns about some of the world's axes were measured. */
+    public MeasuredRunBuilder orientation(Quat q, boolean x, boolean y, boolean z) {
+        Quat unit = q.normalized();
+        quaternions.setLast(4, new double[] {unit.w(), unit.x(), unit.y(), unit.z()});
+        return measured(
+                Channel.ORIENTATION, x ? 0 : Double.NaN, y ? 0 : Double.NaN, z ? 0 : Double.NaN);
+    }
+
+    /** Velocity (m/s) or angular velocity (rad/s), in the axes that {@link #frame} tells. */
+    public MeasuredRunBuilder measured(Channel channel, double x, double y, double z) {
+        measured.get(channel).setLast(3, new double[] {x, y, z});
+        return this;
+    }
+
+    /** Standard deviations of what this sample measured, in its channel's units. */
+    public MeasuredRunBuilder deviation(Channel channel, double x, double y, double z) {
+        deviations.get(channel).setLast(3, new double[] {x, y, z});
+        return this;
+    }
+
+    /** What an actuator or force is told from this sample on. */
+    public MeasuredRunBuilder command(int index, double level) {
+        levels.get(index).setLast(1, new double[] {level});
+        return this;
+    }
+
+    /** In whose axes a velocity is measured; the world's, if nothing is said. */
+    public MeasuredRunBuilder frame(Channel channel, Frame frame) {
+        frames.put(channel, frame);
+        return this;
+    }
+
+    /** A force that acted for a while. */
+    public MeasuredRunBuilder force(ScheduledForce force) {
+        forces.add(force);
+        return this;
+    }
+
+    /** How the body moved at the first sample, as far as it is known. */
+    public MeasuredRunBuilder start(KnownStart known) {
+        start = Optional.of(known);
+        return this;
+    }
+
+    /** What was known to be different in this run. */
+    public MeasuredRunBuilder differences(KnownDifferences known) {
+        differences = known;
+        return this;
+    }
+
+    List<Command> commands() {
+        List<Command> commands = new ArrayList<>();
+        for (int i = 0; i < commandNames.size(); i++) {
+            commands.add(new Command(commandNames.get(i), levels.get(i).toArray()));
+        }
+        return commands;
+    }
+
+    /**
+     * The run.
+     *
+     * @throws IllegalArgumentException if it has fewer than two samples
+     */
+    public MeasuredRun build() {
+        if (times.size() < 2) {
+            throw new IllegalArgumentException(
+                    "run '%s' has fewer than two samples; nothing moves in it".formatted(name));
+        }
+        return new MeasuredRun(this);
+    }
+
+    static MeasuredRun part(MeasuredRun run, String name, int from, int to) {
+        MeasuredRunBuilder part =
+                new MeasuredRunBuilder(name)
+                        .commands(run.commands().stream().map(Command::name).toList());
+        for (int k = from; k <= to; k++) {
+            part.at(run.time(k));
+            for (Channel channel : Channel.values()) {
+                part.measured(
+                        channel,
+                        run.value(channel, k, 0),
+                        run.value(channel, k, 1),
+                        run.value(channel, k, 2));
+                part.deviation(
+                        channel,
+                        run.deviation(channel, k, 0),
+                        run.deviation(channel, k, 1),
+                        run.deviation(channel, k, 2));
+                part.frame(channel, run.frame(channel));
+            }
+            run.orientation(k).ifPresent(part::keepOrientation);
+            for (int c = 0; c < run.commands().size(); c++) {
+                part.command(c, run.commands().get(c).level(k));
+            }
+        }
+        run.forces().forEach(part::force);
+        if (from == 0) {
+            run.start().ifPresent(part::start);
+        }
+        return part.differences(run.differences()).build();
+    }
+
+    private void keepOrientation(Quat q) {
+        quaternions.setLast(4, new double[] {q.w(), q.x(), q.y(), q.z()});
+    }
+}

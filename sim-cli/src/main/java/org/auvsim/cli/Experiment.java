@@ -9,8 +9,8 @@ import org.auvsim.experiments.Conduct;
 import org.auvsim.experiments.ThesisExperiment;
 import org.auvsim.experiments.cfs.CfsExperiment;
 import org.auvsim.experiments.distributed.DistributedExperiment;
-import org.auvsim.experiments.report.Report;
-import org.auvsim.experiments.report.ReportPage;
+import org.auvsim.plot.page.Report;
+import org.auvsim.plot.page.ReportPage;
 import org.auvsim.experiments.runtime.RuntimeExperiment;
 import org.slf4j.LoggerFactory;
 
@@ -79,7 +79,7 @@ final class Experiment implements Callable<Integer> {
                 tellProgress("ended early: no page is written");
                 return ExitCode.OK;
             }
-            tellReport(quick ? report.get().ofQuickRun() : report.get());
+            tellReport(quick ? ofQuickRun(report.get()) : report.get());
             return ExitCode.OK;
         } catch (IOException e) {
             throw new UserError("The experiment broke off: %s".formatted(e.getMessage()), e);
@@ -92,6 +92,15 @@ final class Experiment implements Callable<Integer> {
         } catch (IOException e) {
             throw FileTrouble.writing(folder, e);
         }
+    }
+
+    private static Report ofQuickRun(Report report) {
+        return new Report(
+                report.title() + ": a quick run",
+                "This is a quick run, which shows that the experiment works; its figures are not"
+                        + " those to compare with the thesis. "
+                        + report.summary(),
+                report.sections());
     }
 
     private void tellReport(Report report) {

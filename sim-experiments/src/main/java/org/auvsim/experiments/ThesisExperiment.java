@@ -1,6 +1,6 @@
 package org.auvsim.experiments;
 
-import org.auvsim.experiments.report.Report;
+import org.auvsim.plot.page.Report;
 
 import java.io.IOException;
 import java.util.Optional;

@@ -4,8 +4,8 @@ import org.auvsim.core.world.World;
 import org.auvsim.experiments.Conduct;
 import org.auvsim.experiments.ThesisExperiment;
 import org.auvsim.experiments.live.LiveRun;
-import org.auvsim.experiments.report.Curve.Point;
-import org.auvsim.experiments.report.Report;
+import org.auvsim.plot.page.Curve.Point;
+import org.auvsim.plot.page.Report;
 import org.auvsim.server.feedback.AsynchronousFeedbackTimestepper;
 import org.auvsim.server.feedback.LockstepTimestepper;
 

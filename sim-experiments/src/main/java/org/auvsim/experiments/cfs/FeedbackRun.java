@@ -4,7 +4,7 @@ import org.auvsim.core.math.Vec3;
 import org.auvsim.core.world.World;
 import org.auvsim.experiments.live.LiveRun;
 import org.auvsim.experiments.live.Participant;
-import org.auvsim.experiments.report.Curve.Point;
+import org.auvsim.plot.page.Curve.Point;
 
 import java.io.IOException;
 import java.util.ArrayList;

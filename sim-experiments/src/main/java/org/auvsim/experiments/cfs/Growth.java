@@ -2,7 +2,7 @@ package org.auvsim.experiments.cfs;
 
 import org.auvsim.core.world.World;
 import org.auvsim.experiments.Conduct;
-import org.auvsim.experiments.report.Curve.Point;
+import org.auvsim.plot.page.Curve.Point;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -4,7 +4,7 @@ import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.experiments.live.Robot;
-import org.auvsim.experiments.report.Curve.Point;
+import org.auvsim.plot.page.Curve.Point;
 
 import java.util.ArrayList;
 import java.util.List;

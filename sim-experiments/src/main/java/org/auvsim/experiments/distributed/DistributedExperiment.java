@@ -5,7 +5,7 @@ import org.auvsim.experiments.Conduct;
 import org.auvsim.experiments.ThesisExperiment;
 import org.auvsim.experiments.live.LiveRun;
 import org.auvsim.experiments.live.Participant;
-import org.auvsim.experiments.report.Report;
+import org.auvsim.plot.page.Report;
 import org.auvsim.server.feedback.AsynchronousFeedbackTimestepper;
 import org.auvsim.server.feedback.LockstepTimestepper;
 

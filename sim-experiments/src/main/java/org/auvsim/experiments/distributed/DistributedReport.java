@@ -1,12 +1,12 @@
 package org.auvsim.experiments.distributed;
 
-import org.auvsim.experiments.report.Block.Chart;
-import org.auvsim.experiments.report.Block.Table;
-import org.auvsim.experiments.report.Block.Text;
-import org.auvsim.experiments.report.Curve;
-import org.auvsim.experiments.report.Curve.Mark;
-import org.auvsim.experiments.report.Report;
-import org.auvsim.experiments.report.Report.Section;
+import org.auvsim.plot.page.Block.Chart;
+import org.auvsim.plot.page.Block.Table;
+import org.auvsim.plot.page.Block.Text;
+import org.auvsim.plot.page.Curve;
+import org.auvsim.plot.page.Curve.Mark;
+import org.auvsim.plot.page.Report;
+import org.auvsim.plot.page.Report.Section;
 
 import java.util.ArrayList;
 import java.util.List;

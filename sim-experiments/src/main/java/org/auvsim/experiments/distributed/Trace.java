@@ -1,7 +1,7 @@
 package org.auvsim.experiments.distributed;
 
 import org.auvsim.core.world.World;
-import org.auvsim.experiments.report.Curve.Point;
+import org.auvsim.plot.page.Curve.Point;
 
 import java.util.ArrayList;
 import java.util.List;

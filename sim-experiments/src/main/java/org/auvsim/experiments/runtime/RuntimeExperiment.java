@@ -2,7 +2,7 @@ package org.auvsim.experiments.runtime;
 
 import org.auvsim.experiments.Conduct;
 import org.auvsim.experiments.ThesisExperiment;
-import org.auvsim.experiments.report.Report;
+import org.auvsim.plot.page.Report;
 import org.auvsim.experiments.thesis.StageCost;
 import org.auvsim.experiments.workload.Targets;
 import org.auvsim.experiments.workload.Workload;

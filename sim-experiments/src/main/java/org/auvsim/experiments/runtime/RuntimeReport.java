@@ -1,14 +1,14 @@
 package org.auvsim.experiments.runtime;
 
-import org.auvsim.experiments.report.Block;
-import org.auvsim.experiments.report.Block.Chart;
-import org.auvsim.experiments.report.Block.Table;
-import org.auvsim.experiments.report.Block.Text;
-import org.auvsim.experiments.report.Curve;
-import org.auvsim.experiments.report.Curve.Mark;
-import org.auvsim.experiments.report.Curve.Point;
-import org.auvsim.experiments.report.Report;
-import org.auvsim.experiments.report.Report.Section;
+import org.auvsim.plot.page.Block;
+import org.auvsim.plot.page.Block.Chart;
+import org.auvsim.plot.page.Block.Table;
+import org.auvsim.plot.page.Block.Text;
+import org.auvsim.plot.page.Curve;
+import org.auvsim.plot.page.Curve.Mark;
+import org.auvsim.plot.page.Curve.Point;
+import org.auvsim.plot.page.Report;
+import org.auvsim.plot.page.Report.Section;
 import org.auvsim.experiments.thesis.PolynomialFit;
 import org.auvsim.experiments.thesis.StageCost;
 import org.auvsim.experiments.thesis.Trend;

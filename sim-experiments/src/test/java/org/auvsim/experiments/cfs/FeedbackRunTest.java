@@ -3,7 +3,7 @@ package org.auvsim.experiments.cfs;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.experiments.live.LiveRun;
-import org.auvsim.experiments.report.Curve.Point;
+import org.auvsim.plot.page.Curve.Point;
 import org.auvsim.server.feedback.AsynchronousFeedbackTimestepper;
 import org.auvsim.server.feedback.FeedbackTimestepper;
 import org.auvsim.server.feedback.LockstepTimestepper;

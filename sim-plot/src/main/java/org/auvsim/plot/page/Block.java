@@ -1,4 +1,4 @@
-package org.auvsim.experiments.report;
+package org.auvsim.plot.page;
 
 import java.util.List;
 
@@ -34,15 +34,22 @@ public sealed interface Block {
     /**
      * Curves over two axes.
      *
+     * @param isMap whether a unit is as long across as it is up
      * @param x what the axis across shows, with its unit
      * @param y what the axis up shows, with its unit
      * @param reading what the curves say, in a sentence
      */
-    record Chart(String title, String x, String y, List<Curve> curves, String reading)
+    record Chart(
+            String title, String x, String y, boolean isMap, List<Curve> curves, String reading)
             implements Block {
         /** A chart whose curves stay as they are. */
         public Chart {
             curves = List.copyOf(curves);
+        }
+
+        /** One whose axes have scales of their own. */
+        public Chart(String title, String x, String y, List<Curve> curves, String reading) {
+            this(title, x, y, false, curves, reading);
         }
     }
 }

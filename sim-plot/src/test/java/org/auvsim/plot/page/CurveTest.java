@@ -1,9 +1,9 @@
-package org.auvsim.experiments.report;
+package org.auvsim.plot.page;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
-import org.auvsim.experiments.report.Curve.Point;
+import org.auvsim.plot.page.Curve.Point;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;

@@ -1,7 +1,7 @@
-package org.auvsim.experiments.report;
+package org.auvsim.plot.page;
 
-import org.auvsim.experiments.report.Block.Chart;
-import org.auvsim.experiments.report.Curve.Point;
+import org.auvsim.plot.page.Block.Chart;
+import org.auvsim.plot.page.Curve.Point;
 
 import java.util.List;
 import java.util.Locale;
@@ -18,11 +18,12 @@ final class Json {
     }
 
     private static String chart(Chart chart) {
-        return "{\"title\":%s,\"x\":%s,\"y\":%s,\"curves\":%s}"
+        return "{\"title\":%s,\"x\":%s,\"y\":%s,\"map\":%s,\"curves\":%s}"
                 .formatted(
                         text(chart.title()),
                         text(chart.x()),
                         text(chart.y()),
+                        chart.isMap(),
                         array(chart.curves(), Json::curve));
     }
 

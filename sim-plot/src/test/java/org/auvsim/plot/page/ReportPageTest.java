@@ -1,16 +1,16 @@
-package org.auvsim.experiments.report;
+package org.auvsim.plot.page;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
-import org.auvsim.experiments.report.Block.Chart;
-import org.auvsim.experiments.report.Block.Table;
-import org.auvsim.experiments.report.Block.Text;
-import org.auvsim.experiments.report.Curve.Mark;
-import org.auvsim.experiments.report.Curve.Point;
-import org.auvsim.experiments.report.Report.Section;
+import org.auvsim.plot.page.Block.Chart;
+import org.auvsim.plot.page.Block.Table;
+import org.auvsim.plot.page.Block.Text;
+import org.auvsim.plot.page.Curve.Mark;
+import org.auvsim.plot.page.Curve.Point;
+import org.auvsim.plot.page.Report.Section;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -69,7 +69,7 @@ class ReportPageTest {
         assertThat(page)
                 .contains(
                         "[{\"title\":\"Curves\",\"x\":\"t (s)\",\"y\":\"y \\u0022(m)\\u0022\","
-                                + "\"curves\":[{\"name\":\"\\u003c/script\\u003e\","
+                                + "\"map\":false,\"curves\":[{\"name\":\"\\u003c/script\\u003e\","
                                 + "\"mark\":\"dashed\",\"x\":[0.0,0.5],\"y\":[1.0,null]}]}]");
     }
 
@@ -105,6 +105,21 @@ class ReportPageTest {
     private static String digest(String text) throws GeneralSecurityException {
         byte[] hash = MessageDigest.getInstance("SHA-256").digest(text.getBytes(UTF_8));
         return Base64.getEncoder().encodeToString(hash);
+    }
+
+    @Test
+    void aFoldedSectionShowsItsHeadingAlone() {
+        Section folded = new Section("Details", true, List.of(new Text("Inside.")));
+        assertThat(ReportPage.html(new Report("", "", List.of(folded))))
+                .contains(
+                        """
+                        <details>
+                        <summary><h2>Details</h2></summary>
+                        <div class="beside">
+                        <p>Inside.</p>
+                        </div>
+                        </details>
+                        """);
     }
 
     @Test

@@ -1,4 +1,4 @@
-package org.auvsim.experiments.report;
+package org.auvsim.plot.page;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -12,7 +12,9 @@ public record Curve(String name, Mark mark, List<Point> points) {
         /** The same, dashed: what others coincide with, or a fit. */
         DASHED,
         /** The points alone. */
-        POINTS
+        POINTS,
+        /** The same, as small as can be seen: many of them. */
+        DOTS
     }
 
     /** A point of a curve. */

@@ -1,11 +1,11 @@
-package org.auvsim.experiments.report;
+package org.auvsim.plot.page;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
-import org.auvsim.experiments.report.Block.Chart;
-import org.auvsim.experiments.report.Block.Table;
-import org.auvsim.experiments.report.Block.Text;
-import org.auvsim.experiments.report.Report.Section;
+import org.auvsim.plot.page.Block.Chart;
+import org.auvsim.plot.page.Block.Table;
+import org.auvsim.plot.page.Block.Text;
+import org.auvsim.plot.page.Report.Section;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -17,6 +17,7 @@ import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /**
  * A report as an HTML page in one file: it loads nothing, and its content security policy lets
@@ -44,8 +45,13 @@ public final class ReportPage {
      */
     public static Path write(Path folder, Report report) throws IOException {
         Path file = folder.resolve("report.html");
-        Files.writeString(file, new ReportPage(report).html());
+        Files.writeString(file, html(report));
         return file;
+    }
+
+    /** The whole page. */
+    public static String html(Report report) {
+        return new ReportPage(report).html();
     }
 
     private String html() {
@@ -89,11 +95,24 @@ public final class ReportPage {
         out.append("<h1>%s</h1>\n".formatted(escaped(report.title())));
         out.append("<p class=\"summary\">%s</p>\n".formatted(escaped(report.summary())));
         for (Section section : report.sections()) {
-            out.append("<section>\n<h2>%s</h2>\n".formatted(escaped(section.heading())));
-            section.blocks().forEach(block -> out.append(html(block)));
-            out.append("</section>\n");
+            out.append(html(section));
         }
         return out.append("</main>\n").toString();
+    }
+
+    private String html(Section section) {
+        String heading = escaped(section.heading());
+        String blocks = section.blocks().stream().map(this::html).collect(Collectors.joining());
+        return section.isFolded()
+                ? """
+                <details>
+                <summary><h2>%s</h2></summary>
+                <div class="beside">
+                %s</div>
+                </details>
+                """
+                        .formatted(heading, blocks)
+                : "<section>\n<h2>%s</h2>\n%s</section>\n".formatted(heading, blocks);
     }
 
     private String html(Block block) {
@@ -118,7 +137,14 @@ public final class ReportPage {
 
     private String html(Chart chart) {
         List<Curve> curves = chart.curves().stream().map(c -> c.decimated(MOST_POINTS)).toList();
-        charts.add(new Chart(chart.title(), chart.x(), chart.y(), curves, chart.reading()));
+        charts.add(
+                new Chart(
+                        chart.title(),
+                        chart.x(),
+                        chart.y(),
+                        chart.isMap(),
+                        curves,
+                        chart.reading()));
         return """
         <figure>
         <h3>%s</h3>

@@ -1,9 +1,9 @@
-package org.auvsim.experiments.report;
+package org.auvsim.plot.page;
 
 import java.util.List;
 
 /**
- * What came of an experiment.
+ * What came of an experiment or another investigation.
  *
  * @param title of the page
  * @param summary what was found, in a sentence or two
@@ -14,21 +14,21 @@ public record Report(String title, String summary, List<Section> sections) {
         sections = List.copyOf(sections);
     }
 
-    /** This report with the words that its figures come of a small run and are none to compare. */
-    public Report ofQuickRun() {
-        return new Report(
-                title + ": a quick run",
-                "This is a quick run, which shows that the experiment works; its figures are not"
-                        + " those to compare with the thesis. "
-                        + summary,
-                sections);
-    }
-
-    /** One question, and what answers it. */
-    public record Section(String heading, List<Block> blocks) {
+    /**
+     * One question, and what answers it.
+     *
+     * @param isFolded whether the page shows its heading alone until it is opened; charts stand
+     *     side by side in it where there is room
+     */
+    public record Section(String heading, boolean isFolded, List<Block> blocks) {
         /** A section whose blocks stay as they are. */
         public Section {
             blocks = List.copyOf(blocks);
+        }
+
+        /** One that is open. */
+        public Section(String heading, List<Block> blocks) {
+            this(heading, false, blocks);
         }
 
         /** A section of these blocks. */

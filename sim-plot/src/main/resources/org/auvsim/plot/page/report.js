@@ -1,0 +1,82 @@
+
+'use strict';
+(() => {
+  const canvases = document.querySelectorAll('canvas');
+  const places = JSON.parse(document.getElementById('charts').textContent)
+    .map((chart, i) => ({ chart, canvas: canvases[i], drawn: null }));
+  const colour = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+  const dataset = (curve, k) => ({
+    label: curve.name,
+    data: curve.x.map((x, i) => ({ x, y: curve.y[i] })),
+    showLine: curve.mark !== 'points' && curve.mark !== 'dots',
+    borderDash: curve.mark === 'dashed' ? [6, 4] : [],
+    borderWidth: curve.mark === 'dashed' ? 2 : 1.6,
+    pointRadius: { points: 4, dots: 1.5 }[curve.mark] ?? 0,
+    pointHitRadius: 6,
+    borderColor: colour('--curve-' + k % 5),
+    backgroundColor: colour('--curve-' + k % 5),
+  });
+
+  const axis = text => ({
+    type: 'linear',
+    title: { display: true, text, color: colour('--quiet') },
+    ticks: { color: colour('--quiet') },
+    grid: { color: colour('--rule') },
+  });
+
+  const extent = (chart, key) => {
+    const values = chart.curves.flatMap(curve => curve[key]).filter(value => value !== null);
+    const low = values.reduce((a, b) => Math.min(a, b), Infinity);
+    const high = values.reduce((a, b) => Math.max(a, b), -Infinity);
+    return { middle: (low + high) / 2, length: 1.1 * (high - low) };
+  };
+
+  // Of a map, the axis that has room to spare shows more.
+  const scaleAlike = ({ chart, drawn }) => {
+    const { width, height } = drawn.chartArea;
+    const x = extent(chart, 'x');
+    const y = extent(chart, 'y');
+    const unit = Math.max(x.length / width, y.length / height) || 1;
+    const show = (of, pixels) => ({
+      min: of.middle - unit * pixels / 2,
+      max: of.middle + unit * pixels / 2,
+    });
+    Object.assign(drawn.options.scales.x, show(x, width));
+    Object.assign(drawn.options.scales.y, show(y, height));
+    drawn.update('none');
+  };
+
+  const draw = place => {
+    const { chart, canvas } = place;
+    const rescale = () => requestAnimationFrame(() => place.drawn && scaleAlike(place));
+    place.drawn = new Chart(canvas, {
+      type: 'scatter',
+      data: { datasets: chart.curves.map(dataset) },
+      options: {
+        animation: false,
+        maintainAspectRatio: false,
+        onResize: chart.map ? rescale : undefined,
+        scales: { x: axis(chart.x), y: axis(chart.y) },
+        plugins: { legend: { labels: { color: colour('--ink'), boxWidth: 24, boxHeight: 2 } } },
+      },
+    });
+    if (chart.map) scaleAlike(place);
+  };
+
+  // What is folded away is drawn when it is opened.
+  const drawVisible = () => places
+    .filter(({ canvas, drawn }) => !drawn && !canvas.closest('details:not([open])'))
+    .forEach(draw);
+
+  drawVisible();
+  document.querySelectorAll('details')
+    .forEach(details => details.addEventListener('toggle', drawVisible));
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+    places.forEach(place => {
+      place.drawn?.destroy();
+      place.drawn = null;
+    });
+    drawVisible();
+  });
+})();

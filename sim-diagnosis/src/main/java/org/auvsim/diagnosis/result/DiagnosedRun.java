@@ -11,12 +11,18 @@ import java.util.List;
  * @param isHeldOut whether nothing was fitted to it but its start
  * @param before as the model was believed
  * @param after with what was found
+ * @param forces that are missing along it, in the order of time
  */
 public record DiagnosedRun(
-        MeasuredRun run, boolean isHeldOut, List<RigidMotion> before, List<RigidMotion> after) {
+        MeasuredRun run,
+        boolean isHeldOut,
+        List<RigidMotion> before,
+        List<RigidMotion> after,
+        List<ForceResidual> forces) {
     /** The lists cannot be changed. */
     public DiagnosedRun {
         before = List.copyOf(before);
         after = List.copyOf(after);
+        forces = List.copyOf(forces);
     }
 }

@@ -1,0 +1,108 @@
+package org.auvsim.diagnosis.result;
+
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/** What each cause means, in a few words: {@code Quadratic drag is missing}. */
+public final class Phrases {
+    private static final Map<String, Phrase> KNOWN = new HashMap<>();
+
+    private Phrases() {}
+
+    /**
+     * Words for a cause.
+     *
+     * @param words in which {@code %s} stands for what it is about
+     * @param otherwise if its first number is below 0
+     */
+    private record Phrase(String words, String otherwise) {}
+
+    private static void put(String id, String words) {
+        KNOWN.put(id, new Phrase(words, words));
+    }
+
+    private static void put(String id, String words, String otherwise) {
+        KNOWN.put(id, new Phrase(words, otherwise));
+    }
+
+    static {
+        put("linear_drag", "Linear drag is missing", "There is too much linear drag");
+        put("quadratic_drag", "Quadratic drag is missing", "There is too much quadratic drag");
+        put("anisotropic_drag", "Drag along the body's axes is missing");
+        put("rotational_drag", "Rotational drag is missing", "There is too much rotational drag");
+        put("added_mass", "Added mass is missing");
+        put("current_constant", "A constant current is missing");
+        put("current_oscillating", "An oscillating current is missing");
+        put("current_shear", "A current that changes with height is missing");
+        put("current_vortex", "A vortex is missing");
+        put("buoyancy_weight", "An upward force is missing", "A downward force is missing");
+        put("cob_offset", "The centre of buoyancy is elsewhere");
+        put("mass_error", "The mass is wrong");
+        put("inertia_error", "The moments of inertia are wrong");
+        put("thruster_gain", "The thrust of %s is wrong");
+        put("thruster_deadzone", "A dead zone of %s is missing");
+        put("thruster_lag", "A lag of %s is missing");
+        put("thruster_misalignment", "The direction of %s is wrong");
+        put("thruster_loss", "A failure of %s is missing");
+        put("magnetic", "A magnetic attraction is missing", "A magnetic repulsion is missing");
+        put("magnus", "The Magnus force is missing");
+        put("coulomb_friction", "Dry friction is missing");
+        put("coulomb_torque", "Dry friction about the pivot is missing");
+        put("restitution", "The restitution of impacts is wrong");
+        put("contact_friction", "The friction at contacts is wrong");
+        put("tether_spring", "The pull of a tether is missing");
+        put("wave_forcing", "The force of waves is missing");
+        put("periodic_force", "A periodic force is missing");
+        put("step_force", "A force that sets in is missing");
+        put("impulse", "A blow is missing");
+        put("sensor_bias", "The measured heading is off");
+        put("sensor_drift", "The measured heading drifts");
+        put("position_drift", "The measured position drifts");
+        put("sensor_scale", "The scale of the measured positions is wrong");
+        put("sensor_delay", "The measurement is late");
+        put("clock_offset", "The clock of the measurement is off");
+        put("axis_misalignment", "The axes of the sensors are turned");
+        put("outliers", "The measurement has outliers");
+        put("force_field", "A force that depends on the place is missing");
+    }
+
+    /** Of a finding. */
+    public static String of(Finding finding) {
+        boolean isBelow =
+                !finding.quantities().isEmpty() && finding.quantities().getFirst().value() < 0;
+        return of(finding.cause(), finding.subject(), isBelow);
+    }
+
+    /** Of a cause as {@link Finding#name} has it: {@code thruster_gain (port)}. */
+    public static String of(String name) {
+        int bracket = name.indexOf(" (");
+        return bracket < 0
+                ? of(name, Optional.empty(), false)
+                : of(
+                        name.substring(0, bracket),
+                        Optional.of(name.substring(bracket + 2, name.length() - 1)),
+                        false);
+    }
+
+    private static String of(String id, Optional<String> subject, boolean isBelow) {
+        Phrase phrase = KNOWN.get(id);
+        if (phrase == null) {
+            return capitalised(id.replace('_', ' '))
+                    + subject.map(" of '%s'"::formatted).orElse("")
+                    + " is missing";
+        }
+        String about = subject.map("'%s'"::formatted).orElse("all thrusters");
+        return (isBelow ? phrase.otherwise() : phrase.words()).formatted(about);
+    }
+
+    private static String capitalised(String words) {
+        return words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
+    }
+
+    /** A phrase within a sentence. */
+    static String inside(String phrase) {
+        return phrase.substring(0, 1).toLowerCase(Locale.ROOT) + phrase.substring(1);
+    }
+}

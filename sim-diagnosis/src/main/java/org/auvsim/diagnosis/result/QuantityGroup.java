@@ -1,0 +1,97 @@
+package org.auvsim.diagnosis.result;
+
+import org.auvsim.diagnosis.cause.Quantity;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+
+/**
+ * A number of a cause, or a vector of numbers whose names end with {@code .x}, {@code .y} and so on.
+ *
+ * @param name of the number or of the vector
+ * @param unit 1 for pure numbers
+ * @param deviations standard deviations of the values; empty if none can be stated
+ */
+public record QuantityGroup(
+        String name, String unit, boolean isVector, List<Double> values, List<Double> deviations) {
+    /** The lists cannot be changed. */
+    public QuantityGroup {
+        values = List.copyOf(values);
+        deviations = List.copyOf(deviations);
+    }
+
+    /**
+     * The groups of a cause's numbers, in their order.
+     *
+     * @param deviations of each, or empty
+     */
+    public static List<QuantityGroup> of(List<Quantity> quantities, List<Double> deviations) {
+        List<QuantityGroup> groups = new ArrayList<>();
+        int from = 0;
+        while (from < quantities.size()) {
+            String name = vectorName(quantities.get(from));
+            int to = from + 1;
+            while (to < quantities.size()
+                    && !name.isEmpty()
+                    && name.equals(vectorName(quantities.get(to)))) {
+                to++;
+            }
+            groups.add(group(quantities.subList(from, to), part(deviations, from, to)));
+            from = to;
+        }
+        return groups;
+    }
+
+    /** Those of a finding. */
+    public static List<QuantityGroup> of(Finding finding) {
+        return of(finding.quantities(), finding.deviations());
+    }
+
+    private static List<Double> part(List<Double> all, int from, int to) {
+        return all.isEmpty() ? all : all.subList(from, to);
+    }
+
+    private static QuantityGroup group(List<Quantity> of, List<Double> deviations) {
+        Quantity first = of.getFirst();
+        String vector = vectorName(first);
+        return new QuantityGroup(
+                vector.isEmpty() ? first.name() : vector,
+                first.unit(),
+                !vector.isEmpty(),
+                of.stream().map(Quantity::value).toList(),
+                deviations);
+    }
+
+    /** The vector that a number is one of; empty if it stands alone. */
+    private static String vectorName(Quantity quantity) {
+        String name = quantity.name();
+        int dot = name.length() - 2;
+        return dot > 0 && name.charAt(dot) == '.' && Character.isLetter(name.charAt(dot + 1))
+                ? name.substring(0, dot)
+                : "";
+    }
+
+    /** The values with their deviations and their unit: {@code 12.4 +- 0.3 kg/m}. */
+    public String text() {
+        String numbers =
+                IntStream.range(0, values.size())
+                        .mapToObj(
+                                i ->
+                                        Numbers.uncertain(
+                                                values.get(i),
+                                                deviations.isEmpty()
+                                                        ? Double.NaN
+                                                        : deviations.get(i)))
+                        .collect(Collectors.joining(", "));
+        return (isVector ? "(" + numbers + ")" : numbers) + unitText();
+    }
+
+    private String unitText() {
+        if (unit.equals("1")) {
+            return name.equals("factor") ? " times" : "";
+        }
+        return " " + unit;
+    }
+}

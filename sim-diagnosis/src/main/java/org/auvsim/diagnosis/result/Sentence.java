@@ -1,0 +1,169 @@
+package org.auvsim.diagnosis.result;
+
+import org.auvsim.diagnosis.run.Channel;
+
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** Says a verdict in one sentence for people, in ASCII and without a full stop. */
+public final class Sentence {
+    private final Optional<Map.Entry<Channel, Gain>> error;
+    private final String runs;
+
+    /**
+     * A sentence that also tells the error on held-out runs.
+     *
+     * @param heldOut by channel; that of the position is told, or else the first
+     * @param usedHeldOut whether it is that of leaving each run out in turn
+     */
+    public Sentence(Map<Channel, Gain> heldOut, boolean usedHeldOut) {
+        this.error =
+                heldOut.isEmpty()
+                        ? Optional.empty()
+                        : new EnumMap<>(heldOut).entrySet().stream().findFirst();
+        this.runs = usedHeldOut ? "left-out" : "held-out";
+    }
+
+    /**
+     * Causes explain the runs.
+     *
+     * @param share of the misfit beyond noise that they take away together, 0 to 1
+     */
+    public String explained(List<Finding> found, double share, List<Alternative> alternatives) {
+        List<String> parts = found.stream().map(Sentence::part).toList();
+        String causes = parts.getFirst();
+        for (String part : parts.subList(1, parts.size())) {
+            causes += ", and " + Phrases.inside(part);
+        }
+        String explains = found.size() == 1 ? "it explains" : "together they explain";
+        return "%s; %s %s of the misfit%s%s"
+                .formatted(
+                        causes,
+                        explains,
+                        Numbers.percent(share),
+                        gain(),
+                        aliases(found, alternatives));
+    }
+
+    private static String part(Finding finding) {
+        List<QuantityGroup> groups = QuantityGroup.of(finding);
+        if (groups.isEmpty()) {
+            return Phrases.of(finding);
+        }
+        String numbers =
+                groups.size() == 1
+                        ? groups.getFirst().text()
+                        : groups.stream()
+                                .map(group -> group.name() + " " + group.text())
+                                .collect(Collectors.joining(", "));
+        return Phrases.of(finding) + ": " + numbers;
+    }
+
+    private static String aliases(List<Finding> found, List<Alternative> alternatives) {
+        List<Alternative> same =
+                alternatives.stream().filter(Alternative::isIndistinguishable).toList();
+        if (same.isEmpty()) {
+            return "";
+        }
+        String chosen = found.stream().map(Phrases::of).map(Phrases::inside).collect(AND);
+        String others =
+                same.stream()
+                        .map(Alternative::causes)
+                        .map(names -> names.stream().map(Phrases::of).map(Phrases::inside))
+                        .map(phrases -> phrases.collect(AND))
+                        .collect(Collectors.joining(", or "));
+        String determined =
+                same.stream()
+                        .map(Alternative::determined)
+                        .filter(words -> !words.isBlank())
+                        .distinct()
+                        .collect(Collectors.joining(", "));
+        return "; this data cannot tell apart: %s, or %s%s"
+                .formatted(
+                        chosen, others, determined.isEmpty() ? "" : "; it determines " + determined);
+    }
+
+    private static final java.util.stream.Collector<CharSequence, ?, String> AND =
+            Collectors.joining(" and ");
+
+    /** Nothing is wrong that shows. */
+    public String none() {
+        return "Nothing is missing that this data could show"
+                + error.map(
+                                e ->
+                                        "; %s %s error %s, noise is %s"
+                                                .formatted(
+                                                        runs,
+                                                        words(e.getKey()),
+                                                        text(e, e.getValue().before()),
+                                                        text(e, e.getValue().noise())))
+                        .orElse("");
+    }
+
+    /** No known cause explains the runs. */
+    public String unexplained(Optional<Discrepancy> discrepancy) {
+        return "Something is missing that no known cause explains"
+                + discrepancy.map(Sentence::known).orElse("")
+                + gain();
+    }
+
+    private static String known(Discrepancy of) {
+        String frequency =
+                of.frequency().isPresent()
+                        ? ", mostly at %s Hz".formatted(Numbers.rounded(of.frequency().getAsDouble()))
+                        : "";
+        return "; it shows most in the %s %s %s, at %s s of %s%s; the best known causes take %s of it away"
+                .formatted(
+                        words(of.channel()),
+                        isTurning(of.channel()) ? "about" : "along",
+                        of.axis(),
+                        Numbers.rounded(of.time(), 3),
+                        of.run(),
+                        frequency,
+                        Numbers.percent(of.share()));
+    }
+
+    private String gain() {
+        return error.map(
+                        e ->
+                                "; %s %s error %s -> %s, noise is %s"
+                                        .formatted(
+                                                runs,
+                                                words(e.getKey()),
+                                                text(e, e.getValue().before()),
+                                                text(e, e.getValue().after()),
+                                                text(e, e.getValue().noise())))
+                .orElse("");
+    }
+
+    private static String text(Map.Entry<Channel, Gain> of, double value) {
+        return Numbers.rounded(value) + " " + unit(of.getKey());
+    }
+
+    private static boolean isTurning(Channel channel) {
+        return channel == Channel.ORIENTATION || channel == Channel.ANGULAR_VELOCITY;
+    }
+
+    /** A channel's name for people. */
+    public static String words(Channel channel) {
+        return switch (channel) {
+            case POSITION -> "position";
+            case ORIENTATION -> "orientation";
+            case VELOCITY -> "velocity";
+            case ANGULAR_VELOCITY -> "angular velocity";
+        };
+    }
+
+    /** The unit of a channel's numbers. */
+    public static String unit(Channel channel) {
+        return switch (channel) {
+            case POSITION -> "m";
+            case ORIENTATION -> "rad";
+            case VELOCITY -> "m/s";
+            case ANGULAR_VELOCITY -> "rad/s";
+        };
+    }
+}

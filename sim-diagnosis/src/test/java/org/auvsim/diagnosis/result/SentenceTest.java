@@ -1,0 +1,128 @@
+package org.auvsim.diagnosis.result;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.diagnosis.cause.Quantity;
+import org.auvsim.diagnosis.run.Channel;
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+class SentenceTest {
+    private static final Finding DRAG =
+            found("quadratic_drag", List.of(new Quantity("k", "kg/m", 12.43)), List.of(0.31));
+    private static final Finding CURRENT =
+            found(
+                    "current_constant",
+                    List.of(
+                            new Quantity("u.x", "m/s", 0.2),
+                            new Quantity("u.y", "m/s", -0.1),
+                            new Quantity("u.z", "m/s", 0)),
+                    List.of(0.004, 0.004, 0.004));
+    private final Sentence sentence =
+            new Sentence(
+                    Map.of(
+                            Channel.POSITION, new Gain(0.83, 0.0112, 0.01),
+                            Channel.ORIENTATION, new Gain(0.1, 0.1, 0.1)),
+                    false);
+
+    private static Finding found(
+            String cause, List<Quantity> quantities, List<Double> deviations) {
+        return new Finding(cause, Optional.empty(), quantities, deviations, 0.99);
+    }
+
+    @Test
+    void oneCause() {
+        assertThat(sentence.explained(List.of(DRAG), 0.991, List.of()))
+                .isEqualTo(
+                        "Quadratic drag is missing: 12.4 +- 0.3 kg/m; it explains 99.1 % of the"
+                                + " misfit; held-out position error 0.83 m -> 0.011 m, noise is"
+                                + " 0.010 m");
+    }
+
+    @Test
+    void twoCauses() {
+        assertThat(sentence.explained(List.of(DRAG, CURRENT), 0.9, List.of()))
+                .startsWith(
+                        "Quadratic drag is missing: 12.4 +- 0.3 kg/m, and a constant current is"
+                                + " missing: (0.200 +- 0.004, -0.100 +- 0.004, 0.000 +- 0.004) m/s;"
+                                + " together they explain 90.0 % of the misfit; held-out");
+    }
+
+    @Test
+    void aCauseWithSeveralNumbers() {
+        Finding periodic =
+                found(
+                        "periodic_force",
+                        List.of(
+                                new Quantity("force.x", "N", 2),
+                                new Quantity("force.y", "N", 0),
+                                new Quantity("omega", "rad/s", 1.5)),
+                        List.of(0.1, 0.1, 0.002));
+        assertThat(sentence.explained(List.of(periodic), 1, List.of()))
+                .startsWith(
+                        "A periodic force is missing: force (2.00 +- 0.10, 0.00 +- 0.10) N, omega"
+                                + " 1.500 +- 0.002 rad/s; it explains 100.0 %");
+    }
+
+    @Test
+    void whatTheDataCannotTellApart() {
+        Finding mass =
+                found("mass_error", List.of(new Quantity("factor", "1", 1.2)), List.of(0.004));
+        Alternative gain = new Alternative(List.of("thruster_gain"), true, "mass / gain = 1.20");
+        Alternative worse = new Alternative(List.of("magnus"), false, "");
+        assertThat(sentence.explained(List.of(mass), 0.9, List.of(gain, worse)))
+                .startsWith("The mass is wrong: 1.200 +- 0.004 times; it explains 90.0 %")
+                .endsWith(
+                        "; this data cannot tell apart: the mass is wrong, or the thrust of all"
+                                + " thrusters is wrong; it determines mass / gain = 1.20");
+    }
+
+    @Test
+    void nothing() {
+        assertThat(
+                        new Sentence(Map.of(Channel.POSITION, new Gain(0.011, 0.011, 0.01)), false)
+                                .none())
+                .isEqualTo(
+                        "Nothing is missing that this data could show; held-out position error"
+                                + " 0.011 m, noise is 0.010 m");
+    }
+
+    @Test
+    void somethingUnknown() {
+        Discrepancy seen =
+                new Discrepancy(
+                        Channel.ORIENTATION, 'z', "run2", 12.44, OptionalDouble.of(0.312), 0.41);
+        assertThat(sentence.unexplained(Optional.of(seen)))
+                .isEqualTo(
+                        "Something is missing that no known cause explains; it shows most in the"
+                                + " orientation about z, at 12.4 s of run2, mostly at 0.31 Hz; the"
+                                + " best known causes take 41.0 % of it away; held-out position"
+                                + " error 0.83 m -> 0.011 m, noise is 0.010 m");
+    }
+
+    @Test
+    void otherChannelsAndRunsLeftOut() {
+        Sentence depth = new Sentence(Map.of(Channel.VELOCITY, new Gain(2, 1, 0.5)), true);
+        assertThat(depth.unexplained(Optional.empty()))
+                .isEqualTo(
+                        "Something is missing that no known cause explains; left-out velocity error"
+                                + " 2.0 m/s -> 1.0 m/s, noise is 0.50 m/s");
+        assertThat(new Sentence(Map.of(), false).none())
+                .isEqualTo("Nothing is missing that this data could show");
+    }
+
+    @Test
+    void whatThereIsTooMuchOfAndWhoseItIs() {
+        Finding less =
+                found("linear_drag", List.of(new Quantity("c", "N s/m", -3)), List.of(0.1));
+        assertThat(sentence.explained(List.of(less), 0.9, List.of()))
+                .startsWith("There is too much linear drag: -3.00 +- 0.10 N s/m; ");
+        assertThat(Phrases.of("thruster_gain (port)")).isEqualTo("The thrust of 'port' is wrong");
+        assertThat(Phrases.of("eddy_wash")).isEqualTo("Eddy wash is missing");
+        assertThat(Phrases.of("eddy_wash (fin)")).isEqualTo("Eddy wash of 'fin' is missing");
+    }
+}

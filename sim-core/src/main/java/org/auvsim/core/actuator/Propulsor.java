@@ -30,6 +30,7 @@ import java.util.Optional;
  *     a propeller that is right-handed about its direction is negative
  * @param rotor what spins in it; needs a lag
  * @param powerDraw what it draws from a battery
+ * @param condition what it does otherwise than it should; empty: nothing
  * @param reached the level it had reached at the last command; empty: it has settled
  */
 public record Propulsor(
@@ -44,6 +45,7 @@ public record Propulsor(
         @Unit("m") @Default("0.0") double reactionTorque,
         Optional<Rotor> rotor,
         Optional<PowerDraw> powerDraw,
+        Optional<Condition> condition,
         Optional<Reached> reached)
         implements Actuator {
     /**
@@ -84,6 +86,7 @@ public record Propulsor(
                 0,
                 Optional.empty(),
                 Optional.empty(),
+                Optional.empty(),
                 Optional.empty());
     }
 
@@ -122,6 +125,43 @@ public record Propulsor(
                 reactionTorque,
                 rotor,
                 draw,
+                condition,
+                reached);
+    }
+
+    /** The same in another condition. */
+    public Propulsor in(Condition other) {
+        return new Propulsor(
+                name,
+                maximumThrust,
+                level,
+                position,
+                direction,
+                thrustCurve,
+                lag,
+                deadZone,
+                reactionTorque,
+                rotor,
+                powerDraw,
+                Optional.of(other),
+                reached);
+    }
+
+    /** The same in another direction (body axes), and following commands with another lag (s). */
+    public Propulsor mounted(Vec3 otherDirection, double otherLag) {
+        return new Propulsor(
+                name,
+                maximumThrust,
+                level,
+                position,
+                otherDirection,
+                thrustCurve,
+                otherLag,
+                deadZone,
+                reactionTorque,
+                rotor,
+                powerDraw,
+                condition,
                 reached);
     }
 
@@ -161,7 +201,8 @@ public record Propulsor(
     }
 
     private double target() {
-        double beyond = Math.abs(level) - deadZone;
+        double lost = condition.isEmpty() ? 0 : condition.get().lostLevel();
+        double beyond = Math.abs(level) - lost - deadZone;
         if (beyond <= 0 || !(powerDraw.isEmpty() || powerDraw.get().powered())) {
             return 0;
         }
@@ -170,10 +211,15 @@ public record Propulsor(
 
     /** Thrust (N) at a time (s), along the direction. */
     public double thrustAt(double time) {
-        return thrust(levelAt(time));
+        return thrust(levelAt(time), time);
     }
 
-    private double thrust(double level) {
+    private double thrust(double level, double time) {
+        double sound = soundThrust(level);
+        return condition.isEmpty() ? sound : sound * condition.get().shareAt(time);
+    }
+
+    private double soundThrust(double level) {
         if (thrustCurve.isEmpty()) {
             return level * maximumThrust;
         }
@@ -183,10 +229,11 @@ public record Propulsor(
 
     @Override
     public Optional<Wrench> constantPush() {
-        if (rotor.isPresent() || (lag > 0 && reached.isPresent())) {
+        boolean changes = condition.isPresent() && condition.get().failure().isPresent();
+        if (rotor.isPresent() || (lag > 0 && reached.isPresent()) || changes) {
             return Optional.empty();
         }
-        double thrust = thrust(target());
+        double thrust = thrust(target(), 0);
         Vec3 force = direction.times(thrust);
         Vec3 torque = position.cross(force);
         return Optional.of(
@@ -201,7 +248,7 @@ public record Propulsor(
     public void add(Block b, int i) {
         Lag course = course();
         double after = sinceCommand(b.time);
-        double thrust = thrust(course.level(after));
+        double thrust = thrust(course.level(after), b.time);
         double fx = direction.x() * thrust;
         double fy = direction.y() * thrust;
         double fz = direction.z() * thrust;

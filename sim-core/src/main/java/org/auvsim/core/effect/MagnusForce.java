@@ -1,5 +1,6 @@
 package org.auvsim.core.effect;
 
+import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.BlockEffect;
 import org.auvsim.core.entity.Domain;
@@ -13,16 +14,16 @@ import java.util.List;
  * w and the velocity v - u through the water. For a sphere of radius R in water of density rho that
  * moves slowly, c = pi rho R^3 (Rubinow &amp; Keller, Journal of Fluid Mechanics 11, 1961).
  *
- * @param coefficient c (kg), 0 or more
+ * @param coefficient c (kg); below 0 for smooth balls near the drag crisis, which swerve the other way
  */
-public record MagnusForce(@Unit("kg") double coefficient) implements Effect {
+public record MagnusForce(@Unit("kg") @Default("0.0") double coefficient) implements Effect {
     /**
      * A checked force.
      *
-     * @throws IllegalArgumentException if the coefficient is negative or not finite
+     * @throws IllegalArgumentException if the coefficient is not finite
      */
     public MagnusForce {
-        Domain.atLeast0("a Magnus force", "coefficient", coefficient, "kg");
+        Domain.finite("a Magnus force", "coefficient", coefficient, "kg");
     }
 
     @Override

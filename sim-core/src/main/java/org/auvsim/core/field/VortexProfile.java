@@ -41,6 +41,19 @@ public enum VortexProfile {
         double change(double s, double a) {
             return s > a * a ? -1 / (s * s) : 0;
         }
+    },
+
+    /** v = G r / (2 pi (r^2 + a^2)), smooth and slow to end (Kaufmann 1962; Scully 1975). */
+    KAUFMANN {
+        @Override
+        double rate(double s, double a) {
+            return 1 / (s + a * a);
+        }
+
+        @Override
+        double change(double s, double a) {
+            return -1 / ((s + a * a) * (s + a * a));
+        }
     };
 
     /** Up to which share of the core's square the series are used. */

@@ -173,6 +173,7 @@ class PropulsorTest {
                 -0.001,
                 Optional.empty(),
                 Optional.empty(),
+                Optional.empty(),
                 Optional.empty());
     }
 
@@ -192,6 +193,7 @@ class PropulsorTest {
                         0,
                         0,
                         Optional.of(rotor),
+                        Optional.empty(),
                         Optional.empty(),
                         Optional.empty());
         World world =
@@ -234,6 +236,7 @@ class PropulsorTest {
                                         0,
                                         0,
                                         Optional.of(new Rotor(1, 1)),
+                                        Optional.empty(),
                                         Optional.empty(),
                                         Optional.empty()))
                 .withMessageContaining(

@@ -35,6 +35,7 @@ final class Screws {
                 0,
                 Optional.empty(),
                 Optional.empty(),
+                Optional.empty(),
                 Optional.empty());
     }
 
@@ -51,6 +52,7 @@ final class Screws {
                 0,
                 Optional.empty(),
                 Optional.of(new PowerDraw("cells", watts, 0, true)),
+                Optional.empty(),
                 Optional.empty());
     }
 

@@ -16,6 +16,16 @@ import org.auvsim.core.actuator.ThrustTable.ThrustPoint;
 import org.auvsim.core.communication.AcousticModem;
 import org.auvsim.core.communication.Radio;
 import org.auvsim.core.effect.Brake;
+import org.auvsim.core.actuator.Failure;
+import org.auvsim.core.actuator.Condition;
+import org.auvsim.core.effect.IsotropicDrag;
+import org.auvsim.core.effect.AnisotropicDrag;
+import org.auvsim.core.effect.Kick;
+import org.auvsim.core.effect.StepForce;
+import org.auvsim.core.effect.WaveForce;
+import org.auvsim.core.effect.PeriodicForce;
+import org.auvsim.core.effect.MagneticAttraction;
+import org.auvsim.core.effect.CoulombFriction;
 import org.auvsim.core.effect.Buoyancy;
 import org.auvsim.core.effect.CentralForce;
 import org.auvsim.core.effect.Damping;
@@ -96,6 +106,16 @@ class RefusedNumbersTest {
                 arguments("a central force", new CentralForce(1, 1, X)),
                 arguments("a magnetic dipole", new MagneticDipole(X)),
                 arguments("a Magnus force", new MagnusForce(1)),
+                arguments("a Coulomb friction", new CoulombFriction(1, 1, 1)),
+                arguments("a magnetic attraction", new MagneticAttraction(1, X, 1)),
+                arguments("a periodic force", new PeriodicForce(X, X, 1)),
+                arguments("a wave force", new WaveForce(1, 1, 1, 1, 1)),
+                arguments("a step force", new StepForce(X, 1, 1)),
+                arguments("a kick", new Kick(X, 1, 1)),
+                arguments("anisotropic drag", new AnisotropicDrag(X)),
+                arguments("isotropic drag", new IsotropicDrag(1, 1, 1)),
+                arguments("the condition of a propulsor", new Condition(1, 0.5, Optional.empty())),
+                arguments("the failure of a propulsor", new Failure(1, 1, 1)),
                 arguments("a mooring", new Mooring(X, X, 1, 1, 1)),
                 arguments("a tether", new Tether(1, X, X, 1, 1, 1)),
                 arguments("a pivot friction", new PivotFriction(1, 1, 1)),

@@ -49,14 +49,16 @@ class CurrentsTest {
         }
     }
 
-    /** The circulation around any circle is G (1 - exp(-r^2/a^2)), or G outside Rankine's core. */
+    /** The circulation around any circle is G (1 - exp(-r^2/a^2)), G outside Rankine's core, or G r^2/(r^2 + a^2). */
     @ParameterizedTest
     @ValueSource(doubles = {0.001, 0.3, 1, 2.5, 40})
     void aVortexHasItsCirculation(double r) {
         double smooth = 6 * -StrictMath.expm1(-r * r / 2.25);
         double solid = 6 * Math.min(1, r * r / 2.25);
+        double slow = 6 * r * r / (r * r + 2.25);
         assertThat(circulation(VortexProfile.LAMB_OSEEN, r)).isCloseTo(smooth, within(1e-12));
         assertThat(circulation(VortexProfile.RANKINE, r)).isCloseTo(solid, within(1e-12));
+        assertThat(circulation(VortexProfile.KAUFMANN, r)).isCloseTo(slow, within(1e-12));
     }
 
     private static double circulation(VortexProfile profile, double r) {

@@ -35,6 +35,7 @@ class BatteryGaugeTest {
                 0,
                 Optional.empty(),
                 Optional.of(new PowerDraw("cells", watts, 0, true)),
+                Optional.empty(),
                 Optional.empty());
     }
 

@@ -46,6 +46,7 @@ final class ActuatorFigures {
                                 0,
                                 Optional.empty(),
                                 Optional.empty(),
+                                Optional.empty(),
                                 Optional.empty())
                         .commanded(1, 0);
         Propulsor astern = ahead.commanded(-1, 2);

@@ -73,6 +73,7 @@ final class TestTank {
                 p.reactionTorque(),
                 p.rotor(),
                 Optional.empty(),
+                p.condition(),
                 Optional.empty());
     }
 

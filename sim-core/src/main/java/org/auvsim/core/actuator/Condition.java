@@ -1,0 +1,42 @@
+package org.auvsim.core.actuator;
+
+import org.auvsim.core.description.Default;
+import org.auvsim.core.entity.Domain;
+
+import java.util.Optional;
+
+/**
+ * What a propulsor does otherwise than its data sheet says: a worn or fouled screw, friction of its
+ * shaft, a failure.
+ *
+ * @param gain share of its thrust that it gives, 0 or more; above 1 it is stronger than it should
+ * @param lostLevel of each commanded level this much is lost, 0 to below 1: of level x, sign(x)
+ *     max(|x| - lost, 0) is left, which then passes the dead zone
+ * @param failure of some of what is left, from some time on
+ */
+public record Condition(
+        @Default("1.0") double gain, @Default("0.0") double lostLevel, Optional<Failure> failure) {
+    /** As the data sheet says. */
+    public static final Condition SOUND = new Condition(1, 0, Optional.empty());
+
+    /**
+     * A checked condition.
+     *
+     * @throws IllegalArgumentException naming the number that is out of its range
+     */
+    public Condition {
+        Domain.atLeast0("the condition of a propulsor", "gain", gain, "");
+        Domain.require(
+                0 <= lostLevel && lostLevel < 1,
+                "the condition of a propulsor",
+                "lost level",
+                lostLevel,
+                "0 to below 1",
+                "");
+    }
+
+    /** The share of its thrust that it gives at a time (s). */
+    double shareAt(double time) {
+        return failure.isEmpty() ? gain : gain * failure.get().leftAt(time);
+    }
+}

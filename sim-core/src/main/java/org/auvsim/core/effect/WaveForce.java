@@ -1,0 +1,67 @@
+package org.auvsim.core.effect;
+
+import org.auvsim.core.description.Default;
+import org.auvsim.core.description.Unit;
+import org.auvsim.core.entity.Block;
+import org.auvsim.core.entity.BlockEffect;
+import org.auvsim.core.entity.BodyState;
+import org.auvsim.core.entity.Domain;
+import org.auvsim.core.entity.Effect;
+import org.auvsim.core.entity.Surroundings;
+
+import java.util.List;
+
+/**
+ * What regular waves push a body with, as far as it is horizontal and measured rather than
+ * computed: F = a d sin(omega t - k d . p + phase) along the direction d to which they run, with
+ * the place p of the origin and the world's time t. Waves in deep water have k = omega^2/g (Airy
+ * 1845); with k = 0 the force is the same everywhere. {@link org.auvsim.core.field.AiryWave} is the
+ * water's motion itself.
+ *
+ * @param amplitude a (N)
+ * @param direction of d (rad from the world's x to y)
+ * @param angularFrequency omega (rad/s), 0 or more
+ * @param phase (rad)
+ * @param waveNumber k (rad/m), 0 or more
+ */
+public record WaveForce(
+        @Unit("N") @Default("0.0") double amplitude,
+        @Unit("rad") @Default("0.0") double direction,
+        @Unit("rad/s") @Default("1.0") double angularFrequency,
+        @Unit("rad") @Default("0.0") double phase,
+        @Unit("rad/m") @Default("0.0") double waveNumber)
+        implements Effect {
+    /**
+     * A checked force.
+     *
+     * @throws IllegalArgumentException if a number is not finite, or frequency or wave number
+     *     negative
+     */
+    public WaveForce {
+        Domain.finite("a wave force", "amplitude", amplitude, "N");
+        Domain.finite("a wave force", "direction", direction, "rad");
+        Domain.atLeast0("a wave force", "angular frequency", angularFrequency, "rad/s");
+        Domain.finite("a wave force", "phase", phase, "rad");
+        Domain.atLeast0("a wave force", "wave number", waveNumber, "rad/m");
+    }
+
+    @Override
+    public boolean dependsOnPlace() {
+        return waveNumber > 0;
+    }
+
+    @Override
+    public BlockEffect layOut(List<List<Effect>> bySlot, Surroundings around) {
+        return OneByOne.mild(bySlot, (effect, b, i) -> ((WaveForce) effect).add(b, i));
+    }
+
+    private void add(Block b, int i) {
+        double dx = StrictMath.cos(direction);
+        double dy = StrictMath.sin(direction);
+        double way = dx * b.state[BodyState.X][i] + dy * b.state[BodyState.Y][i];
+        double force =
+                amplitude * StrictMath.sin(angularFrequency * b.time - waveNumber * way + phase);
+        b.fx[i] += force * dx;
+        b.fy[i] += force * dy;
+    }
+}

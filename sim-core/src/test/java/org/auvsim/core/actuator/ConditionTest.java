@@ -1,0 +1,65 @@
+package org.auvsim.core.actuator;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+import static org.auvsim.core.actuator.Screws.MASS;
+import static org.auvsim.core.actuator.Screws.THRUST;
+import static org.auvsim.core.actuator.Screws.advance;
+import static org.auvsim.core.actuator.Screws.body;
+
+import org.auvsim.core.world.World;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import java.util.Optional;
+
+class ConditionTest {
+    private static Condition failing(double from, double left) {
+        return new Condition(1, 0, Optional.of(new Failure(from, left, 0.1)));
+    }
+
+    @Test
+    void aWornScrewGivesAShareOfItsThrust() {
+        World world = Screws.world(Screws.plain(0.5).in(new Condition(0.8, 0, Optional.empty())));
+
+        advance(world, 20);
+
+        double expected = 0.8 * 0.5 * THRUST / MASS * world.time();
+        assertThat(body(world).velocity().x()).isCloseTo(expected, within(1e-12));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.5, 0.3", "-0.5, -0.3", "0.2, 0", "-0.1, 0", "1, 0.8"})
+    void someOfTheLevelIsLost(double commanded, double left) {
+        Propulsor screw = Screws.plain(commanded).in(new Condition(1, 0.2, Optional.empty()));
+        assertThat(screw.levelAt(7)).isCloseTo(left, within(1e-15));
+    }
+
+    /** The velocity gained is that of a thrust which jumps at the middle of its fading. */
+    @Test
+    void aFailureTakesThrustFromItsTimeOn() {
+        World world = Screws.world(Screws.plain(1).in(failing(0.52, 0.25)));
+
+        advance(world, 40);
+
+        double expected = THRUST / MASS * (0.52 + 0.25 * (world.time() - 0.52));
+        assertThat(body(world).velocity().x()).isCloseTo(expected, within(1e-12));
+        assertThat(Screws.screw(world).thrustAt(0.4)).isEqualTo(THRUST);
+        assertThat(Screws.screw(world).thrustAt(0.6)).isEqualTo(0.25 * THRUST);
+    }
+
+    @Test
+    void whatIsOutOfRangeIsRefused() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Condition(-1, 0, Optional.empty()))
+                .withMessageContaining("the gain of the condition of a propulsor must be 0");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Condition(1, 1, Optional.empty()))
+                .withMessageContaining("the lost level of the condition of a propulsor must be 0");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Failure(1, -0.5, 0))
+                .withMessageContaining("the share left of the failure of a propulsor must be 0");
+    }
+}

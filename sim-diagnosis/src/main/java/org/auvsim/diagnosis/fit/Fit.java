@@ -1,6 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
-import org.auvsim.core.step.StepException;
+import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble;
 import org.auvsim.diagnosis.model.Ensemble.Entrant;
@@ -18,20 +18,34 @@ import java.util.stream.IntStream;
  *
  * @param data what motions miss of each run
  * @param windows of each run, in order
+ * @param knowledge of the hypothesis's parameters beside these runs
  */
 record Fit(
-        BelievedModel model, List<Misses> data, Hypothesis hypothesis, List<List<Window>> windows) {
+        BelievedModel model,
+        List<Misses> data,
+        Hypothesis hypothesis,
+        List<List<Window>> windows,
+        Knowledge knowledge) {
     /** The model with the causes. */
     Variant variant() {
         return hypothesis.in(model.variant());
     }
 
     Fit with(Hypothesis other, List<List<Window>> moved) {
-        return new Fit(model, data, other, moved);
+        return new Fit(model, data, other, moved, knowledge);
     }
 
-    /** Derivatives by the starts of the windows and by parameters, run by run. */
-    List<List<WindowDerivatives>> derivatives(List<Variant> moved, double[] steps) {
+    /** The same with parameters of which something is known. */
+    Fit knowing(Knowledge other) {
+        return new Fit(model, data, hypothesis, windows, other);
+    }
+
+    /**
+     * Derivatives by the starts of the windows and by parameters, run by run.
+     *
+     * @param group how many samples are taken together
+     */
+    List<List<WindowDerivatives>> derivatives(Moves moves, int group) {
         Variant variant = variant();
         List<List<WindowDerivatives>> all = new ArrayList<>();
         for (int r = 0; r < data.size(); r++) {
@@ -48,8 +62,8 @@ record Fit(
                                                     of,
                                                     ofRun.get(w),
                                                     w == ofRun.size() - 1,
-                                                    moved,
-                                                    steps))
+                                                    group,
+                                                    moves))
                             .toList());
         }
         return all;
@@ -57,7 +71,7 @@ record Fit(
 
     /** Derivatives by the hypothesis's own parameters. */
     List<List<WindowDerivatives>> derivatives() {
-        return derivatives(hypothesis.moved(model.variant()), hypothesis.steps());
+        return derivatives(hypothesis.moves(model.variant()), 1);
     }
 
     /** Windows chained in blocks of so many; known starts hold the first of each run. */
@@ -69,6 +83,7 @@ record Fit(
             for (int w = 0; w < ofRun.size(); w += perBlock) {
                 blocks.add(
                         new WindowBlock(
+                                model,
                                 ofRun.subList(w, Math.min(ofRun.size(), w + perBlock)),
                                 w == 0 ? data.get(r).run().start() : Optional.empty()));
             }
@@ -82,37 +97,47 @@ record Fit(
         return windows.stream().mapToInt(List::size).max().orElse(1);
     }
 
-    /** Simulated in one go from the start of each run: squared misses in all. */
-    double cost() {
-        try {
-            double cost = 0;
-            for (double[] ofRun : misses()) {
-                for (double miss : ofRun) {
-                    cost += miss * miss;
-                }
-            }
-            return cost;
-        } catch (StepException e) {
-            return Double.POSITIVE_INFINITY; // so far off that no step can be made
+    /** One window a run, from the start of its first. */
+    Fit whole() {
+        List<List<Window>> one = new ArrayList<>();
+        for (int r = 0; r < data.size(); r++) {
+            RigidMotion start = windows.get(r).getFirst().start();
+            one.add(List.of(new Window(0, data.get(r).run().size() - 1, start)));
         }
+        return with(hypothesis, one);
     }
 
-    /** Simulated in one go from the start of each run: the misses of each. */
-    List<double[]> misses() {
+    /** The motion of each run, simulated in one go from its start. */
+    List<RigidMotion[]> motions() {
         Variant variant = variant();
-        List<double[]> all = new ArrayList<>();
+        return IntStream.range(0, data.size())
+                .parallel()
+                .mapToObj(
+                        r ->
+                                Ensemble.simulate(
+                                        model,
+                                        data.get(r).run(),
+                                        0,
+                                        data.get(r).run().size() - 1,
+                                        List.of(
+                                                new Entrant(
+                                                        variant,
+                                                        windows.get(r).getFirst().start())))[0])
+                .toList();
+    }
+
+    /** What that misses. */
+    Outcome outcome() {
+        List<RigidMotion[]> motions = motions();
+        Variant variant = variant();
+        List<double[]> misses = new ArrayList<>();
+        double prior = knowledge.cost(hypothesis.numbers());
         for (int r = 0; r < data.size(); r++) {
             Misses of = data.get(r);
-            int last = of.run().size() - 1;
-            RigidMotion[] motion =
-                    Ensemble.simulate(
-                            model,
-                            of.run(),
-                            0,
-                            last,
-                            List.of(new Entrant(variant, windows.get(r).getFirst().start())))[0];
-            all.add(of.of(motion, variant.sensing(), 0, last + 1));
+            misses.add(of.of(motions.get(r), variant.sensing(), 0, of.run().size()));
+            RigidMotion start = windows.get(r).getFirst().start();
+            prior += of.run().start().map(known -> Outcome.squares(known, start)).orElse(0.0);
         }
-        return all;
+        return Outcome.of(data, misses, prior);
     }
 }

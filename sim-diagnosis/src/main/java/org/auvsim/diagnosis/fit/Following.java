@@ -1,6 +1,8 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -28,15 +30,29 @@ final class Following {
     private static final double TURN = 0.06;
 
     private final BelievedModel model;
+    private final Variant variant;
     private final MeasuredRun run;
     private final Misses data;
     private final Noise noise;
 
-    Following(BelievedModel model, Misses data, Noise noise) {
+    /** The model in a variant, and what motions miss of a run. */
+    Following(BelievedModel model, Variant variant, Misses data, Noise noise) {
         this.model = model;
+        this.variant = variant;
         this.run = data.run();
         this.data = data;
         this.noise = noise;
+    }
+
+    /** Windows that follow runs under a hypothesis. */
+    static Fit of(
+            BelievedModel model, Hypothesis hypothesis, List<Misses> data, Noise noise) {
+        Variant variant = hypothesis.in(model.variant());
+        List<List<Window>> windows =
+                data.stream()
+                        .map(run -> new Following(model, variant, run, noise).windows())
+                        .toList();
+        return new Fit(model, data, hypothesis, windows, Knowledge.NONE);
     }
 
     /** A window as it was fitted, and by how much it misses: chi squared of its samples. */
@@ -98,7 +114,7 @@ final class Following {
                         from,
                         near,
                         known.map(KnownStart::motion)
-                                .orElseGet(() -> LocalMotion.at(run, from, from, near)));
+                                .orElseGet(() -> LocalMotion.at(run, model.start(), from, near)));
         Window fitted = fit(guess, isLast && near == to, known).window();
         return new Window(from, to, fitted.start());
     }
@@ -107,7 +123,7 @@ final class Following {
     private Fitted fit(Window start, boolean isLast, Optional<KnownStart> known) {
         Fitted best = derive(start, isLast);
         for (int iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
-            WindowBlock block = new WindowBlock(List.of(best.derivatives()), known);
+            WindowBlock block = new WindowBlock(model, List.of(best.derivatives()), known);
             double before = best.cost();
             Fitted next = best;
             double share = 1;
@@ -130,8 +146,7 @@ final class Following {
     private Fitted derive(Window window, boolean isLast) {
         return new Fitted(
                 window,
-                WindowDerivatives.of(
-                        model, model.variant(), data, window, isLast, List.of(), new double[0]));
+                WindowDerivatives.of(model, variant, data, window, isLast, 1, Moves.NONE));
     }
 
     private boolean follows(List<Fitted> fitted) {

@@ -1,26 +1,55 @@
 package org.auvsim.diagnosis.fit;
 
-import org.apache.commons.math3.linear.Array2DRowRealMatrix;
-import org.apache.commons.math3.linear.ArrayRealVector;
-import org.apache.commons.math3.linear.DecompositionSolver;
-import org.apache.commons.math3.linear.SingularValueDecomposition;
+import org.auvsim.core.math.Cholesky;
 
-import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
- * All products of the library's columns with one another and with the misses, the starts projected
- * out: what any set of columns explains follows from it by a small solve.
+ * All products of columns with one another and with the misses, the starts projected out: what any
+ * set of columns explains follows from it by a small solve.
  */
 final class Gram {
+    /** Share of a column's size that is added to it, so that columns that are alike can be solved. */
+    private static final double RIDGE = 1e-10;
+
     private final double[][] products;
     private final int misses;
 
+    private Gram(double[][] products) {
+        this.products = products;
+        this.misses = products.length - 1;
+    }
+
     /** Of blocks of windows of all runs. */
-    Gram(List<List<WindowBlock>> blocks, int columns) {
-        products = new double[columns + 1][columns + 1];
-        misses = columns;
-        blocks.forEach(ofRun -> ofRun.forEach(block -> block.addGram(products)));
+    static Gram of(List<List<WindowBlock>> blocks, int columns) {
+        double[][] products = new double[columns + 1][columns + 1];
+        IntStream.rangeClosed(0, columns)
+                .parallel()
+                .forEach(
+                        a ->
+                                blocks.forEach(
+                                        ofRun ->
+                                                ofRun.forEach(
+                                                        block ->
+                                                                block.addProducts(
+                                                                        a, products[a]))));
+        for (int a = 0; a <= columns; a++) {
+            for (int b = 0; b < a; b++) {
+                products[a][b] = products[b][a];
+            }
+        }
+        return new Gram(products);
+    }
+
+    /** The same with what is known of parameters otherwise. */
+    Gram with(Knowledge knowledge, double[] theta) {
+        double[][] sum = new double[products.length][];
+        for (int a = 0; a < sum.length; a++) {
+            sum[a] = products[a].clone();
+        }
+        knowledge.addTo(sum, theta);
+        return new Gram(sum);
     }
 
     /** Sum of the squared misses that no change of the starts explains. */
@@ -28,24 +57,34 @@ final class Gram {
         return products[misses][misses];
     }
 
+    /** Size of a column: root of its sum of squares, the starts projected out. */
+    double norm(int column) {
+        return Math.sqrt(Math.max(0, products[column][column]));
+    }
+
+    /** The product of two columns. */
+    double product(int a, int b) {
+        return products[a][b];
+    }
+
     /** The change of these parameters that explains most. */
     double[] solve(int[] columns) {
         int n = columns.length;
-        double[][] matrix = new double[n][n];
+        double[] matrix = new double[n * n];
         double[] right = new double[n];
         double[] scale = new double[n];
         for (int a = 0; a < n; a++) {
-            scale[a] = Math.sqrt(Math.max(products[columns[a]][columns[a]], 1e-300));
+            double norm = norm(columns[a]);
+            scale[a] = norm > 0 ? norm : 1;
         }
         for (int a = 0; a < n; a++) {
-            for (int b = 0; b < n; b++) {
-                matrix[a][b] = products[columns[a]][columns[b]] / scale[a] / scale[b];
+            for (int b = 0; b < a; b++) {
+                matrix[n * a + b] = products[columns[a]][columns[b]] / scale[a] / scale[b];
             }
+            matrix[n * a + a] = 1 + RIDGE;
             right[a] = -products[columns[a]][misses] / scale[a];
         }
-        DecompositionSolver solver =
-                new SingularValueDecomposition(new Array2DRowRealMatrix(matrix, false)).getSolver();
-        double[] solution = solver.solve(new ArrayRealVector(right, false)).toArray();
+        double[] solution = new Cholesky(matrix, n).solve(right);
         for (int a = 0; a < n; a++) {
             solution[a] /= scale[a];
         }
@@ -64,22 +103,14 @@ final class Gram {
         return drop;
     }
 
-    /** The inverse of the products of these columns: the covariance of their parameters. */
-    double[][] covariance(int[] columns) {
+    /** The products of these columns: the inverse of their parameters' covariance. */
+    double[][] information(int[] columns) {
         double[][] matrix = new double[columns.length][columns.length];
         for (int a = 0; a < columns.length; a++) {
             for (int b = 0; b < columns.length; b++) {
                 matrix[a][b] = products[columns[a]][columns[b]];
             }
         }
-        return new SingularValueDecomposition(new Array2DRowRealMatrix(matrix, false))
-                .getSolver()
-                .getInverse()
-                .getData();
-    }
-
-    @Override
-    public String toString() {
-        return "gram of %d columns, cost %s".formatted(misses, Arrays.toString(products[misses]));
+        return matrix;
     }
 }

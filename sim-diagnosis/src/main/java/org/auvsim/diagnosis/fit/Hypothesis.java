@@ -2,9 +2,11 @@ package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Parameter;
+import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.Variant;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.UnaryOperator;
 
@@ -16,6 +18,29 @@ import java.util.function.UnaryOperator;
 record Hypothesis(List<Cause> causes, List<double[]> theta) {
     /** That the model lacks nothing. */
     static final Hypothesis NONE = new Hypothesis(List.of(), List.of());
+
+    /** Causes whose numbers are not to be moved any more. */
+    private record Settled(Hypothesis hypothesis) implements Cause {
+        @Override
+        public String id() {
+            return "settled";
+        }
+
+        @Override
+        public List<Parameter> parameters() {
+            return List.of();
+        }
+
+        @Override
+        public Variant in(Variant model, double[] theta) {
+            return hypothesis.in(model);
+        }
+    }
+
+    /** The same, its numbers not to be moved. */
+    Hypothesis settled() {
+        return new Hypothesis(List.of(new Settled(this)), List.of(new double[0]));
+    }
 
     /** A parameter of one of the causes. */
     private record Place(int cause, int parameter) {}
@@ -49,21 +74,40 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
         return variant;
     }
 
-    /** Steps of differences, parameter by parameter. */
-    double[] steps() {
-        return parameters().stream().mapToDouble(p -> Cause.SMALL * p.scale()).toArray();
-    }
-
-    /** The model with the causes, one parameter moved by its step in each. */
-    List<Variant> moved(Variant model) {
-        double[] steps = steps();
+    /** The model with the causes, one parameter moved by a small step in each. */
+    Moves moves(Variant model) {
+        double[] steps =
+                parameters().stream().mapToDouble(p -> Cause.SMALL * p.scale()).toArray();
         List<Variant> moved = new ArrayList<>();
         for (int i = 0; i < steps.length; i++) {
             double[] change = new double[steps.length];
             change[i] = steps[i];
             moved.add(plus(change, UnaryOperator.identity()).in(model));
         }
-        return moved;
+        return new Moves(moved, steps);
+    }
+
+    /** The numbers of all causes in a row. */
+    double[] numbers() {
+        return theta.stream().flatMapToDouble(Arrays::stream).toArray();
+    }
+
+    /** The same with one more cause. */
+    Hypothesis and(Cause cause, double[] numbers) {
+        List<Cause> more = new ArrayList<>(causes);
+        more.add(cause);
+        List<double[]> all = new ArrayList<>(theta);
+        all.add(numbers);
+        return new Hypothesis(more, all);
+    }
+
+    /** The same without one of the causes. */
+    Hypothesis without(int cause) {
+        List<Cause> fewer = new ArrayList<>(causes);
+        fewer.remove(cause);
+        List<double[]> left = new ArrayList<>(theta);
+        left.remove(cause);
+        return new Hypothesis(fewer, left);
     }
 
     /** The same with other numbers, clipped to those that make sense. */

@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.run.Channel;
@@ -11,57 +12,100 @@ import org.apache.commons.math3.fitting.WeightedObservedPoints;
 
 import java.util.Optional;
 
-/** The motion at a sample by what was measured around it, without any model: local parabolas. */
+/**
+ * The motion at a sample by what was measured around it, without any model: local parabolas. What
+ * was not measured is as in a motion given.
+ */
 final class LocalMotion {
     private static final int DEGREE = 2;
 
-    private LocalMotion() {}
+    private final MeasuredRun run;
+    private final RigidMotion otherwise;
+    private final int from;
+    private final int to;
 
-    /** The motion at sample {@code at} by the samples from {@code from} up to {@code to}. */
-    static RigidMotion at(MeasuredRun run, int at, int from, int to) {
-        Quat axes = orientationNear(run, at);
-        double[][] position = new double[3][];
+    private LocalMotion(MeasuredRun run, RigidMotion otherwise, int from, int to) {
+        this.run = run;
+        this.otherwise = otherwise;
+        this.from = from;
+        this.to = to;
+    }
+
+    /** The motion at a sample by the samples from it up to {@code to}. */
+    static RigidMotion at(MeasuredRun run, RigidMotion otherwise, int from, int to) {
+        return new LocalMotion(run, otherwise, from, to).motion();
+    }
+
+    private RigidMotion motion() {
+        Quat axes = run.orientation(from).orElse(otherwise.orientation());
+        double[][] place = new double[3][];
         double[][] turn = new double[3][];
         for (int i = 0; i < 3; i++) {
-            WeightedObservedPoints places = new WeightedObservedPoints();
-            WeightedObservedPoints turns = new WeightedObservedPoints();
-            for (int k = from; k <= to; k++) {
-                double t = run.time(k) - run.time(at);
-                double place = run.value(Channel.POSITION, k, i);
-                if (!Double.isNaN(place)) {
-                    places.add(t, place);
-                }
-                Optional<Quat> orientation = run.orientation(k);
-                if (orientation.isPresent()) {
-                    turns.add(t, Misses.axis(Misses.turn(axes, orientation.get()), i));
-                }
+            place[i] = parabola(places(i), axis(otherwise.position(), i), 0);
+            turn[i] = parabola(turns(axes, i), 0, 0);
+        }
+        Vec3 atPlace = column(place, 0);
+        Quat oriented =
+                still(axes).plus(change(column(turn, 0))).orientation();
+        return new RigidMotion(
+                atPlace,
+                oriented,
+                measured(Channel.VELOCITY, oriented).orElse(column(place, 1)),
+                measured(Channel.ANGULAR_VELOCITY, oriented).orElse(column(turn, 1)));
+    }
+
+    /** A velocity that was measured itself, in the world's axes. */
+    private Optional<Vec3> measured(Channel channel, Quat orientation) {
+        return run.vector(channel, from)
+                .map(v -> run.frame(channel) == Frame.BODY ? orientation.rotate(v) : v);
+    }
+
+    private WeightedObservedPoints places(int axis) {
+        WeightedObservedPoints places = new WeightedObservedPoints();
+        for (int k = from; k <= to; k++) {
+            double place = run.value(Channel.POSITION, k, axis);
+            if (!Double.isNaN(place)) {
+                places.add(run.time(k) - run.time(from), place);
             }
-            position[i] = parabola(places);
-            turn[i] = parabola(turns);
         }
-        RigidMotion still = new RigidMotion(Vec3.ZERO, axes, Vec3.ZERO, Vec3.ZERO);
-        return still.plus(
-                new double[] {
-                    position[0][0], position[1][0], position[2][0],
-                    turn[0][0], turn[1][0], turn[2][0],
-                    position[0][1], position[1][1], position[2][1],
-                    turn[0][1], turn[1][1], turn[2][1]
-                });
+        return places;
     }
 
-    private static Quat orientationNear(MeasuredRun run, int at) {
-        return run.orientation(at).orElse(Quat.IDENTITY);
+    private WeightedObservedPoints turns(Quat axes, int axis) {
+        WeightedObservedPoints turns = new WeightedObservedPoints();
+        for (int k = from; k <= to; k++) {
+            double time = run.time(k) - run.time(from);
+            run.orientation(k).ifPresent(q -> turns.add(time, axis(Misses.turn(axes, q), axis)));
+        }
+        return turns;
     }
 
-    private static double[] parabola(WeightedObservedPoints points) {
+    private static double[] parabola(
+            WeightedObservedPoints points, double value, double slope) {
         int count = points.toList().size();
-        if (count == 0) {
-            return new double[DEGREE + 1];
+        double[] all = {value, slope, 0};
+        if (count > 0) {
+            double[] fitted =
+                    PolynomialCurveFitter.create(Math.min(DEGREE, count - 1))
+                            .fit(points.toList());
+            System.arraycopy(fitted, 0, all, 0, fitted.length);
         }
-        double[] fitted =
-                PolynomialCurveFitter.create(Math.min(DEGREE, count - 1)).fit(points.toList());
-        double[] all = new double[DEGREE + 1];
-        System.arraycopy(fitted, 0, all, 0, fitted.length);
         return all;
+    }
+
+    private static RigidMotion still(Quat orientation) {
+        return new RigidMotion(Vec3.ZERO, orientation, Vec3.ZERO, Vec3.ZERO);
+    }
+
+    private static double[] change(Vec3 turn) {
+        return new double[] {0, 0, 0, turn.x(), turn.y(), turn.z(), 0, 0, 0, 0, 0, 0};
+    }
+
+    private static Vec3 column(double[][] rows, int column) {
+        return new Vec3(rows[0][column], rows[1][column], rows[2][column]);
+    }
+
+    private static double axis(Vec3 v, int axis) {
+        return Misses.axis(v, axis);
     }
 }

@@ -60,15 +60,9 @@ final class Misses {
         return rows;
     }
 
-    /** How many numbers were measured. */
-    int count() {
-        int count = 0;
-        for (double weight : weights) {
-            if (weight > 0) {
-                count++;
-            }
-        }
-        return count;
+    /** Whether there is a number, counted row by row within each sample. */
+    boolean isMeasured(int index) {
+        return weights[index] > 0;
     }
 
     /**
@@ -84,6 +78,27 @@ final class Misses {
             write(sample, told, misses, k * rows.size());
         }
         return misses;
+    }
+
+    /**
+     * The same, so many samples taken together: their sum over the root of their number, which is
+     * again in standard deviations.
+     */
+    double[] of(RigidMotion[] motions, Sensing sensing, int from, int samples, int group) {
+        double[] single = of(motions, sensing, from, samples);
+        if (group == 1) {
+            return single;
+        }
+        int width = rows.size();
+        double[] together = new double[(samples + group - 1) / group * width];
+        for (int k = 0; k < samples; k++) {
+            int first = k / group * group;
+            double root = Math.sqrt(Math.min(group, samples - first));
+            for (int r = 0; r < width; r++) {
+                together[k / group * width + r] += single[k * width + r] / root;
+            }
+        }
+        return together;
     }
 
     private void write(int sample, RigidMotion told, double[] to, int at) {

@@ -1,107 +1,140 @@
 package org.auvsim.diagnosis.fit;
 
-import org.auvsim.core.step.StepException;
-
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * Brings the parameters of a set of causes, and the starts of its runs, to where the model fits best:
+ * Brings the parameters of a hypothesis, and the starts of its runs, to where the model fits best:
  * first in blocks of windows, which cannot get lost, then in blocks twice as long, at last in one go
  * from the start of each run.
  */
 final class Refinement {
-    private static final int MOST_STEPS = 8;
+    private static final int MORE_STEPS = 3;
     private static final int MOST_HALVINGS = 5;
+
+    /** A step turns no window by more (rad): beyond that it is not linear. */
+    private static final double MOST_TURN = 0.7;
+
+    /** Steps that turn windows by less (rad) have arrived. */
+    private static final double ARRIVED = 0.02;
+
+    /** A share of the cost that is not worth a step. */
     private static final double ENOUGH = 1e-4;
 
     private Refinement() {}
 
-    /** One step with windows chained in blocks of so many. */
-    static Fit step(Fit fit, int perBlock) {
-        return moved(fit, fit.blocks(fit.derivatives(), perBlock), 1);
+    /** A step that is to be made. */
+    private record Step(List<List<WindowBlock>> blocks, double[] change, double turn) {
+        /** Windows and parameters after a share of it, and of what keeps it linear. */
+        Fit from(Fit fit, double share) {
+            double gone = share * Math.min(1, MOST_TURN / Math.max(turn, 1e-300));
+            return moved(fit, blocks, change, gone);
+        }
     }
 
-    private static Fit moved(Fit fit, List<List<WindowBlock>> blocks, double share) {
+    /** Empty if the motion gets lost in a window. */
+    private static Optional<Step> step(Fit fit, int perBlock) {
+        List<List<WindowDerivatives>> derivatives = fit.derivatives();
+        for (List<WindowDerivatives> ofRun : derivatives) {
+            for (WindowDerivatives window : ofRun) {
+                if (window.isLost()) {
+                    return Optional.empty();
+                }
+            }
+        }
+        List<List<WindowBlock>> blocks = fit.blocks(derivatives, perBlock);
         int size = fit.hypothesis().size();
         int[] all = IntStream.range(0, size).toArray();
-        double[] change = size == 0 ? new double[0] : new Gram(blocks, size).solve(all);
-        return moved(fit, blocks, change, fit.hypothesis(), share);
+        double[] change =
+                size == 0
+                        ? new double[0]
+                        : Gram.of(blocks, size)
+                                .with(fit.knowledge(), fit.hypothesis().numbers())
+                                .solve(all);
+        double turn = 0;
+        for (List<WindowBlock> ofRun : blocks) {
+            for (WindowBlock block : ofRun) {
+                turn = Math.max(turn, block.largestTurn(change));
+            }
+        }
+        return Optional.of(new Step(blocks, change, turn));
     }
 
-    /** The windows moved as a change of parameters asks for, and these for the hypothesis given. */
-    static Fit moved(
-            Fit fit,
-            List<List<WindowBlock>> blocks,
-            double[] change,
-            Hypothesis hypothesis,
-            double share) {
+    private static Fit moved(
+            Fit fit, List<List<WindowBlock>> blocks, double[] change, double share) {
         double[] gone = new double[change.length];
         for (int i = 0; i < gone.length; i++) {
             gone[i] = share * change[i];
         }
+        return fit.with(fit.hypothesis().plus(gone), windows(blocks, change, share));
+    }
+
+    /** Windows moved as a share of a change of parameters asks for. */
+    static List<List<Window>> windows(
+            List<List<WindowBlock>> blocks, double[] change, double share) {
         List<List<Window>> windows = new ArrayList<>();
         for (List<WindowBlock> ofRun : blocks) {
             List<Window> moved = new ArrayList<>();
             ofRun.forEach(block -> moved.addAll(block.moved(change, share)));
             windows.add(moved);
         }
-        return fit.with(hypothesis.plus(gone), windows);
+        return windows;
     }
 
-    /** From blocks of so many windows up to whole runs, then until nothing is gained any more. */
-    static Fit refine(Fit start, int perBlock) {
+    /**
+     * From blocks of so many windows up to whole runs, a few steps there, and the best in one go of
+     * where that has led.
+     */
+    static Judged approach(Fit start, int perBlock) {
+        Judged best = Judged.of(start.whole());
         Fit fit = start;
         int longest = start.longest();
-        try {
-            for (int block = perBlock; block < longest; block *= 2) {
-                fit = step(fit, block);
+        int more = 0;
+        for (int block = perBlock; more <= MORE_STEPS; block = Math.min(2 * block, longest)) {
+            Optional<Step> step = step(fit, block);
+            if (step.isEmpty()) {
+                break;
             }
-            fit = step(fit, longest);
-        } catch (StepException e) {
-            fit = start; // lost its way: what follows begins where the windows did
+            fit = step.get().from(fit, 1);
+            if (block < longest) {
+                continue;
+            }
+            Judged whole = Judged.of(fit.whole());
+            best = whole.cost() < best.cost() ? whole : best;
+            if (!(step.get().turn() > ARRIVED) && more > 0) {
+                break;
+            }
+            more++;
         }
-        Fit whole = whole(fit);
-        return converge(whole.cost() < whole(start).cost() ? whole : whole(start));
+        return best;
     }
 
-    /** One window a run. */
-    static Fit whole(Fit fit) {
-        List<List<Window>> windows = new ArrayList<>();
-        for (int r = 0; r < fit.data().size(); r++) {
-            Window first = fit.windows().get(r).getFirst();
-            windows.add(
-                    List.of(new Window(0, fit.data().get(r).run().size() - 1, first.start())));
-        }
-        return fit.with(fit.hypothesis(), windows);
-    }
-
-    /** Gauss-Newton steps of whole runs, halved until they help. */
-    static Fit converge(Fit start) {
-        Fit best = start;
-        double cost = start.cost();
-        if (Double.isInfinite(cost)) {
-            return best;
-        }
-        for (int s = 0; s < MOST_STEPS; s++) {
-            List<List<WindowBlock>> blocks = best.blocks(best.derivatives(), 1);
-            double before = cost;
-            double share = 1;
-            for (int h = 0; h < MOST_HALVINGS; h++) {
-                Fit tried = moved(best, blocks, share);
-                double triedCost = tried.cost();
-                if (triedCost < cost) {
-                    best = tried;
-                    cost = triedCost;
-                    break;
-                }
-                share /= 3;
-            }
-            if (!(before - cost > ENOUGH * cost)) {
+    /** Gauss-Newton steps of whole runs, shortened until they help. */
+    static Judged converge(Judged start, int mostSteps) {
+        Judged best = start;
+        for (int s = 0; s < mostSteps && Double.isFinite(best.cost()); s++) {
+            Judged next = better(best);
+            boolean isWorthIt = best.cost() - next.cost() > ENOUGH * next.cost();
+            best = next;
+            if (!isWorthIt) {
                 break;
             }
         }
         return best;
+    }
+
+    private static Judged better(Judged from) {
+        Optional<Step> step = step(from.fit(), 1);
+        double share = 1;
+        for (int h = 0; h < MOST_HALVINGS && step.isPresent(); h++) {
+            Judged tried = Judged.of(step.get().from(from.fit(), share));
+            if (tried.cost() < from.cost()) {
+                return tried;
+            }
+            share /= 3;
+        }
+        return from;
     }
 }

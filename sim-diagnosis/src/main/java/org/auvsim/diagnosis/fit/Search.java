@@ -1,181 +1,181 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
-import org.auvsim.diagnosis.cause.Guess;
 import org.auvsim.diagnosis.model.BelievedModel;
-import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /** Looks for the causes that explain what a model misses of measured runs. */
-public final class Search {
-    private static final int KEPT = 5;
-    private static final double PER_CAUSE = 12;
+final class Search {
+    private static final int MOST_CAUSES = 3;
+    private static final int SECOND_ROUND = 10;
+    private static final int SECOND_STEPS = 3;
+    private static final int THIRD_ROUND = 4;
+    private static final int THIRD_STEPS = 12;
+    private static final int FORWARD = 4;
 
     private final BelievedModel model;
     private final Noise noise;
     private final List<Misses> data;
-    private final int count;
-    private final List<Seed> seeds = new ArrayList<>();
+    private final List<Cause> library;
+    private final List<Seed.Guesses> guesses;
+    private final Course course;
+    private final List<Judged> judged = new ArrayList<>();
 
-    /** What one set of causes makes of the runs; the smaller the score, the better. */
-    public record Candidate(List<String> causes, List<double[]> theta, double cost, double score) {}
-
-    /** A guess of a cause, and the first of its columns. */
-    private record Seed(Cause cause, Guess guess, int first) {
-        int[] columns() {
-            int[] columns = new int[guess.columns().size()];
-            for (int i = 0; i < columns.length; i++) {
-                columns[i] = first + i;
-            }
-            return columns;
-        }
-    }
-
-    record Scored(Fit fit, double cost, double score) {}
-
-    public Search(BelievedModel model, List<MeasuredRun> runs, List<Cause> library) {
+    Search(BelievedModel model, List<MeasuredRun> runs, List<Cause> library, Course course) {
         this.model = model;
         this.noise = Noise.of(runs);
         this.data = runs.stream().map(run -> new Misses(run, noise)).toList();
-        this.count = data.stream().mapToInt(Misses::count).sum();
-        int first = 0;
-        for (Cause cause : library) {
-            for (Guess guess : cause.guesses(runs)) {
-                seeds.add(new Seed(cause, guess, first));
-                first += guess.columns().size();
-            }
-        }
+        this.library = library;
+        this.guesses =
+                library.stream().map(c -> new Seed.Guesses(c, c.guesses(runs))).toList();
+        this.course = course;
     }
 
-    /** Sets of causes, the best first. */
-    public List<Candidate> candidates() {
-        Fit base =
-                new Fit(
-                        model,
-                        data,
-                        Hypothesis.NONE,
-                        data.stream().map(of -> new Following(model, of, noise).windows()).toList());
-        List<Scored> scored = new ArrayList<>();
-        scored.add(scored(Refinement.refine(base, 1)));
-        for (Fit start : screen(base)) {
-            scored.add(scored(Refinement.refine(start, 1)));
+    /**
+     * What was found.
+     *
+     * @param none the model as it is believed
+     * @param best the best set of causes; that of none if no set is better
+     * @param judged all sets, the best first
+     */
+    record Found(Judged none, Judged best, List<Judged> judged, Noise noise) {}
+
+    /** Specific causes first; those that can imitate others only where none of those passes. */
+    Found found() {
+        Fit base = following(Hypothesis.NONE);
+        course.at("fitting the model as it is", 0.1);
+        Judged none = Refinement.converge(Refinement.approach(base, 1), THIRD_STEPS);
+        judged.add(none);
+        List<Cause> specific = library.stream().filter(c -> !c.isGeneric()).toList();
+        Judged best = searched(base, none, specific);
+        if (!isWhite(best) && specific.size() < library.size() && course.goesOn()) {
+            best = searched(base, none, library);
         }
-        scored.sort(Comparator.comparingDouble(Scored::score));
-        return scored.stream()
-                .map(
-                        s ->
-                                new Candidate(
-                                        s.fit().hypothesis().causes().stream()
-                                                .map(Cause::id)
-                                                .toList(),
-                                        s.fit().hypothesis().theta(),
-                                        s.cost(),
-                                        s.score()))
+        List<Judged> sorted =
+                judged.stream().sorted(Comparator.comparingDouble(Judged::score)).toList();
+        return new Found(none, best, sorted, noise);
+    }
+
+    private Judged searched(Fit base, Judged none, List<Cause> causes) {
+        course.at("screening causes", 0.2);
+        Screen screen = new Screen(base, causes, guesses, none.outcome().count());
+        Judged best = tournament(screen.starts(true), none, 0.3, 0.7);
+        best = pruned(best);
+        while (best.fit().hypothesis().causes().size() < MOST_CAUSES
+                && !isWhite(best)
+                && course.goesOn()) {
+            Judged more = pruned(forward(best, causes));
+            if (more.score() >= best.score()) {
+                break;
+            }
+            best = more;
+        }
+        return best;
+    }
+
+    private Fit following(Hypothesis hypothesis) {
+        return Following.of(model, hypothesis, data, noise);
+    }
+
+    /** All starts come near, the best of them nearer, the best of those to the end. */
+    private Judged tournament(
+            List<Screen.Start> starts, Judged otherwise, double from, double to) {
+        List<Judged> near = new ArrayList<>();
+        for (Screen.Start start : starts) {
+            if (!course.at(
+                    "fitting sets of causes",
+                    from + (to - from) * near.size() / starts.size())) {
+                break;
+            }
+            near.add(Refinement.approach(start.fit(), start.perBlock()));
+        }
+        List<Judged> nearer = best(near, SECOND_ROUND, SECOND_STEPS);
+        List<Judged> last = best(nearer, THIRD_ROUND, THIRD_STEPS);
+        judged.addAll(last);
+        return last.stream()
+                .filter(j -> j.score() < otherwise.score())
+                .min(Comparator.comparingDouble(Judged::score))
+                .orElse(otherwise);
+    }
+
+    private List<Judged> best(List<Judged> of, int most, int steps) {
+        Set<List<Cause>> taken = new HashSet<>();
+        return of.stream()
+                .sorted(Comparator.comparingDouble(Judged::score))
+                .filter(j -> taken.add(j.fit().hypothesis().causes()))
+                .limit(most)
+                .toList()
+                .parallelStream()
+                .map(j -> Refinement.converge(j, steps))
                 .toList();
     }
 
-    private Scored scored(Fit fit) {
-        double cost = fit.cost();
-        double score =
-                count * Math.log(cost / count)
-                        + fit.hypothesis().size() * Math.log(count)
-                        + PER_CAUSE * fit.hypothesis().causes().size();
-        return new Scored(fit, cost, score);
-    }
-
-    /** The singles and pairs that promise most, by the linearised runs. */
-    private List<Fit> screen(Fit base) {
-        List<Variant> moved = new ArrayList<>();
-        List<Double> steps = new ArrayList<>();
-        for (Seed seed : seeds) {
-            for (int i = 0; i < seed.guess().columns().size(); i++) {
-                double[] theta =
-                        seed.guess().theta().stream().mapToDouble(Double::doubleValue).toArray();
-                theta[seed.guess().columns().get(i)] += seed.guess().steps().get(i);
-                moved.add(seed.cause().in(model.variant(), theta));
-                steps.add(seed.guess().steps().get(i));
-            }
-        }
-        double[] by = steps.stream().mapToDouble(Double::doubleValue).toArray();
-        List<List<WindowDerivatives>> derivatives = base.derivatives(moved, by);
-        int longest = base.longest();
-        List<List<Seed>> kept = new ArrayList<>();
-        List<Fit> fits = new ArrayList<>();
-        for (int perBlock :
-                new int[] {Math.max(1, longest / 32), Math.max(1, longest / 8), longest}) {
-            List<List<WindowBlock>> blocks = base.blocks(derivatives, perBlock);
-            Gram gram = new Gram(blocks, moved.size());
-            for (int size = 1; size <= 2; size++) {
-                for (List<Seed> set : best(gram, sets(size))) {
-                    if (!kept.contains(set)) {
-                        kept.add(set);
-                        fits.add(begun(base, blocks, gram, set, moved.size()));
-                    }
+    /** Without the causes that are not worth their price. */
+    private Judged pruned(Judged start) {
+        Judged best = start;
+        boolean goesOn = true;
+        while (goesOn) {
+            goesOn = false;
+            Hypothesis hypothesis = best.fit().hypothesis();
+            for (int c = 0; hypothesis.causes().size() > 1 && c < hypothesis.causes().size(); c++) {
+                Hypothesis fewer = hypothesis.without(c);
+                Judged without =
+                        Refinement.converge(
+                                Judged.of(best.fit().with(fewer, best.fit().windows())),
+                                THIRD_STEPS);
+                judged.add(without);
+                if (without.score() < best.score()) {
+                    best = without;
+                    goesOn = true;
+                    break;
                 }
             }
         }
-        return fits;
+        return best;
     }
 
-    /** A set of causes with the numbers that the linearised runs ask for. */
-    private Fit begun(
-            Fit base, List<List<WindowBlock>> blocks, Gram gram, List<Seed> set, int columns) {
-        int[] of = columns(set);
-        double[] solved = gram.solve(of);
-        double[] change = new double[columns];
-        List<double[]> theta = new ArrayList<>();
-        int i = 0;
-        for (Seed seed : set) {
-            double[] numbers =
-                    seed.guess().theta().stream().mapToDouble(Double::doubleValue).toArray();
-            for (int c : seed.guess().columns()) {
-                numbers[c] = seed.cause().parameters().get(c).clipped(solved[i]);
-                change[of[i]] = solved[i];
-                i++;
-            }
-            theta.add(numbers);
+    /** With the one more cause that helps most. */
+    private Judged forward(Judged best, List<Cause> causes) {
+        List<Cause> others =
+                causes.stream()
+                        .filter(c -> !best.fit().hypothesis().causes().contains(c))
+                        .toList();
+        Screen screen =
+                new Screen(
+                        following(best.fit().hypothesis()),
+                        others,
+                        guesses,
+                        best.outcome().count());
+        List<Screen.Start> starts =
+                screen.starts(false).stream()
+                        .sorted(Comparator.comparingDouble(Screen.Start::promise).reversed())
+                        .limit(FORWARD)
+                        .toList();
+        return tournament(starts, best, 0.7, 0.8);
+    }
+
+    /** Whether what is missed of each run is noise. */
+    static boolean isWhite(Judged judged) {
+        return whiteness(judged) < Whiteness.LIMIT;
+    }
+
+    /** The largest deviate of the block sums over all runs. */
+    static double whiteness(Judged judged) {
+        double largest = 0;
+        for (int r = 0; r < judged.fit().data().size(); r++) {
+            largest =
+                    Math.max(
+                            largest,
+                            Whiteness.largest(
+                                    judged.outcome().misses().get(r),
+                                    judged.fit().data().get(r).rows().size()));
         }
-        Fit moved = Refinement.moved(base, blocks, change, Hypothesis.NONE, 1);
-        return moved.with(
-                new Hypothesis(set.stream().map(Seed::cause).toList(), theta), moved.windows());
-    }
-
-    private static int[] columns(List<Seed> set) {
-        return set.stream().flatMapToInt(seed -> java.util.Arrays.stream(seed.columns())).toArray();
-    }
-
-    private List<List<Seed>> sets(int size) {
-        List<List<Seed>> sets = new ArrayList<>();
-        for (int i = 0; i < seeds.size(); i++) {
-            if (size == 1) {
-                sets.add(List.of(seeds.get(i)));
-            }
-            for (int j = i + 1; size == 2 && j < seeds.size(); j++) {
-                if (seeds.get(i).cause() != seeds.get(j).cause()) {
-                    sets.add(List.of(seeds.get(i), seeds.get(j)));
-                }
-            }
-        }
-        return sets;
-    }
-
-    private List<List<Seed>> best(Gram gram, List<List<Seed>> sets) {
-        record Promise(List<Seed> set, double score) {}
-        double perParameter = Math.log(count);
-        return sets.stream()
-                .map(
-                        set -> {
-                            int[] of = columns(set);
-                            double drop = gram.drop(of, gram.solve(of));
-                            return new Promise(set, drop - perParameter * of.length);
-                        })
-                .sorted(Comparator.comparingDouble(Promise::score).reversed())
-                .limit(KEPT)
-                .map(Promise::set)
-                .toList();
+        return largest;
     }
 }

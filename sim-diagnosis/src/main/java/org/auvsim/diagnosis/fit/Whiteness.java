@@ -24,8 +24,8 @@ final class Whiteness {
         for (int row = 0; row < rows; row++) {
             double[] ofChannel = row(misses, row, rows);
             double deviation = deviation(ofChannel);
-            if (deviation == 0) {
-                continue; // not measured
+            if (deviation * deviation < Outcome.EXACT) {
+                continue; // not measured, or without noise
             }
             for (int length : BLOCKS) {
                 largest = Math.max(largest, deviate(ofChannel, deviation, length));

@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.server.feedback.RigidMotion;
 
@@ -18,6 +19,7 @@ final class WindowBlock {
     /** So far off (m, rad, m/s, rad/s) a start that is not known may be. */
     private static final double[] UNKNOWN = {1e3, 1e1, 1e2, 1e2};
 
+    private final BelievedModel model;
     private final List<WindowDerivatives> windows;
     private final int columns;
 
@@ -27,7 +29,9 @@ final class WindowBlock {
     /** Rows of misses as a linear function of x, then made triangular in its first 12. */
     private final double[][] rows;
 
-    WindowBlock(List<WindowDerivatives> windows, Optional<KnownStart> known) {
+    WindowBlock(
+            BelievedModel model, List<WindowDerivatives> windows, Optional<KnownStart> known) {
+        this.model = model;
         this.windows = windows;
         columns = START + windows.getFirst().byParameter.length + 1;
         int count = START;
@@ -62,7 +66,11 @@ final class WindowBlock {
                         .orElse(new double[START]);
         for (int i = 0; i < START; i++) {
             int index = i;
-            double deviation = known.map(k -> k.deviations().get(index)).orElse(UNKNOWN[i / 3]);
+            double deviation =
+                    Math.min(
+                            UNKNOWN[i / 3],
+                            known.map(k -> k.deviations().get(index))
+                                    .orElse(Double.POSITIVE_INFINITY));
             rows[i][i] = 1 / deviation;
             rows[columns - 1][i] = off[i] / deviation;
         }
@@ -150,26 +158,34 @@ final class WindowBlock {
         }
     }
 
-    /** Adds the products of the projected columns (parameters, then the misses) to a matrix. */
-    void addGram(double[][] gram) {
-        int size = columns - START;
-        for (int a = 0; a < size; a++) {
-            for (int b = a; b < size; b++) {
-                double product = product(rows[START + a], rows[START + b]);
-                gram[a][b] += product;
-                if (a != b) {
-                    gram[b][a] += product;
-                }
-            }
+    /**
+     * Adds the products of a projected column with itself and those after it; columns are the
+     * parameters, then the misses.
+     */
+    void addProducts(int column, double[] to) {
+        double[] one = rows[START + column];
+        for (int other = column; other < to.length; other++) {
+            to[other] += product(one, rows[START + other]);
         }
     }
 
+    /** In four sums, which run side by side. */
     private static double product(double[] a, double[] b) {
-        double sum = 0;
-        for (int k = START; k < a.length; k++) {
-            sum += a[k] * b[k];
+        double s0 = 0;
+        double s1 = 0;
+        double s2 = 0;
+        double s3 = 0;
+        int k = START;
+        for (; k + 3 < a.length; k += 4) {
+            s0 += a[k] * b[k];
+            s1 += a[k + 1] * b[k + 1];
+            s2 += a[k + 2] * b[k + 2];
+            s3 += a[k + 3] * b[k + 3];
         }
-        return sum;
+        for (; k < a.length; k++) {
+            s0 += a[k] * b[k];
+        }
+        return (s0 + s1) + (s2 + s3);
     }
 
     /**
@@ -178,6 +194,38 @@ final class WindowBlock {
      * @param share of the way that is gone, above 0 and up to 1
      */
     List<Window> moved(double[] parameters, double share) {
+        double[] x = solved(parameters);
+        List<Window> moved = new ArrayList<>();
+        for (int w = 0; w < windows.size(); w++) {
+            double[] change = product(chain.get(w), x);
+            for (int i = 0; i < START; i++) {
+                change[i] *= share;
+            }
+            Window window = windows.get(w).window;
+            moved.add(window.startingAt(window.start().plus(model.free(change))));
+        }
+        return moved;
+    }
+
+    /** By how much (rad) the window that turns most does so. */
+    double largestTurn(double[] parameters) {
+        double[] x = solved(parameters);
+        double largest = 0;
+        for (double[][] at : chain) {
+            double[] change = product(at, x);
+            largest =
+                    Math.max(
+                            largest,
+                            Math.sqrt(
+                                    change[3] * change[3]
+                                            + change[4] * change[4]
+                                            + change[5] * change[5]));
+        }
+        return largest;
+    }
+
+    /** The start that fits best when parameters change so, they themselves, and 1. */
+    private double[] solved(double[] parameters) {
         double[] x = new double[columns];
         System.arraycopy(parameters, 0, x, START, parameters.length);
         x[columns - 1] = 1;
@@ -188,16 +236,7 @@ final class WindowBlock {
             }
             x[i] = -sum / rows[i][i];
         }
-        for (int c = 0; c < columns - 1; c++) {
-            x[c] *= share;
-        }
-        x[columns - 1] = share;
-        List<Window> moved = new ArrayList<>();
-        for (int w = 0; w < windows.size(); w++) {
-            Window window = windows.get(w).window;
-            moved.add(window.startingAt(window.start().plus(product(chain.get(w), x))));
-        }
-        return moved;
+        return x;
     }
 
     private static double[] product(double[][] matrix, double[] x) {

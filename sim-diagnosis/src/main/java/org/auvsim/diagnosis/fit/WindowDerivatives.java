@@ -23,51 +23,70 @@ final class WindowDerivatives {
     final double[] misses;
 
     /** Derivative of the misses by each number of the start, and by each parameter. */
-    final double[][] byStart;
+    final double[][] byStart = new double[RigidMotion.SIZE][];
 
     final double[][] byParameter;
 
     /** The window's end, and its derivatives. */
     final RigidMotion end;
 
-    final double[][] endByStart;
+    final double[][] endByStart = new double[RigidMotion.SIZE][];
     final double[][] endByParameter;
+
+    /**
+     * What is moved to find derivatives by parameters.
+     *
+     * @param variants the model with one parameter moved, each
+     * @param steps by how much
+     */
+    record Moves(List<Variant> variants, double[] steps) {
+        static final Moves NONE = new Moves(List.of(), new double[0]);
+    }
 
     private WindowDerivatives(
             Misses of,
             Window window,
             boolean isLast,
+            int group,
             List<Entrant> entrants,
             RigidMotion[][] motions,
             double[] steps) {
         this.window = window;
         int samples = window.length() + (isLast ? 1 : 0);
-        int parameters = steps.length;
-        misses = misses(of, entrants.getFirst(), motions[0], samples);
-        end = motions[0][window.length()];
-        byStart = new double[RigidMotion.SIZE][];
-        endByStart = new double[RigidMotion.SIZE][];
-        for (int i = 0; i < RigidMotion.SIZE; i++) {
-            RigidMotion[] moved = motions[1 + i];
-            byStart[i] =
-                    slope(misses(of, entrants.get(1 + i), moved, samples), misses, STEPS[i / 3]);
-            endByStart[i] = slope(moved[window.length()].minus(end), STEPS[i / 3]);
+        double[][] all = new double[motions.length][];
+        for (int i = 0; i < motions.length; i++) {
+            all[i] =
+                    of.of(
+                            motions[i],
+                            entrants.get(i).variant().sensing(),
+                            window.from(),
+                            samples,
+                            group);
         }
-        byParameter = new double[parameters][];
-        endByParameter = new double[parameters][];
-        for (int j = 0; j < parameters; j++) {
-            int at = 1 + RigidMotion.SIZE + j;
-            RigidMotion[] moved = motions[at];
-            byParameter[j] =
-                    slope(misses(of, entrants.get(at), moved, samples), misses, steps[j]);
-            endByParameter[j] = slope(moved[window.length()].minus(end), steps[j]);
+        misses = all[0];
+        end = motions[0][window.length()];
+        byParameter = new double[steps.length][];
+        endByParameter = new double[steps.length][];
+        for (int i = 1; i < motions.length; i++) {
+            int p = i - 1 - RigidMotion.SIZE;
+            double step = p < 0 ? STEPS[(i - 1) / 3] : steps[p];
+            double[] slope = slope(all[i], misses, step);
+            double[] endSlope = slope(motions[i][window.length()].minus(end), step);
+            if (p < 0) {
+                byStart[i - 1] = slope;
+                endByStart[i - 1] = endSlope;
+            } else {
+                byParameter[p] = slope;
+                endByParameter[p] = endSlope;
+            }
         }
     }
 
     /**
      * Those of a window under a variant of the model.
      *
-     * @param moved variants in which one parameter each is moved by its step
+     * @param isLast whether it is the last of its run, and so has the run's last sample
+     * @param group how many samples are taken together
      */
     static WindowDerivatives of(
             BelievedModel model,
@@ -75,41 +94,43 @@ final class WindowDerivatives {
             Misses of,
             Window window,
             boolean isLast,
-            List<Variant> moved,
-            double[] steps) {
+            int group,
+            Moves moves) {
         List<Entrant> entrants = new ArrayList<>();
         entrants.add(new Entrant(variant, window.start()));
         for (int i = 0; i < RigidMotion.SIZE; i++) {
             double[] by = new double[RigidMotion.SIZE];
             by[i] = STEPS[i / 3];
-            entrants.add(new Entrant(variant, window.start().plus(by)));
+            entrants.add(new Entrant(variant, window.start().plus(model.free(by))));
         }
-        for (Variant other : moved) {
+        for (Variant other : moves.variants()) {
             entrants.add(new Entrant(other, window.start()));
         }
         RigidMotion[][] motions =
                 Ensemble.simulate(model, of.run(), window.from(), window.to(), entrants);
-        return new WindowDerivatives(of, window, isLast, entrants, motions, steps);
+        return new WindowDerivatives(
+                of, window, isLast, group, entrants, motions, moves.steps());
     }
 
-    private double[] misses(Misses of, Entrant entrant, RigidMotion[] motions, int samples) {
-        return of.of(motions, entrant.variant().sensing(), window.from(), samples);
-    }
-
+    /** Differences over a step; 0 if what was moved got lost: nothing is known of it. */
     private static double[] slope(double[] moved, double[] before, double step) {
         double[] slope = new double[before.length];
         for (int i = 0; i < before.length; i++) {
             slope[i] = (moved[i] - before[i]) / step;
+            if (Double.isNaN(slope[i])) {
+                return new double[before.length];
+            }
         }
         return slope;
     }
 
     private static double[] slope(double[] difference, double step) {
-        double[] slope = new double[difference.length];
-        for (int i = 0; i < difference.length; i++) {
-            slope[i] = difference[i] / step;
-        }
-        return slope;
+        return slope(difference, new double[difference.length], step);
+    }
+
+    /** Whether its motion got out of all bounds. */
+    boolean isLost() {
+        return Double.isNaN(end.position().x());
     }
 
     /** Sum of the squared misses. */
@@ -118,6 +139,6 @@ final class WindowDerivatives {
         for (double miss : misses) {
             cost += miss * miss;
         }
-        return cost;
+        return Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost;
     }
 }

@@ -1,9 +1,13 @@
 package org.auvsim.diagnosis.model;
 
 import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.core.entity.Mount;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * The model as it is believed: a scenario, and which of its bodies was measured.
@@ -37,6 +41,41 @@ public record BelievedModel(Scenario scenario, String body) {
                                                         scenario.worldObject().stream()
                                                                 .map(WorldObjectDefinition::name)
                                                                 .toList())));
+    }
+
+    /** How the body moves at the beginning by the scenario. */
+    public RigidMotion start() {
+        WorldObjectDefinition of = definition(scenario, body);
+        return new RigidMotion(
+                of.position(), of.orientation(), of.velocity(), of.angularVelocity());
+    }
+
+    /**
+     * What the body's mount leaves of a change of its motion.
+     *
+     * @param change position (m), turn (rad), velocity (m/s), angular velocity (rad/s), world axes
+     */
+    public double[] free(double[] change) {
+        Optional<Mount> mount = definition(scenario, body).mount();
+        if (mount.isEmpty()) {
+            return change;
+        }
+        double[] free = new double[RigidMotion.SIZE];
+        for (int part = 0; part < change.length; part += 3) {
+            List<Vec3> ways =
+                    part % 6 == 0
+                            ? mount.get().freeTranslations()
+                            : mount.get().freeRotations();
+            Vec3 of = new Vec3(change[part], change[part + 1], change[part + 2]);
+            Vec3 left = Vec3.ZERO;
+            for (Vec3 way : ways) {
+                left = left.plus(way.times(of.dot(way)));
+            }
+            free[part] = left.x();
+            free[part + 1] = left.y();
+            free[part + 2] = left.z();
+        }
+        return free;
     }
 
     /** The body as it is believed. */

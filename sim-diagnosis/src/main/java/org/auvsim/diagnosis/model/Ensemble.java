@@ -3,9 +3,12 @@ package org.auvsim.diagnosis.model;
 import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
 import org.auvsim.core.step.EndOfStepFinder;
 import org.auvsim.core.step.NoRestricter;
 import org.auvsim.core.step.SnapshotStepper;
+import org.auvsim.core.step.StepException;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldBuilder;
 import org.auvsim.diagnosis.run.KnownDifferences;
@@ -13,6 +16,7 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -25,6 +29,16 @@ public final class Ensemble {
 
     /** Variants have ids beyond those of the scenario. */
     private static final long FIRST_ID = 1_000_000_000L;
+
+    private static final Vec3 NOWHERE = new Vec3(Double.NaN, Double.NaN, Double.NaN);
+
+    /** A motion of which nothing can be said: all NaN. */
+    public static final RigidMotion LOST =
+            new RigidMotion(
+                    NOWHERE,
+                    new Quat(Double.NaN, Double.NaN, Double.NaN, Double.NaN),
+                    NOWHERE,
+                    NOWHERE);
 
     /**
      * A variant and how it moves at the beginning.
@@ -100,20 +114,47 @@ public final class Ensemble {
     /**
      * Simulates variants from one sample of a run to another.
      *
-     * @return motion of each variant at each sample, the first and the last included; empty for a
-     *     variant from where on it could not be simulated
+     * @return motion of each variant at each sample, the first and the last included; {@link
+     *     #LOST} of a variant whose motion gets out of all bounds
      */
     public static RigidMotion[][] simulate(
             BelievedModel model, MeasuredRun run, int from, int to, List<Entrant> entrants) {
-        Ensemble ensemble = new Ensemble(model, run, from, entrants);
-        RigidMotion[][] motions = new RigidMotion[entrants.size()][to - from + 1];
-        ensemble.keep(motions, 0);
+        try {
+            return new Ensemble(model, run, from, entrants).simulate(from, to);
+        } catch (StepException e) {
+            return entrants.size() == 1
+                    ? lost(to - from + 1)
+                    : halves(model, run, from, to, entrants);
+        }
+    }
+
+    private RigidMotion[][] simulate(int from, int to) {
+        RigidMotion[][] motions = new RigidMotion[bodies.size()][to - from + 1];
+        keep(motions, 0);
         for (int k = from; k < to; k++) {
-            ensemble.inputs.command(k, k == from, ensemble.bodies);
-            ensemble.advance(run.time(k + 1));
-            ensemble.keep(motions, k + 1 - from);
+            inputs.command(k, k == from, bodies);
+            advance(run.time(k + 1));
+            keep(motions, k + 1 - from);
         }
         return motions;
+    }
+
+    private static RigidMotion[][] lost(int samples) {
+        RigidMotion[] motion = new RigidMotion[samples];
+        Arrays.fill(motion, LOST);
+        return new RigidMotion[][] {motion};
+    }
+
+    /** One that cannot be simulated takes none of the others with it. */
+    private static RigidMotion[][] halves(
+            BelievedModel model, MeasuredRun run, int from, int to, List<Entrant> entrants) {
+        int half = entrants.size() / 2;
+        RigidMotion[][] first = simulate(model, run, from, to, entrants.subList(0, half));
+        RigidMotion[][] second =
+                simulate(model, run, from, to, entrants.subList(half, entrants.size()));
+        RigidMotion[][] all = Arrays.copyOf(first, entrants.size());
+        System.arraycopy(second, 0, all, half, second.length);
+        return all;
     }
 
     private void keep(RigidMotion[][] motions, int sample) {

@@ -1,0 +1,32 @@
+package org.auvsim.diagnosis.fit;
+
+/**
+ * A fit, its outcome and its score: Schwarz's criterion (1978), and a surcharge for each cause. The
+ * smaller, the better.
+ */
+record Judged(Fit fit, Outcome outcome, double score) {
+    /** What a cause must gain to be believed, beside what its parameters must. */
+    static final double PER_CAUSE = 12;
+
+    static Judged of(Fit fit) {
+        return of(fit, fit.outcome());
+    }
+
+    static Judged of(Fit fit, Outcome outcome) {
+        Hypothesis hypothesis = fit.hypothesis();
+        double score =
+                outcome.deviance()
+                        + hypothesis.size() * Math.log(outcome.count())
+                        + PER_CAUSE * hypothesis.causes().size();
+        return new Judged(fit, outcome, score);
+    }
+
+    /** The logarithm of the model's evidence (Schwarz 1978), up to a constant. */
+    double logEvidence() {
+        return -(score - PER_CAUSE * fit.hypothesis().causes().size()) / 2;
+    }
+
+    double cost() {
+        return outcome.cost();
+    }
+}

@@ -1,0 +1,39 @@
+package org.auvsim.diagnosis.fit;
+
+/**
+ * What is known of parameters beside the runs at hand: that they are normally distributed.
+ *
+ * @param mean most likely numbers
+ * @param information the inverse of their covariance
+ */
+record Knowledge(double[] mean, double[][] information) {
+    /** Nothing. */
+    static final Knowledge NONE = new Knowledge(new double[0], new double[0][]);
+
+    /** Adds its squared misses to products of columns and misses. */
+    void addTo(double[][] products, double[] theta) {
+        int n = mean.length;
+        int misses = products.length - 1;
+        for (int a = 0; a < n; a++) {
+            double pull = 0;
+            for (int b = 0; b < n; b++) {
+                products[a][b] += information[a][b];
+                pull += information[a][b] * (theta[b] - mean[b]);
+            }
+            products[a][misses] += pull;
+            products[misses][a] += pull;
+        }
+        products[misses][misses] += cost(theta);
+    }
+
+    /** Squared distance of parameters from the mean, in standard deviations. */
+    double cost(double[] theta) {
+        double cost = 0;
+        for (int a = 0; a < mean.length; a++) {
+            for (int b = 0; b < mean.length; b++) {
+                cost += (theta[a] - mean[a]) * information[a][b] * (theta[b] - mean[b]);
+            }
+        }
+        return cost;
+    }
+}

@@ -1,0 +1,212 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
+import org.auvsim.diagnosis.model.Variant;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+
+/**
+ * Says which causes promise to explain what a fit misses, all at once and without a simulation for
+ * each set: by the columns of all of them along the measured motion. Long chains of windows see
+ * slow effects, short ones are not led astray; both are asked.
+ */
+final class Screen {
+    private static final int KEPT = 5;
+    private static final int STARTS_OF_ONE = 2;
+
+    /** Samples are taken together up to this time (s): what causes do is slower. */
+    private static final double TOGETHER = 0.2;
+
+    private final Fit base;
+    private final List<Seed> seeds;
+    private final int own;
+    private final Moves moves;
+    private final List<List<WindowDerivatives>> derivatives;
+    private final double perParameter;
+
+    /** A set of causes that is worth a closer look, from blocks of so many windows on. */
+    record Start(Fit fit, int perBlock, double promise) {
+        List<Cause> causes() {
+            return fit.hypothesis().causes();
+        }
+    }
+
+    private record Promise(List<Seed> set, double[] factors, double score) {}
+
+    /**
+     * Screens causes beside those of a fit.
+     *
+     * @param count how many numbers were measured
+     */
+    Screen(Fit base, List<Cause> causes, List<Seed.Guesses> guesses, int count) {
+        this.base = base;
+        this.own = base.hypothesis().size();
+        this.seeds = Seed.of(causes, guesses, own);
+        this.moves = moves();
+        this.derivatives = base.derivatives(moves, group());
+        this.perParameter = Math.log(count);
+    }
+
+    private Moves moves() {
+        Moves ofBase = base.hypothesis().moves(base.model().variant());
+        List<Variant> variants = new ArrayList<>(ofBase.variants());
+        List<Double> steps = new ArrayList<>();
+        Arrays.stream(ofBase.steps()).forEach(steps::add);
+        Variant variant = base.variant();
+        for (Seed seed : seeds) {
+            for (int c = 0; c < seed.guess().columns().size(); c++) {
+                variants.add(seed.moved(variant, c));
+                steps.add(seed.guess().steps().get(c));
+            }
+        }
+        return new Moves(
+                variants, steps.stream().mapToDouble(Double::doubleValue).toArray());
+    }
+
+    private int group() {
+        double shortest = Double.POSITIVE_INFINITY;
+        for (Misses of : base.data()) {
+            shortest = Math.min(shortest, of.run().duration() / (of.run().size() - 1));
+        }
+        return Math.max(1, (int) Math.floor(TOGETHER / shortest + 1e-9));
+    }
+
+    /** Sets of one cause and, if asked for, of two; each once, from where it promises most. */
+    List<Start> starts(boolean alsoPairs) {
+        List<Start> starts = new ArrayList<>();
+        int longest = base.longest();
+        int[] levels =
+                IntStream.of(Math.max(1, longest / 32), Math.max(1, longest / 8), longest)
+                        .distinct()
+                        .toArray();
+        for (int perBlock : levels) {
+            List<List<WindowBlock>> blocks = base.blocks(derivatives, perBlock);
+            Gram gram = Gram.of(blocks, moves.steps().length);
+            List<Promise> promises = new ArrayList<>(bestSingles(gram));
+            if (alsoPairs) {
+                promises.addAll(bestPairs(gram));
+            }
+            for (Promise promise : promises) {
+                if (starts.stream().noneMatch(s -> isSame(s, promise, perBlock))) {
+                    starts.add(start(blocks, promise, perBlock));
+                }
+            }
+        }
+        return starts;
+    }
+
+    /** The same causes from the same blocks, or from other guesses that have no advantage. */
+    private boolean isSame(Start start, Promise promise, int perBlock) {
+        List<Cause> added =
+                start.causes().subList(base.hypothesis().causes().size(), start.causes().size());
+        return start.perBlock() == perBlock
+                && added.equals(promise.set().stream().map(Seed::cause).toList())
+                && start.promise() >= promise.score();
+    }
+
+    private Start start(List<List<WindowBlock>> blocks, Promise promise, int perBlock) {
+        double[] change = new double[moves.steps().length];
+        System.arraycopy(promise.factors(), 0, change, 0, own);
+        Hypothesis hypothesis =
+                base.hypothesis().plus(Arrays.copyOf(promise.factors(), own));
+        int at = own;
+        for (Seed seed : promise.set()) {
+            int[] columns = seed.columns();
+            double[] factors = Arrays.copyOfRange(promise.factors(), at, at + columns.length);
+            for (int i = 0; i < columns.length; i++) {
+                change[columns[i]] = factors[i];
+            }
+            hypothesis = hypothesis.and(seed.cause(), seed.solved(factors));
+            at += columns.length;
+        }
+        Fit fit = base.with(hypothesis, Refinement.windows(blocks, change, 1));
+        return new Start(fit, Math.min(2 * perBlock, base.longest()), promise.score());
+    }
+
+    private List<Promise> bestSingles(Gram gram) {
+        double without = dropOf(gram, new int[0]);
+        List<Promise> promises =
+                seeds.stream()
+                        .map(seed -> promise(gram, List.of(seed), without))
+                        .filter(promise -> promise.score() > 0)
+                        .sorted(Comparator.comparingDouble(Promise::score).reversed())
+                        .toList();
+        return firstOfEach(promises, STARTS_OF_ONE);
+    }
+
+    private List<Promise> bestPairs(Gram gram) {
+        double without = dropOf(gram, new int[0]);
+        List<Promise> promises =
+                IntStream.range(0, seeds.size())
+                        .parallel()
+                        .mapToObj(i -> bestPairsOf(gram, i, without))
+                        .flatMap(List::stream)
+                        .sorted(Comparator.comparingDouble(Promise::score).reversed())
+                        .toList();
+        return firstOfEach(promises, 1);
+    }
+
+    private List<Promise> bestPairsOf(Gram gram, int i, double without) {
+        List<Promise> promises = new ArrayList<>();
+        for (int j = i + 1; j < seeds.size(); j++) {
+            if (seeds.get(i).cause() != seeds.get(j).cause()) {
+                Promise promise = promise(gram, List.of(seeds.get(i), seeds.get(j)), without);
+                if (promise.score() > 0) {
+                    promises.add(promise);
+                }
+            }
+        }
+        promises.sort(Comparator.comparingDouble(Promise::score).reversed());
+        return List.copyOf(promises.subList(0, Math.min(promises.size(), KEPT)));
+    }
+
+    private List<Promise> firstOfEach(List<Promise> sorted, int most) {
+        Map<List<Cause>, Integer> taken = new HashMap<>();
+        List<Promise> first = new ArrayList<>();
+        for (Promise promise : sorted) {
+            List<Cause> causes = promise.set().stream().map(Seed::cause).toList();
+            if (taken.merge(causes, 1, Integer::sum) <= most && first.size() < KEPT) {
+                first.add(promise);
+            }
+        }
+        return first;
+    }
+
+    private Promise promise(Gram gram, List<Seed> set, double without) {
+        int[] columns = columns(set);
+        double[] factors = gram.solve(columns);
+        int at = own;
+        for (Seed seed : set) {
+            int size = seed.guess().columns().size();
+            if (!seed.makesSense(Arrays.copyOfRange(factors, at, at + size))) {
+                return new Promise(set, factors, 0);
+            }
+            at += size;
+        }
+        int parameters = set.stream().mapToInt(s -> s.cause().parameters().size()).sum();
+        double gain = gram.drop(columns, factors) - without;
+        return new Promise(
+                set, factors, gain - perParameter * parameters - Judged.PER_CAUSE * set.size());
+    }
+
+    private double dropOf(Gram gram, int[] columns) {
+        int[] all = withOwn(columns);
+        return all.length == 0 ? 0 : gram.drop(all, gram.solve(all));
+    }
+
+    private int[] columns(List<Seed> set) {
+        return withOwn(
+                set.stream().flatMapToInt(seed -> Arrays.stream(seed.columns())).toArray());
+    }
+
+    private int[] withOwn(int[] columns) {
+        return IntStream.concat(IntStream.range(0, own), Arrays.stream(columns)).toArray();
+    }
+}

@@ -1,0 +1,76 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Guess;
+import org.auvsim.diagnosis.model.Variant;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A guess of a cause among the columns of a screening.
+ *
+ * @param first the first of its columns
+ */
+record Seed(Cause cause, Guess guess, int first) {
+    /** All guesses of some causes, their columns from one on. */
+    static List<Seed> of(List<Cause> causes, List<Guesses> guesses, int firstColumn) {
+        List<Seed> seeds = new ArrayList<>();
+        int column = firstColumn;
+        for (Guesses of : guesses) {
+            if (!causes.contains(of.cause())) {
+                continue;
+            }
+            for (Guess guess : of.guesses()) {
+                seeds.add(new Seed(of.cause(), guess, column));
+                column += guess.columns().size();
+            }
+        }
+        return seeds;
+    }
+
+    /** A cause and where to begin. */
+    record Guesses(Cause cause, List<Guess> guesses) {}
+
+    int[] columns() {
+        int[] columns = new int[guess.columns().size()];
+        for (int i = 0; i < columns.length; i++) {
+            columns[i] = first + i;
+        }
+        return columns;
+    }
+
+    private double[] theta() {
+        return guess.theta().stream().mapToDouble(Double::doubleValue).toArray();
+    }
+
+    /** The model with one column's number moved by its step. */
+    Variant moved(Variant model, int column) {
+        double[] theta = theta();
+        theta[guess.columns().get(column)] += guess.steps().get(column);
+        return cause.in(model, theta);
+    }
+
+    /** The cause's numbers when its columns have these factors. */
+    double[] solved(double[] factors) {
+        double[] theta = theta();
+        for (int i = 0; i < factors.length; i++) {
+            int p = guess.columns().get(i);
+            theta[p] = cause.parameters().get(p).clipped(theta[p] + factors[i]);
+        }
+        return theta;
+    }
+
+    /** Whether factors are on the side that makes sense. */
+    boolean makesSense(double[] factors) {
+        for (int i = 0; i < factors.length; i++) {
+            int p = guess.columns().get(i);
+            if (cause.parameters().get(p).lowest() == 0
+                    && guess.theta().get(p) == 0
+                    && factors[i] < 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+}

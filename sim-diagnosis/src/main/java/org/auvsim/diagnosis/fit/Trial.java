@@ -1,0 +1,95 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.result.Gain;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+
+/** Held-out runs judge a hypothesis, which had no part in choosing it. */
+final class Trial {
+    private static final int STEPS = 12;
+    private static final int ADJUSTMENTS = 4;
+
+    /** A channel may be missed by so many times what it is missed by in the runs of the fit. */
+    private static final double MOST_RATIO = 1.3;
+
+    /** Above this the residuals of a held-out run have a memory. */
+    private static final double LIMIT = 8;
+
+    private final BelievedModel model;
+    private final List<Misses> data;
+    private final Noise noise;
+
+    Trial(BelievedModel model, List<MeasuredRun> heldOut, Noise noise) {
+        this.model = model;
+        this.data = heldOut.stream().map(run -> new Misses(run, noise)).toList();
+        this.noise = noise;
+    }
+
+    /** Held-out runs from starts of their own, the hypothesis as it is. */
+    Judged prediction(Hypothesis hypothesis) {
+        Fit fit = Following.of(model, hypothesis.settled(), data, noise);
+        return Refinement.converge(Refinement.approach(fit, 1), STEPS);
+    }
+
+    /**
+     * Whether a hypothesis holds on the held-out runs: its parameters may move within what the runs
+     * of the fit leave open, which on a long or tumbling run makes all the difference.
+     *
+     * @param known of its parameters by the fit
+     */
+    boolean passes(Judged fitted, Judged predicted, Knowledge known) {
+        Fit fit =
+                predicted
+                        .fit()
+                        .with(fitted.fit().hypothesis(), predicted.fit().windows())
+                        .knowing(known);
+        Judged adjusted = Refinement.converge(Judged.of(fit), ADJUSTMENTS);
+        return Search.whiteness(adjusted) < LIMIT
+                && worstRatio(adjusted.outcome(), fitted.outcome()) < MOST_RATIO;
+    }
+
+    /** The largest ratio over channels of root mean squares. */
+    private static double worstRatio(Outcome heldOut, Outcome fitted) {
+        double worst = 0;
+        for (int c = 0; c < heldOut.counts().length; c++) {
+            if (heldOut.counts()[c] > 0 && fitted.counts()[c] > 0) {
+                double ratio =
+                        Math.max(heldOut.squares()[c] / heldOut.counts()[c], Outcome.EXACT)
+                                / Math.max(fitted.squares()[c] / fitted.counts()[c], Outcome.EXACT);
+                worst = Math.max(worst, Math.sqrt(ratio));
+            }
+        }
+        return Double.isFinite(heldOut.cost()) ? worst : Double.POSITIVE_INFINITY;
+    }
+
+    /** Root mean square errors by channel, in the channel's unit. */
+    Map<Channel, Gain> gains(Judged before, Judged after) {
+        Map<Channel, Gain> gains = new EnumMap<>(Channel.class);
+        for (Channel channel : Channel.values()) {
+            int c = channel.ordinal();
+            int count = after.outcome().counts()[c];
+            if (count > 0) {
+                double scale = noise.of(channel);
+                gains.put(
+                        channel,
+                        new Gain(
+                                scale * Math.sqrt(before.outcome().squares()[c] / count),
+                                scale * Math.sqrt(after.outcome().squares()[c] / count),
+                                scale));
+            }
+        }
+        return gains;
+    }
+
+    List<MeasuredRun> runs() {
+        List<MeasuredRun> runs = new ArrayList<>();
+        data.forEach(of -> runs.add(of.run()));
+        return runs;
+    }
+}

@@ -1,8 +1,10 @@
 package org.auvsim.diagnosis;
 
 import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.fit.Examination;
 import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.List;
@@ -29,5 +31,10 @@ public record Investigation(
         fit = List.copyOf(fit);
         heldOut = List.copyOf(heldOut);
         causes = List.copyOf(causes);
+    }
+
+    /** What the runs say of the model. */
+    public Diagnosis diagnose() {
+        return new Examination(model, fit, heldOut, causes, seed, progress).diagnosis();
     }
 }

@@ -113,6 +113,11 @@ public record Scenario(
 
     /** The same scenario with other fields. */
     Scenario withFields(List<Field<?>> fields) {
+        return with(fields, worldObject);
+    }
+
+    /** The same scenario with other fields and objects. */
+    public Scenario with(List<Field<?>> fields, List<WorldObjectDefinition> worldObjects) {
         return new Scenario(
                 startTime,
                 boundingSpheres,
@@ -125,7 +130,7 @@ public record Scenario(
                 releasedObject,
                 datum,
                 fields,
-                worldObject);
+                worldObjects);
     }
 
     /**

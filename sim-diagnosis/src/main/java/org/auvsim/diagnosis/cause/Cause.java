@@ -24,6 +24,11 @@ public interface Cause {
         return Optional.empty();
     }
 
+    /** The id and what it is about: {@code thruster_gain (port)}. */
+    default String name() {
+        return subject().map(of -> id() + " (" + of + ")").orElse(id());
+    }
+
     /** What it depends on. */
     List<Parameter> parameters();
 

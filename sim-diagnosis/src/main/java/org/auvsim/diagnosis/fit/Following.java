@@ -62,13 +62,24 @@ final class Following {
         }
     }
 
-    /** The longest windows in which the model follows, of equal length but for the last. */
-    List<Window> windows() {
+    /** Many short windows, each fitted alone: they follow whatever moves the body. */
+    List<Window> shortWindows() {
+        return fitAll(borders(mostWindows()), Optional.empty()).stream()
+                .map(Fitted::window)
+                .toList();
+    }
+
+    private int mostWindows() {
         int count = MOST_WINDOWS;
         while (count > 1 && (run.size() - 1) / count < FEWEST_SAMPLES) {
             count /= 2;
         }
-        List<Fitted> fitted = fitAll(borders(count), Optional.empty());
+        return count;
+    }
+
+    /** The longest windows in which the model follows, of equal length but for the last. */
+    List<Window> windows() {
+        List<Fitted> fitted = fitAll(borders(mostWindows()), Optional.empty());
         while (fitted.size() > 1) {
             List<Fitted> longer = fitAll(borders(fitted.size() / 2), Optional.of(fitted));
             if (!follows(longer)) {

@@ -44,7 +44,17 @@ final class Search {
      * @param best the best set of causes; that of none if no set is better
      * @param judged all sets, the best first
      */
-    record Found(Judged none, Judged best, List<Judged> judged, Noise noise) {}
+    record Found(Judged none, Judged best, List<Judged> judged, Noise noise) {
+        /** The best, one of its causes left out. */
+        Judged without(int cause) {
+            Hypothesis of = best.fit().hypothesis();
+            if (of.causes().size() == 1) {
+                return none;
+            }
+            Fit fewer = best.fit().with(of.without(cause), best.fit().windows());
+            return Refinement.converge(Judged.of(fewer), THIRD_STEPS);
+        }
+    }
 
     /** Specific causes first; those that can imitate others only where none of those passes. */
     Found found() {
@@ -124,11 +134,8 @@ final class Search {
             goesOn = false;
             Hypothesis hypothesis = best.fit().hypothesis();
             for (int c = 0; hypothesis.causes().size() > 1 && c < hypothesis.causes().size(); c++) {
-                Hypothesis fewer = hypothesis.without(c);
-                Judged without =
-                        Refinement.converge(
-                                Judged.of(best.fit().with(fewer, best.fit().windows())),
-                                THIRD_STEPS);
+                Fit fewer = best.fit().with(hypothesis.without(c), best.fit().windows());
+                Judged without = Refinement.converge(Judged.of(fewer), THIRD_STEPS);
                 judged.add(without);
                 if (without.score() < best.score()) {
                     best = without;

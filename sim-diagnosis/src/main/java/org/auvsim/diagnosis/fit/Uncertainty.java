@@ -14,8 +14,7 @@ import java.util.stream.IntStream;
 /** How well the parameters of a fit are determined: the covariance at its optimum. */
 final class Uncertainty {
     private final Judged fitted;
-    private final RealMatrix information;
-    private final double excess;
+    private final double[][] information;
 
     /** That of a fit that has converged. */
     Uncertainty(Judged fitted) {
@@ -24,18 +23,24 @@ final class Uncertainty {
         int size = fit.hypothesis().size();
         int[] all = IntStream.range(0, size).toArray();
         Gram gram = Gram.of(fit.blocks(fit.derivatives(), 1), size);
-        excess = Math.max(1, fitted.cost() / fitted.outcome().count());
-        information =
-                new Array2DRowRealMatrix(gram.information(all), false).scalarMultiply(1 / excess);
+        information = gram.information(all);
+        double excess = Math.max(1, fitted.cost() / fitted.outcome().count());
+        for (double[] row : information) {
+            for (int i = 0; i < row.length; i++) {
+                row[i] /= excess;
+            }
+        }
     }
 
     /** What the fit says of its parameters to whoever looks at other runs. */
     Knowledge knowledge() {
-        return new Knowledge(fitted.fit().hypothesis().numbers(), information.getData());
+        return new Knowledge(fitted.fit().hypothesis().numbers(), information);
     }
 
-    RealMatrix covariance() {
-        return new SingularValueDecomposition(information).getSolver().getInverse();
+    private RealMatrix covariance() {
+        return new SingularValueDecomposition(new Array2DRowRealMatrix(information))
+                .getSolver()
+                .getInverse();
     }
 
     /** Standard deviations of the quantities of one of the causes. */

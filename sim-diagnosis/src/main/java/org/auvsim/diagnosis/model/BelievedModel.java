@@ -1,11 +1,13 @@
 package org.auvsim.diagnosis.model;
 
 import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.Mount;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.server.feedback.RigidMotion;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -81,5 +83,14 @@ public record BelievedModel(Scenario scenario, String body) {
     /** The body as it is believed. */
     public Variant variant() {
         return new Variant(definition(scenario, body), List.of(), Sensing.EXACT);
+    }
+
+    /** The scenario with a variant of the body and its currents: what a diagnosis has found. */
+    public Scenario extended(Variant variant) {
+        List<Field<?>> fields = new ArrayList<>(scenario.field());
+        fields.addAll(variant.currents());
+        List<WorldObjectDefinition> objects = new ArrayList<>(scenario.worldObject());
+        objects.replaceAll(object -> object.name().equals(body) ? variant.body() : object);
+        return scenario.with(fields, objects);
     }
 }

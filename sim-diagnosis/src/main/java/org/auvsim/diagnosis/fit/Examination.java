@@ -1,0 +1,200 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Quantity;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.result.DiagnosedRun;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Discrepancy;
+import org.auvsim.diagnosis.result.Finding;
+import org.auvsim.diagnosis.result.Gain;
+import org.auvsim.diagnosis.result.Identifiability;
+import org.auvsim.diagnosis.result.Ranked;
+import org.auvsim.diagnosis.result.Sentence;
+import org.auvsim.diagnosis.result.Verdict;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.server.feedback.RigidMotion;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Examines measured runs: searches causes with some, judges them with others, and says what it is. */
+public final class Examination {
+    private final BelievedModel model;
+    private final List<MeasuredRun> fit;
+    private final List<MeasuredRun> heldOut;
+    private final List<Cause> causes;
+    private final long seed;
+    private final Course course;
+
+    /** Of runs that are searched with and runs that only judge. */
+    public Examination(
+            BelievedModel model,
+            List<MeasuredRun> fit,
+            List<MeasuredRun> heldOut,
+            List<Cause> causes,
+            long seed,
+            Progress progress) {
+        this.model = model;
+        this.fit = fit;
+        this.heldOut = heldOut;
+        this.causes = causes;
+        this.seed = seed;
+        this.course = new Course(progress);
+    }
+
+    /** What the runs say of the model. */
+    public Diagnosis diagnosis() {
+        Search.Found found = new Search(model, fit, causes, course).found();
+        course.at("judging by held-out runs", 0.9);
+        Trial trial = new Trial(model, heldOut, found.noise());
+        Judged before = trial.prediction(Hypothesis.NONE);
+        Judged best = found.best();
+        Judged after =
+                best == found.none() ? before : trial.prediction(best.fit().hypothesis());
+        Uncertainty uncertainty = new Uncertainty(best);
+        boolean passes =
+                Search.isWhite(best) && trial.passes(best, after, uncertainty.knowledge());
+        Verdict verdict =
+                !passes
+                        ? Verdict.UNEXPLAINED
+                        : best == found.none() ? Verdict.NONE : Verdict.EXPLAINED;
+        List<Finding> selected =
+                verdict == Verdict.EXPLAINED ? findings(found, uncertainty) : List.of();
+        Map<Channel, Gain> gains = trial.gains(before, after);
+        Optional<Discrepancy> discrepancy =
+                verdict == Verdict.UNEXPLAINED
+                        ? Optional.of(discrepancy(found))
+                        : Optional.empty();
+        Sentence sentence = new Sentence(gains, false);
+        String words =
+                switch (verdict) {
+                    case EXPLAINED ->
+                            sentence.explained(selected, share(found, best), List.of());
+                    case NONE -> sentence.none();
+                    case UNEXPLAINED -> sentence.unexplained(discrepancy);
+                };
+        Variant extended =
+                verdict == Verdict.EXPLAINED ? best.fit().variant() : model.variant();
+        return new Diagnosis(
+                verdict,
+                words,
+                model.body(),
+                selected,
+                ranked(found),
+                List.of(),
+                found.noise().byChannel(),
+                gains,
+                List.of(),
+                false,
+                runs(found, best, before, after),
+                discrepancy,
+                Optional.empty(),
+                Optional.empty(),
+                new Identifiability(List.of(), List.of()),
+                model.extended(extended),
+                List.of(),
+                seed,
+                course.goesOn());
+    }
+
+    private static List<Finding> findings(Search.Found found, Uncertainty uncertainty) {
+        Hypothesis hypothesis = found.best().fit().hypothesis();
+        List<Finding> findings = new ArrayList<>();
+        for (int c = 0; c < hypothesis.causes().size(); c++) {
+            Cause cause = hypothesis.causes().get(c);
+            findings.add(
+                    new Finding(
+                            cause.id(),
+                            cause.subject(),
+                            cause.quantities(hypothesis.theta().get(c)),
+                            uncertainty.deviations(c),
+                            share(found.without(c), found.best())));
+        }
+        return findings;
+    }
+
+    private static double share(Search.Found found, Judged best) {
+        return share(found.none(), best);
+    }
+
+    /** Share of the squares beyond noise that goes from one fit to a better one. */
+    private static double share(Judged without, Judged with) {
+        double noise = with.outcome().count();
+        double before = Math.max(without.cost() - noise, 0);
+        double after = Math.max(with.cost() - noise, 0);
+        return before > 0 ? Math.max(0, Math.min(1, 1 - after / before)) : 0;
+    }
+
+    private static List<Ranked> ranked(Search.Found found) {
+        double best = found.judged().getFirst().logEvidence();
+        for (Judged judged : found.judged()) {
+            best = Math.max(best, judged.logEvidence());
+        }
+        double sum = 0;
+        for (Judged judged : found.judged()) {
+            sum += Math.exp(judged.logEvidence() - best);
+        }
+        List<Ranked> ranked = new ArrayList<>();
+        for (Judged judged : found.judged()) {
+            Hypothesis of = judged.fit().hypothesis();
+            List<String> names = new ArrayList<>();
+            List<List<Quantity>> quantities = new ArrayList<>();
+            for (int c = 0; c < of.causes().size(); c++) {
+                names.add(of.causes().get(c).name());
+                quantities.add(of.causes().get(c).quantities(of.theta().get(c)));
+            }
+            ranked.add(
+                    new Ranked(
+                            names,
+                            quantities,
+                            judged.logEvidence(),
+                            Math.exp(judged.logEvidence() - best) / sum));
+        }
+        return ranked;
+    }
+
+    private Discrepancy discrepancy(Search.Found found) {
+        return Misfit.largest(found.best(), share(found, found.best()));
+    }
+
+    private List<DiagnosedRun> runs(
+            Search.Found found, Judged best, Judged before, Judged after) {
+        List<DiagnosedRun> runs = new ArrayList<>();
+        runs.addAll(runs(found, found.none(), best, best.fit().variant(), false));
+        runs.addAll(runs(found, before, after, best.fit().variant(), true));
+        return runs;
+    }
+
+    private List<DiagnosedRun> runs(
+            Search.Found found, Judged before, Judged after, Variant variant, boolean areHeldOut) {
+        List<RigidMotion[]> motionBefore = before.fit().motions();
+        List<RigidMotion[]> motionAfter = after.fit().motions();
+        List<DiagnosedRun> runs = new ArrayList<>();
+        for (int r = 0; r < after.fit().data().size(); r++) {
+            Misses of = after.fit().data().get(r);
+            runs.add(
+                    new DiagnosedRun(
+                            of.run(),
+                            areHeldOut,
+                            told(of.run(), model.variant(), motionBefore.get(r)),
+                            told(of.run(), variant, motionAfter.get(r)),
+                            MissingForce.along(model, variant, of, found.noise())));
+        }
+        return runs;
+    }
+
+    /** As the sensors would tell. */
+    private static List<RigidMotion> told(
+            MeasuredRun run, Variant variant, RigidMotion[] motion) {
+        List<RigidMotion> told = new ArrayList<>();
+        for (int k = 0; k < motion.length; k++) {
+            told.add(variant.sensing().of(motion[k], run.time(k) - run.time(0)));
+        }
+        return told;
+    }
+}

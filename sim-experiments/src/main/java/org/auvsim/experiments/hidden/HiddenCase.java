@@ -1,0 +1,98 @@
+package org.auvsim.experiments.hidden;
+
+import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.auvsml.AuvsmlException;
+import org.auvsim.core.math.Quat;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.server.feedback.RigidMotion;
+
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * Runs of a body that is otherwise than the scenario has it: three to fit and two held out.
+ *
+ * @param noise of measurements, as a share of the motion's range
+ * @param body what kind of body it is
+ * @param hidden what is otherwise; empty: nothing
+ * @param scenario the model as believed
+ * @param truth of each held-out run: what sensors without noise would tell
+ */
+public record HiddenCase(
+        CaseKind kind,
+        double noise,
+        long seed,
+        String body,
+        List<HiddenEffect> hidden,
+        String scenario,
+        List<MeasuredRun> fit,
+        List<MeasuredRun> heldOut,
+        Scene scene,
+        List<List<Pose>> truth) {
+    /** The lists cannot be changed. */
+    public HiddenCase {
+        hidden = List.copyOf(hidden);
+        fit = List.copyOf(fit);
+        heldOut = List.copyOf(heldOut);
+        truth = List.copyOf(truth);
+    }
+
+    /** The model as it is believed. */
+    public BelievedModel model() {
+        return new BelievedModel(parsed(), ScenarioText.BODY);
+    }
+
+    private Scenario parsed() {
+        try {
+            return ScenarioLoader.load(HiddenCase.class.getClassLoader())
+                    .parse(scenario.getBytes(StandardCharsets.UTF_8));
+        } catch (AuvsmlException e) {
+            throw new IllegalStateException("the generated scenario is wrong: " + scenario, e);
+        }
+    }
+
+    /**
+     * How far a prediction of a held-out run is from the truth, in shares of the motion's range
+     * (root mean square of positions, and of attitudes where they are measured).
+     */
+    public double error(int run, List<RigidMotion> predicted) {
+        List<Pose> of = truth.get(run);
+        double sum = 0;
+        for (int k = 0; k < of.size(); k++) {
+            RigidMotion told = predicted.get(k);
+            Vector3D p =
+                    new Vector3D(
+                            told.position().x(), told.position().y(), told.position().z());
+            double away = p.distance(of.get(k).position()) / scene.range();
+            sum += away * away;
+            if (scene.shows()) {
+                Quat q = told.orientation();
+                double turned =
+                        new Attitude(q.w(), q.x(), q.y(), q.z()).angleTo(of.get(k).attitude())
+                                / scene.turns();
+                sum += turned * turned;
+            }
+        }
+        return Math.sqrt(sum / of.size());
+    }
+
+    /** How it can be made again. */
+    public String repeat() {
+        return String.format(
+                Locale.ROOT,
+                "auvsim bench diagnosis --kind %s --noise %s --seed %d --cases 1",
+                kind,
+                noise,
+                seed);
+    }
+
+    @Override
+    public String toString() {
+        return "%s at noise %s, seed %d: %s, hidden %s".formatted(kind, noise, seed, body, hidden);
+    }
+}

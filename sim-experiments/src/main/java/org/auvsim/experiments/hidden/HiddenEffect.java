@@ -1,0 +1,58 @@
+package org.auvsim.experiments.hidden;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.function.UnaryOperator;
+
+/**
+ * Something that is otherwise than the model has it.
+ *
+ * @param cause its id in the library of causes, or what it is if no cause covers it
+ * @param subject the part of the body that it is about
+ * @param parameters its numbers by name, as one number or as the coordinates of a vector
+ */
+public record HiddenEffect(
+        String cause,
+        Optional<String> subject,
+        SortedMap<String, List<Double>> parameters,
+        UnaryOperator<Reality> change) {
+    /** The numbers cannot be changed. */
+    public HiddenEffect {
+        parameters = Collections.unmodifiableSortedMap(new TreeMap<>(parameters));
+    }
+
+    static HiddenEffect of(
+            String cause, Map<String, List<Double>> parameters, UnaryOperator<Reality> change) {
+        return new HiddenEffect(cause, Optional.empty(), new TreeMap<>(parameters), change);
+    }
+
+    HiddenEffect about(String part) {
+        return new HiddenEffect(cause, Optional.of(part), parameters, change);
+    }
+
+    /** Its id and what it is about: {@code thruster_gain (port)}. */
+    public String name() {
+        return subject.map(of -> cause + " (" + of + ")").orElse(cause);
+    }
+
+    @Override
+    public String toString() {
+        List<String> numbers = new ArrayList<>();
+        parameters.forEach(
+                (name, values) ->
+                        numbers.add(
+                                name
+                                        + " "
+                                        + String.join(
+                                                " ",
+                                                values.stream()
+                                                        .map(v -> String.format("%.4g", v))
+                                                        .toList())));
+        return name() + numbers;
+    }
+}

@@ -24,8 +24,9 @@ public final class CaseBook {
     /** A case of a kind. */
     public static HiddenCase draw(CaseKind kind, double noise, long seed) {
         Draws draws = new Draws(seed * 31 + kind.ordinal());
+        Body body = draws.oneOf(Body.ALL);
         while (true) {
-            Optional<HiddenCase> drawn = attempt(kind, noise, seed, draws.split());
+            Optional<HiddenCase> drawn = attempt(kind, noise, seed, body, draws.split());
             if (drawn.isPresent()) {
                 return drawn.get();
             }
@@ -33,8 +34,7 @@ public final class CaseBook {
     }
 
     private static Optional<HiddenCase> attempt(
-            CaseKind kind, double noise, long seed, Draws draws) {
-        Body body = draws.oneOf(Body.ALL);
+            CaseKind kind, double noise, long seed, Body body, Draws draws) {
         Plant plant = body.plant(draws.split());
         boolean shows = body.showsOrientation(draws.split());
         List<Manoeuvre> manoeuvres = new ArrayList<>();
@@ -50,7 +50,7 @@ public final class CaseBook {
         }
         Scene scene = Scene.of(plant, shows, believed.get(), manoeuvres);
         List<HiddenEffect> hidden =
-                effects(kind, new Strength(scene, trial, believed.get()), draws.split());
+                effects(kind, strength(scene, trial, believed.get()), draws.split());
         if (hidden.size() < wanted(kind)) {
             return Optional.empty();
         }
@@ -69,6 +69,14 @@ public final class CaseBook {
                                         runs.measured().subList(FIT, RUNS),
                                         scene,
                                         runs.truth().subList(FIT, RUNS)));
+    }
+
+    /** Told by the fit runs alone. */
+    private static Strength strength(Scene scene, Trial trial, List<List<Pose>> believed) {
+        return new Strength(
+                scene,
+                new Trial(trial.manoeuvres().subList(0, FIT), trial.seeds().subList(0, FIT)),
+                believed.subList(0, FIT));
     }
 
     private static int wanted(CaseKind kind) {

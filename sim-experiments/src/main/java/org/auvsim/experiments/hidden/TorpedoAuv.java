@@ -9,6 +9,9 @@ import java.util.List;
 
 /** A slender vehicle with a propeller, a rudder and a stern plane: zigzags and changes of depth. */
 final class TorpedoAuv implements Body {
+    /** Where it begins (m), deep enough to go up. */
+    private static final double DEPTH = -40;
+
     private static final String PROPELLER = "propeller";
     private static final String RUDDER = "rudder";
     private static final String STERN_PLANE = "stern plane";
@@ -60,7 +63,7 @@ final class TorpedoAuv implements Body {
         Instant start =
                 new Instant(
                         0,
-                        rest.position(),
+                        new Vector3D(0, 0, DEPTH),
                         rest.attitude(),
                         ahead,
                         rest.turning(),
@@ -72,7 +75,7 @@ final class TorpedoAuv implements Body {
                 List.of(
                         track(PROPELLER, duration, rate, 5, 0.2, 1, draws),
                         track(RUDDER, duration, rate, 3, -0.25, 0.25, draws),
-                        track(STERN_PLANE, duration, rate, 3, -0.12, 0.12, draws)),
+                        track(STERN_PLANE, duration, rate, 3, -0.08, 0.08, draws)),
                 List.of());
     }
 

@@ -23,20 +23,15 @@ final class MissingForce {
             BelievedModel model, Variant after, Misses run, Noise noise) {
         Variant before = model.variant();
         List<Window> windows = new Following(model, before, run, noise).shortWindows();
-        List<Window> windowsAfter = new Following(model, after, run, noise).shortWindows();
         List<ForceResidual> forces = new ArrayList<>();
         for (int w = 0; w + 1 < windows.size(); w++) {
-            int border = windows.get(w).to();
+            Window window = windows.get(w);
+            Window next = windows.get(w + 1);
             forces.add(
                     new ForceResidual(
-                            run.run().time(border),
-                            force(model, before, run, windows.get(w), windows.get(w + 1)),
-                            force(
-                                    model,
-                                    after,
-                                    run,
-                                    windowsAfter.get(w),
-                                    windowsAfter.get(w + 1))));
+                            run.run().time(window.to()),
+                            force(model, before, run, window, next),
+                            force(model, after, run, window, next)));
         }
         return forces;
     }

@@ -78,8 +78,8 @@ final class Screen {
         return Math.max(1, (int) Math.floor(TOGETHER / shortest + 1e-9));
     }
 
-    /** Sets of one cause and, if asked for, of two; each once, from where it promises most. */
-    List<Start> starts(boolean alsoPairs) {
+    /** Sets of so many causes (1 or 2), from each level, where they promise most. */
+    List<Start> starts(int size) {
         List<Start> starts = new ArrayList<>();
         int longest = base.longest();
         int[] levels =
@@ -89,10 +89,7 @@ final class Screen {
         for (int perBlock : levels) {
             List<List<WindowBlock>> blocks = base.blocks(derivatives, perBlock);
             Gram gram = Gram.of(blocks, moves.steps().length);
-            List<Promise> promises = new ArrayList<>(bestSingles(gram));
-            if (alsoPairs) {
-                promises.addAll(bestPairs(gram));
-            }
+            List<Promise> promises = size == 1 ? bestSingles(gram) : bestPairs(gram);
             for (Promise promise : promises) {
                 if (starts.stream().noneMatch(s -> isSame(s, promise, perBlock))) {
                     starts.add(start(blocks, promise, perBlock));

@@ -75,8 +75,10 @@ final class Search {
     private Judged searched(Fit base, Judged none, List<Cause> causes) {
         course.at("screening causes", 0.2);
         Screen screen = new Screen(base, causes, guesses, none.outcome().count());
-        Judged best = tournament(screen.starts(true), none, 0.3, 0.7);
-        best = pruned(best);
+        Judged best = tournament(screen.starts(1), none, 0.3, 0.5);
+        if (!isWhite(best)) {
+            best = pruned(tournament(screen.starts(2), best, 0.5, 0.7));
+        }
         while (best.fit().hypothesis().causes().size() < MOST_CAUSES
                 && !isWhite(best)
                 && course.goesOn()) {
@@ -160,7 +162,7 @@ final class Search {
                         guesses,
                         best.outcome().count());
         List<Screen.Start> starts =
-                screen.starts(false).stream()
+                screen.starts(1).stream()
                         .sorted(Comparator.comparingDouble(Screen.Start::promise).reversed())
                         .limit(FORWARD)
                         .toList();

@@ -11,7 +11,9 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.ScheduledForce;
 
 import java.util.ArrayList;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** What a run did to the body: commands of actuators, and forces. */
@@ -21,6 +23,9 @@ final class Inputs {
     private final MeasuredRun run;
     private final List<Command> ofActuators = new ArrayList<>();
     private final List<CommandedForce> ofForces = new ArrayList<>();
+
+    /** Variants share most actuators: what was commanded before is worked out once for each. */
+    private final Map<Component, Component> commandedBefore = new IdentityHashMap<>();
 
     /** A force of the scenario whose vector is commanded, by axis; an axis that is not stays. */
     private record CommandedForce(NamedForce force, List<Optional<Command>> byAxis) {
@@ -73,7 +78,7 @@ final class Inputs {
                 .anyMatch(c -> c instanceof Actuator && c.name().equals(name));
     }
 
-    /** Components as the commands before a sample left them. */
+    /** Components as the commands before a sample left them; always the same sample. */
     List<Component> before(int sample, List<Component> components) {
         List<Component> now = new ArrayList<>(components);
         for (Command command : ofActuators) {
@@ -81,7 +86,8 @@ final class Inputs {
                     component ->
                             component instanceof Actuator actuator
                                             && component.name().equals(command.name())
-                                    ? before(sample, actuator, command)
+                                    ? commandedBefore.computeIfAbsent(
+                                            component, c -> before(sample, actuator, command))
                                     : component);
         }
         return now;

@@ -43,6 +43,21 @@ final class Misses {
         }
     }
 
+    private Misses(Misses of, double[] weights) {
+        this.run = of.run;
+        this.rows.addAll(of.rows);
+        this.weights = weights;
+    }
+
+    /** The same, each number weighed by a factor beside; numbers as {@link #isMeasured}. */
+    Misses weighed(double[] factors) {
+        double[] product = weights.clone();
+        for (int i = 0; i < product.length; i++) {
+            product[i] *= factors[i];
+        }
+        return new Misses(this, product);
+    }
+
     private double weight(int sample, Row row, Noise noise) {
         if (Double.isNaN(run.value(row.channel(), sample, row.axis()))) {
             return 0;

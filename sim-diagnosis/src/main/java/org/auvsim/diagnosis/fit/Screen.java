@@ -10,6 +10,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 
 /**
@@ -20,6 +21,11 @@ import java.util.stream.IntStream;
 final class Screen {
     private static final int KEPT = 5;
     private static final int STARTS_OF_ONE = 2;
+
+    /** Where the search is thorough: starts of one cause, and of all together. */
+    private static final int THOROUGH = 4;
+
+    private static final int MOST_THOROUGH = 16;
 
     /** Samples are taken together up to this time (s): what causes do is slower. */
     private static final double TOGETHER = 0.2;
@@ -80,6 +86,15 @@ final class Screen {
 
     /** Sets of so many causes (1 or 2), from each level, where they promise most. */
     List<Start> starts(int size) {
+        return starts(gram -> size == 1 ? bestSingles(gram) : bestPairs(gram));
+    }
+
+    /** Several starts of each cause alone, from each level. */
+    List<Start> startsOfEach() {
+        return starts(gram -> firstOfEach(singles(gram), THOROUGH, MOST_THOROUGH));
+    }
+
+    private List<Start> starts(Function<Gram, List<Promise>> best) {
         List<Start> starts = new ArrayList<>();
         int longest = base.longest();
         int[] levels =
@@ -89,8 +104,7 @@ final class Screen {
         for (int perBlock : levels) {
             List<List<WindowBlock>> blocks = base.blocks(derivatives, perBlock);
             Gram gram = Gram.of(blocks, moves.steps().length);
-            List<Promise> promises = size == 1 ? bestSingles(gram) : bestPairs(gram);
-            for (Promise promise : promises) {
+            for (Promise promise : best.apply(gram)) {
                 if (starts.stream().noneMatch(s -> isSame(s, promise, perBlock))) {
                     starts.add(start(blocks, promise, perBlock));
                 }
@@ -128,14 +142,16 @@ final class Screen {
     }
 
     private List<Promise> bestSingles(Gram gram) {
+        return firstOfEach(singles(gram), STARTS_OF_ONE, KEPT);
+    }
+
+    private List<Promise> singles(Gram gram) {
         double without = dropOf(gram, new int[0]);
-        List<Promise> promises =
-                seeds.stream()
-                        .map(seed -> promise(gram, List.of(seed), without))
-                        .filter(promise -> promise.score() > 0)
-                        .sorted(Comparator.comparingDouble(Promise::score).reversed())
-                        .toList();
-        return firstOfEach(promises, STARTS_OF_ONE);
+        return seeds.stream()
+                .map(seed -> promise(gram, List.of(seed), without))
+                .filter(promise -> promise.score() > 0)
+                .sorted(Comparator.comparingDouble(Promise::score).reversed())
+                .toList();
     }
 
     private List<Promise> bestPairs(Gram gram) {
@@ -147,7 +163,7 @@ final class Screen {
                         .flatMap(List::stream)
                         .sorted(Comparator.comparingDouble(Promise::score).reversed())
                         .toList();
-        return firstOfEach(promises, 1);
+        return firstOfEach(promises, 1, KEPT);
     }
 
     private List<Promise> bestPairsOf(Gram gram, int i, double without) {
@@ -164,12 +180,12 @@ final class Screen {
         return List.copyOf(promises.subList(0, Math.min(promises.size(), KEPT)));
     }
 
-    private List<Promise> firstOfEach(List<Promise> sorted, int most) {
+    private List<Promise> firstOfEach(List<Promise> sorted, int ofOne, int most) {
         Map<List<Cause>, Integer> taken = new HashMap<>();
         List<Promise> first = new ArrayList<>();
         for (Promise promise : sorted) {
             List<Cause> causes = promise.set().stream().map(Seed::cause).toList();
-            if (taken.merge(causes, 1, Integer::sum) <= most && first.size() < KEPT) {
+            if (taken.merge(causes, 1, Integer::sum) <= ofOne && first.size() < most) {
                 first.add(promise);
             }
         }

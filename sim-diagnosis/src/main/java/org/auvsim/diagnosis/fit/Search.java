@@ -21,7 +21,7 @@ final class Search {
 
     private final BelievedModel model;
     private final Noise noise;
-    private final List<Misses> data;
+    private final Fit base;
     private final List<Cause> library;
     private final List<Seed.Guesses> guesses;
     private final Course course;
@@ -30,7 +30,12 @@ final class Search {
     Search(BelievedModel model, List<MeasuredRun> runs, List<Cause> library, Course course) {
         this.model = model;
         this.noise = Noise.of(runs);
-        this.data = runs.stream().map(run -> new Misses(run, noise)).toList();
+        this.base =
+                Following.tamed(
+                        model,
+                        Hypothesis.NONE,
+                        runs.stream().map(run -> new Misses(run, noise)).toList(),
+                        noise);
         this.library = library;
         this.guesses =
                 library.stream().map(c -> new Seed.Guesses(c, c.guesses(runs))).toList();
@@ -58,21 +63,24 @@ final class Search {
 
     /** Specific causes first; those that can imitate others only where none of those passes. */
     Found found() {
-        Fit base = following(Hypothesis.NONE);
         course.at("fitting the model as it is", 0.1);
         Judged none = Refinement.converge(Refinement.approach(base, 1), THIRD_STEPS);
         judged.add(none);
         List<Cause> specific = library.stream().filter(c -> !c.isGeneric()).toList();
-        Judged best = searched(base, none, specific);
+        Judged best = searched(none, specific);
+        if (!isWhite(best) && course.goesOn()) {
+            best = rescued(best, specific);
+        }
         if (!isWhite(best) && specific.size() < library.size() && course.goesOn()) {
-            best = searched(base, none, library);
+            Judged generic = searched(none, library);
+            best = generic.score() < best.score() ? generic : best;
         }
         List<Judged> sorted =
                 judged.stream().sorted(Comparator.comparingDouble(Judged::score)).toList();
         return new Found(none, best, sorted, noise);
     }
 
-    private Judged searched(Fit base, Judged none, List<Cause> causes) {
+    private Judged searched(Judged none, List<Cause> causes) {
         course.at("screening causes", 0.2);
         Screen screen = new Screen(base, causes, guesses, none.outcome().count());
         Judged best = tournament(screen.starts(1), none, 0.3, 0.5);
@@ -91,8 +99,24 @@ final class Search {
         return best;
     }
 
+    /** What has many places to begin is begun at the best of them, alone. */
+    private Judged rescued(Judged best, List<Cause> causes) {
+        Screen screen =
+                new Screen(
+                        base,
+                        causes.stream().filter(this::hasManyGuesses).toList(),
+                        guesses,
+                        best.outcome().count());
+        return pruned(tournament(screen.startsOfEach(), best, 0.8, 0.9));
+    }
+
+    private boolean hasManyGuesses(Cause cause) {
+        return guesses.stream().anyMatch(g -> g.cause() == cause && g.guesses().size() > 1);
+    }
+
+    /** Windows that follow the measurement under a hypothesis. */
     private Fit following(Hypothesis hypothesis) {
-        return Following.of(model, hypothesis, data, noise);
+        return Following.of(model, hypothesis, base.data(), noise);
     }
 
     /** All starts come near, the best of them nearer, the best of those to the end. */

@@ -33,7 +33,7 @@ final class Trial {
 
     /** Held-out runs from starts of their own, the hypothesis as it is. */
     Judged prediction(Hypothesis hypothesis) {
-        Fit fit = Following.of(model, hypothesis.settled(), data, noise);
+        Fit fit = Following.tamed(model, hypothesis.settled(), data, noise);
         return Refinement.converge(Refinement.approach(fit, 1), STEPS);
     }
 

@@ -102,7 +102,7 @@ public final class Phrases {
     }
 
     /** A phrase within a sentence. */
-    static String inside(String phrase) {
+    public static String inside(String phrase) {
         return phrase.substring(0, 1).toLowerCase(Locale.ROOT) + phrase.substring(1);
     }
 }

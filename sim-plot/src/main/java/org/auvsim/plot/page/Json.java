@@ -42,7 +42,7 @@ final class Json {
 
     /** To seven digits, which no screen can show; what is not finite is a gap. */
     private static String number(double value) {
-        return Double.isFinite(value) ? Float.toString((float) value) : "null";
+        return Float.isFinite((float) value) ? Float.toString((float) value) : "null";
     }
 
     private static <T> String array(List<T> items, Function<T, String> json) {

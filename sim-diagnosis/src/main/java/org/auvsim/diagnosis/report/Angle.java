@@ -1,0 +1,67 @@
+package org.auvsim.diagnosis.report;
+
+import org.auvsim.core.math.Quat;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.util.function.IntFunction;
+
+/** Angles of an orientation: first the heading, then the pitch, then the roll (z, y', x''). */
+enum Angle {
+    /** About x. */
+    ROLL,
+    /** About y. */
+    PITCH,
+    /** About z. */
+    YAW;
+
+    String words() {
+        return switch (this) {
+            case ROLL -> "Roll";
+            case PITCH -> "Pitch";
+            case YAW -> "Heading";
+        };
+    }
+
+    /** In rad; NaN of none. */
+    private double of(Quat q) {
+        return switch (this) {
+            case ROLL ->
+                    Math.atan2(
+                            2 * (q.w() * q.x() + q.y() * q.z()),
+                            1 - 2 * (q.x() * q.x() + q.y() * q.y()));
+            case PITCH ->
+                    Math.asin(Math.clamp(2 * (q.w() * q.y() - q.z() * q.x()), -1, 1));
+            case YAW ->
+                    Math.atan2(
+                            2 * (q.w() * q.z() + q.x() * q.y()),
+                            1 - 2 * (q.y() * q.y() + q.z() * q.z()));
+        };
+    }
+
+    /** Sample by sample, without jumps by whole turns. */
+    double[] course(int size, IntFunction<Quat> orientations) {
+        double[] course = new double[size];
+        double last = size == 0 ? 0 : of(orientations.apply(0));
+        for (int k = 0; k < size; k++) {
+            course[k] = near(last, of(orientations.apply(k)));
+            last = course[k];
+        }
+        return course;
+    }
+
+    /** The measured angles, the first within half a turn of that of an orientation. */
+    double[] measured(MeasuredRun run, Quat nearby) {
+        double[] course = new double[run.size()];
+        double last = of(nearby);
+        for (int k = 0; k < course.length; k++) {
+            double before = last;
+            course[k] = run.orientation(k).map(q -> near(before, of(q))).orElse(Double.NaN);
+            last = Double.isNaN(course[k]) ? last : course[k];
+        }
+        return course;
+    }
+
+    private static double near(double other, double angle) {
+        return other + Math.IEEEremainder(angle - other, 2 * Math.PI);
+    }
+}

@@ -1,0 +1,50 @@
+package org.auvsim.diagnosis.report;
+
+import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Finding;
+import org.auvsim.diagnosis.result.Phrases;
+import org.auvsim.diagnosis.result.QuantityGroup;
+import org.auvsim.diagnosis.result.Verdict;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** The model with what was found, as a scenario that says why. */
+final class ExtendedScenario {
+    private ExtendedScenario() {}
+
+    static String text(Diagnosis diagnosis) {
+        AuvsmlMapper mapper = AuvsmlMapper.load(ExtendedScenario.class.getClassLoader());
+        return comment(lines(diagnosis)) + mapper.encode(diagnosis.extended());
+    }
+
+    private static List<String> lines(Diagnosis diagnosis) {
+        List<String> lines = new ArrayList<>();
+        lines.add("A diagnosis of '%s' (seed %d).".formatted(diagnosis.body(), diagnosis.seed()));
+        lines.add(diagnosis.sentence() + ".");
+        lines.add(
+                diagnosis.verdict() == Verdict.EXPLAINED
+                        ? "What was added to the model as it was believed:"
+                        : "Nothing was added: this is the model as it was believed.");
+        diagnosis.selected().stream().map(ExtendedScenario::line).forEach(lines::add);
+        return lines;
+    }
+
+    private static String line(Finding finding) {
+        String numbers =
+                QuantityGroup.of(finding).stream()
+                        .map(group -> group.name() + " = " + group.text())
+                        .collect(Collectors.joining(", "));
+        return "- %s: %s; %s"
+                .formatted(finding.name(), numbers, Phrases.inside(Phrases.of(finding)));
+    }
+
+    /** Two hyphens end a comment. */
+    private static String comment(List<String> lines) {
+        return lines.stream()
+                .map(line -> line.replace("--", "- -").replace("\n", " "))
+                .collect(Collectors.joining("\n  ", "<!--\n  ", "\n-->\n"));
+    }
+}

@@ -1,0 +1,205 @@
+package org.auvsim.diagnosis.report;
+
+import org.auvsim.diagnosis.result.DiagnosedRun;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Discrepancy;
+import org.auvsim.diagnosis.result.Finding;
+import org.auvsim.diagnosis.result.NextExperiment;
+import org.auvsim.diagnosis.result.Numbers;
+import org.auvsim.diagnosis.result.Phrases;
+import org.auvsim.diagnosis.result.Proposal;
+import org.auvsim.diagnosis.result.QuantityGroup;
+import org.auvsim.diagnosis.result.Ranked;
+import org.auvsim.diagnosis.result.Sentence;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.plot.page.Block;
+import org.auvsim.plot.page.Block.Table;
+import org.auvsim.plot.page.Block.Text;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+
+/** What was found and tried, as tables. */
+final class FindingTables {
+    private static final int MOST_RANKED = 20;
+
+    private final Diagnosis of;
+
+    FindingTables(Diagnosis of) {
+        this.of = of;
+    }
+
+    List<Block> found() {
+        List<Block> blocks = new ArrayList<>();
+        if (!of.selected().isEmpty()) {
+            blocks.add(selected());
+        }
+        of.discrepancy().map(FindingTables::discrepancy).ifPresent(blocks::add);
+        of.proposal().map(FindingTables::proposal).ifPresent(blocks::add);
+        return blocks;
+    }
+
+    private Table selected() {
+        List<List<String>> rows = new ArrayList<>();
+        for (Finding finding : of.selected()) {
+            String meaning = Phrases.of(finding);
+            String share = Numbers.percent(finding.share());
+            for (QuantityGroup group : QuantityGroup.of(finding)) {
+                rows.add(
+                        List.of(
+                                finding.name(),
+                                meaning,
+                                group.name(),
+                                plusMinus(group.text()),
+                                share));
+                meaning = "";
+                share = "";
+            }
+        }
+        return new Table(
+                List.of("cause", "meaning", "number", "value", "share of the misfit"),
+                rows,
+                "Values with their standard deviations. The share is what goes of the misfit beyond"
+                        + " noise when this cause is added last.");
+    }
+
+    private static String plusMinus(String text) {
+        return text.replace("+-", "\u00b1");
+    }
+
+    private static Table discrepancy(Discrepancy seen) {
+        List<List<String>> rows = new ArrayList<>();
+        rows.add(List.of("shows most in", Sentence.words(seen.channel()) + ", " + seen.axis()));
+        rows.add(List.of("largest in run", seen.run()));
+        rows.add(List.of("largest at", Numbers.rounded(seen.time(), 3) + " s"));
+        seen.frequency()
+                .ifPresent(hz -> rows.add(List.of("frequency", Numbers.rounded(hz) + " Hz")));
+        rows.add(List.of("share that known causes take away", Numbers.percent(seen.share())));
+        return new Table(
+                List.of("what is known of the misfit", ""),
+                rows,
+                "No set of known causes leaves residuals that look like noise and predicts the"
+                        + " held-out runs; the best ones are in the ranking below.");
+    }
+
+    private static Text proposal(Proposal proposal) {
+        return new Text(
+                "A proposal, not a named cause (%s): %s. With it the position error on held-out runs is %s m instead of %s m."
+                        .formatted(
+                                proposal.kind().replace('_', ' '),
+                                proposal.text(),
+                                Numbers.rounded(proposal.heldOut().after()),
+                                Numbers.rounded(proposal.heldOut().before())));
+    }
+
+    List<Block> ranking() {
+        if (of.ranked().isEmpty()) {
+            return List.of();
+        }
+        double best = of.ranked().getFirst().logEvidence();
+        List<List<String>> rows = new ArrayList<>();
+        for (Ranked ranked : of.ranked().subList(0, Math.min(MOST_RANKED, of.ranked().size()))) {
+            rows.add(
+                    List.of(
+                            ranked.causes().isEmpty()
+                                    ? "none: the model as believed"
+                                    : String.join(" + ", ranked.causes()),
+                            numbers(ranked),
+                            Numbers.rounded(ranked.logEvidence() - best, 3),
+                            probability(ranked.probability())));
+        }
+        int more = of.ranked().size() - rows.size();
+        return List.of(
+                new Table(
+                        List.of("causes", "numbers", "log evidence", "probability"),
+                        rows,
+                        "Natural logarithm of the evidence, less that of the best: below about -5 a"
+                                + " set can be ruled out."
+                                + (more > 0 ? " diagnosis.json has %d more.".formatted(more) : "")));
+    }
+
+    private static String probability(double value) {
+        return value >= 0.0005 ? Numbers.percent(value) : "below 0.1 %";
+    }
+
+    private static String numbers(Ranked ranked) {
+        return ranked.quantities().stream()
+                .flatMap(quantities -> QuantityGroup.of(quantities, List.of()).stream())
+                .map(group -> group.name() + " = " + group.text())
+                .collect(Collectors.joining(", "));
+    }
+
+    List<Block> next() {
+        return of.nextExperiment().map(FindingTables::next).map(List::of).orElse(List.of());
+    }
+
+    private static Block next(NextExperiment experiment) {
+        String separates =
+                experiment.separates().isEmpty()
+                        ? ""
+                        : " It would tell apart: %s."
+                                .formatted(String.join(", ", experiment.separates()));
+        return new Text(
+                "%s (%s).%s The difference in log evidence to be expected is %s."
+                        .formatted(
+                                experiment.description().replaceFirst("[.]$", ""),
+                                experiment.id(),
+                                separates,
+                                Numbers.rounded(experiment.evidence())));
+    }
+
+    List<Block> runs() {
+        List<List<String>> rows =
+                of.runs().stream()
+                        .map(
+                                run ->
+                                        List.of(
+                                                run.run().name(),
+                                                role(run),
+                                                String.valueOf(run.run().size()),
+                                                Numbers.rounded(run.run().duration(), 3),
+                                                channels(run)))
+                        .toList();
+        String noise =
+                of.noise().entrySet().stream()
+                        .map(
+                                e ->
+                                        "%s %s %s"
+                                                .formatted(
+                                                        Sentence.words(e.getKey()),
+                                                        Numbers.rounded(e.getValue()),
+                                                        Sentence.unit(e.getKey())))
+                        .collect(Collectors.joining(", "));
+        return List.of(
+                new Table(
+                        List.of("run", "role", "samples", "duration (s)", "measured"),
+                        rows,
+                        "Noise (standard deviation): %s. Seed: %d.".formatted(noise, of.seed())));
+    }
+
+    /** What a run was used for. */
+    static String role(DiagnosedRun run) {
+        return run.isHeldOut() ? "held out" : "fitted";
+    }
+
+    private static String channels(DiagnosedRun of) {
+        return Stream.of(Channel.values())
+                .filter(of.run()::measures)
+                .map(
+                        channel ->
+                                Sentence.words(channel)
+                                        + " "
+                                        + IntStream.range(0, 3)
+                                                .filter(axis -> of.run().measures(channel, axis))
+                                                .mapToObj(axis -> "xyz".substring(axis, axis + 1))
+                                                .collect(Collectors.joining()))
+                .collect(Collectors.joining(", "));
+    }
+
+    List<Block> notices() {
+        return of.notices().stream().map(notice -> (Block) new Text(notice)).toList();
+    }
+}

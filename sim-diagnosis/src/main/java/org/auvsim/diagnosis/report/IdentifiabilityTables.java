@@ -1,0 +1,84 @@
+package org.auvsim.diagnosis.report;
+
+import org.auvsim.diagnosis.result.Alternative;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Finding;
+import org.auvsim.diagnosis.result.Identifiability.Confusion;
+import org.auvsim.diagnosis.result.Numbers;
+import org.auvsim.plot.page.Block;
+import org.auvsim.plot.page.Block.Table;
+import org.auvsim.plot.page.Block.Text;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** What the data can tell apart, and what it cannot. */
+final class IdentifiabilityTables {
+    private static final int MOST_PAIRS = 15;
+
+    private final Diagnosis of;
+
+    IdentifiabilityTables(Diagnosis of) {
+        this.of = of;
+    }
+
+    List<Block> alternatives() {
+        if (of.alternatives().isEmpty()) {
+            return List.of();
+        }
+        String chosen =
+                of.selected().stream().map(Finding::name).collect(Collectors.joining(" + "));
+        List<List<String>> rows = new ArrayList<>();
+        for (Alternative alternative : of.alternatives()) {
+            rows.add(
+                    List.of(
+                            String.join(" + ", alternative.causes()),
+                            alternative.isIndistinguishable()
+                                    ? "no such data can tell"
+                                    : "nearly as good",
+                            alternative.determined()));
+        }
+        return List.of(
+                new Table(
+                        List.of("instead", "how close", "what the data does determine"),
+                        rows,
+                        "Causes that explain the data about as well as "
+                                + (chosen.isEmpty() ? "the model as believed" : chosen)
+                                + "."));
+    }
+
+    List<Block> pairs() {
+        List<Confusion> pairs =
+                of.identifiability().pairs().stream()
+                        .sorted(Comparator.comparingDouble(Confusion::angle))
+                        .limit(MOST_PAIRS)
+                        .toList();
+        if (pairs.isEmpty()) {
+            return List.of();
+        }
+        List<List<String>> rows = new ArrayList<>();
+        for (Confusion pair : pairs) {
+            rows.add(List.of(pair.first(), pair.second(), Numbers.rounded(pair.angle()) + "\u00b0"));
+        }
+        int more = of.identifiability().pairs().size() - pairs.size();
+        return List.of(
+                new Table(
+                        List.of("one cause", "another", "angle"),
+                        rows,
+                        "Angles between the traces that causes leave in this data: 90\u00b0 can be"
+                                + " told apart best, 0\u00b0 not at all."
+                                + (more > 0 ? " diagnosis.json has %d more.".formatted(more) : "")));
+    }
+
+    List<Block> unseen() {
+        List<String> unseen = of.identifiability().unseen();
+        return unseen.isEmpty()
+                ? List.of()
+                : List.of(
+                        new Text(
+                                "However strong they are, these leave no trace in this data: %s."
+                                        .formatted(String.join(", ", unseen))));
+    }
+}

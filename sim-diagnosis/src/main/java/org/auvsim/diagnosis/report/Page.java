@@ -1,0 +1,103 @@
+package org.auvsim.diagnosis.report;
+
+import org.auvsim.diagnosis.result.DiagnosedRun;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Verdict;
+import org.auvsim.plot.page.Block;
+import org.auvsim.plot.page.Report;
+import org.auvsim.plot.page.Report.Section;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+
+/** A diagnosis as a page for people: what was found first, what it rests on below. */
+final class Page {
+    private final Diagnosis of;
+    private final FindingTables findings;
+
+    private Page(Diagnosis of) {
+        this.of = of;
+        this.findings = new FindingTables(of);
+    }
+
+    static Report of(Diagnosis diagnosis) {
+        Page page = new Page(diagnosis);
+        return new Report(
+                "%s: %s".formatted(diagnosis.body(), page.verdict()),
+                page.summary(),
+                Stream.of(
+                                page.section("What was found", page.findings.found()),
+                                page.section("Gain on held-out runs", page.gain()),
+                                page.paths(),
+                                page.section("Causes that were tried", page.findings.ranking()),
+                                page.section("What this data can tell apart", page.apart()),
+                                page.section("What to measure next", page.findings.next()),
+                                page.section("The runs", page.findings.runs()),
+                                page.runs(),
+                                page.section("Notices", page.findings.notices()))
+                        .flatMap(List::stream)
+                        .toList());
+    }
+
+    private String verdict() {
+        return switch (of.verdict()) {
+            case EXPLAINED -> "explained";
+            case NONE -> "nothing missing";
+            case UNEXPLAINED -> "unexplained";
+        };
+    }
+
+    private String summary() {
+        String sentence = of.sentence().replace("+-", "\u00b1").replace("->", "\u2192") + ".";
+        return of.isComplete()
+                ? sentence
+                : "The search was stopped early; this is the best so far. " + sentence;
+    }
+
+    private List<Section> section(String heading, List<Block> blocks) {
+        return blocks.isEmpty() ? List.of() : List.of(new Section(heading, blocks));
+    }
+
+    private List<Block> gain() {
+        GainTables tables = new GainTables(of);
+        return Stream.of(tables.byChannel(), tables.byHorizon()).flatMap(List::stream).toList();
+    }
+
+    private List<Block> apart() {
+        IdentifiabilityTables tables = new IdentifiabilityTables(of);
+        return Stream.of(tables.alternatives(), tables.pairs(), tables.unseen())
+                .flatMap(List::stream)
+                .toList();
+    }
+
+    private RunCharts charts(DiagnosedRun run) {
+        return new RunCharts(run, of.noise(), of.verdict() == Verdict.EXPLAINED);
+    }
+
+    /** Of one run that people see at once: a held-out one, if there is one. */
+    private List<Section> paths() {
+        return Stream.concat(
+                        of.runs().stream().filter(DiagnosedRun::isHeldOut), of.runs().stream())
+                .findFirst()
+                .map(
+                        run ->
+                                List.of(
+                                        new Section(
+                                                "Measured and simulated: " + title(run),
+                                                charts(run).paths())))
+                .orElse(List.of());
+    }
+
+    private List<Section> runs() {
+        List<Section> sections = new ArrayList<>();
+        for (DiagnosedRun run : of.runs()) {
+            sections.add(new Section("In detail: " + title(run), true, charts(run).all()));
+        }
+        return sections;
+    }
+
+    private static String title(DiagnosedRun run) {
+        return "%s (%s)".formatted(run.run().name(), FindingTables.role(run));
+    }
+}

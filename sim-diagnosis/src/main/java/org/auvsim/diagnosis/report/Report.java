@@ -1,0 +1,62 @@
+package org.auvsim.diagnosis.report;
+
+import org.auvsim.diagnosis.result.DiagnosedRun;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.plot.page.ReportPage;
+
+import java.io.IOException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+/** A diagnosis as a folder of files. */
+public final class Report {
+    private static final String PREDICTIONS = "predictions";
+    private static final String RESIDUALS = "residuals";
+
+    private Report() {}
+
+    /**
+     * Writes {@code report.html}, {@code diagnosis.json}, {@code extended-scenario.xml}, for each
+     * held-out run {@code predictions/RUN.csv}, and for each run {@code residuals/RUN.csv}. Each
+     * file appears whole or not at all, those of an earlier report are replaced, and
+     * {@code diagnosis.json} comes last.
+     *
+     * @return the path of {@code report.html}
+     * @throws IOException if a file cannot be written
+     */
+    public static Path write(Diagnosis diagnosis, Path folder) throws IOException {
+        List<RunFile> runs = RunFile.of(diagnosis.runs());
+        Path predictions = emptied(folder.resolve(PREDICTIONS));
+        Path residuals = emptied(folder.resolve(RESIDUALS));
+        for (RunFile file : runs) {
+            DiagnosedRun run = file.run();
+            if (run.isHeldOut()) {
+                WholeFile.write(
+                        predictions.resolve(file.name()), out -> RunTables.prediction(run, out));
+            }
+            WholeFile.write(residuals.resolve(file.name()), out -> RunTables.residuals(run, out));
+        }
+        WholeFile.write(
+                folder.resolve("extended-scenario.xml"),
+                out -> out.write(ExtendedScenario.text(diagnosis)));
+        Path page = folder.resolve("report.html");
+        WholeFile.write(page, out -> out.write(ReportPage.html(Page.of(diagnosis))));
+        WholeFile.write(
+                folder.resolve("diagnosis.json"),
+                out -> out.write(DiagnosisJson.text(diagnosis, runs)));
+        return page;
+    }
+
+    /** A folder of the report's own, without the tables of an earlier one. */
+    private static Path emptied(Path folder) throws IOException {
+        Files.createDirectories(folder);
+        try (DirectoryStream<Path> tables = Files.newDirectoryStream(folder, "*.csv")) {
+            for (Path table : tables) {
+                Files.delete(table);
+            }
+        }
+        return folder;
+    }
+}

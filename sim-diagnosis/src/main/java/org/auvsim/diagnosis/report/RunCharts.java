@@ -1,0 +1,252 @@
+package org.auvsim.diagnosis.report;
+
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.result.DiagnosedRun;
+import org.auvsim.diagnosis.result.ForceResidual;
+import org.auvsim.diagnosis.result.Numbers;
+import org.auvsim.diagnosis.result.Sentence;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.plot.page.Block;
+import org.auvsim.plot.page.Block.Chart;
+import org.auvsim.plot.page.Curve;
+import org.auvsim.plot.page.Curve.Mark;
+import org.auvsim.plot.page.Curve.Point;
+import org.auvsim.server.feedback.RigidMotion;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
+
+/** Charts of one run: measured beside simulated, and what is left between them. */
+final class RunCharts {
+    private static final int MOST_POINTS = 500;
+    private static final String AXES = "xyz";
+    private static final String TIME = "time (s)";
+
+    private final MeasuredRun run;
+    private final List<ForceResidual> forces;
+    private final Map<Channel, Double> noise;
+
+    /** What the run is compared with: the model as believed and, if that differs, the other. */
+    private final List<Model> models = new ArrayList<>();
+
+    private record Model(String name, List<RigidMotion> told) {}
+
+    /**
+     * Charts of a run.
+     *
+     * @param isExtended whether something was added to the model
+     */
+    RunCharts(DiagnosedRun of, Map<Channel, Double> noise, boolean isExtended) {
+        this.run = of.run();
+        this.forces = of.forces();
+        this.noise = noise;
+        models.add(new Model(isExtended ? "as believed" : "simulated", of.before()));
+        if (isExtended) {
+            models.add(new Model("with what was found", of.after()));
+        }
+    }
+
+    /** The path from above, and the height. */
+    List<Block> paths() {
+        List<Block> blocks = new ArrayList<>();
+        if (run.measures(Channel.POSITION, 0) || run.measures(Channel.POSITION, 1)) {
+            blocks.add(fromAbove());
+        }
+        if (run.measures(Channel.POSITION, 2)) {
+            blocks.add(
+                    overTime(
+                            "Height over time",
+                            "z (m)",
+                            k -> run.value(Channel.POSITION, k, 2),
+                            motion -> motion.position().z()));
+        }
+        return blocks;
+    }
+
+    List<Block> all() {
+        List<Block> blocks = new ArrayList<>(paths());
+        blocks.addAll(speed());
+        blocks.addAll(angles());
+        for (Channel channel : Channel.values()) {
+            if (run.measures(channel)) {
+                models.forEach(model -> blocks.add(residuals(channel, model)));
+            }
+        }
+        if (!forces.isEmpty()) {
+            blocks.addAll(forceResiduals());
+        }
+        return blocks;
+    }
+
+    private Chart fromAbove() {
+        List<Curve> curves = new ArrayList<>();
+        for (Model model : models) {
+            curves.add(
+                    curve(
+                            model.name(),
+                            Mark.LINE,
+                            size(model),
+                            k -> {
+                                Vec3 p = model.told().get(k).position();
+                                return new Point(p.x(), p.y());
+                            }));
+        }
+        curves.add(
+                curve(
+                        "measured",
+                        Mark.DOTS,
+                        run.size(),
+                        k ->
+                                new Point(
+                                        run.value(Channel.POSITION, k, 0),
+                                        run.value(Channel.POSITION, k, 1))));
+        return new Chart("The path from above", "x (m)", "y (m)", true, curves, "");
+    }
+
+    private Chart overTime(
+            String title,
+            String unit,
+            IntFunction<Double> measured,
+            Function<RigidMotion, Double> told) {
+        List<Curve> curves = new ArrayList<>();
+        for (Model model : models) {
+            curves.add(
+                    curve(
+                            model.name(),
+                            Mark.LINE,
+                            size(model),
+                            k -> new Point(run.time(k), told.apply(model.told().get(k)))));
+        }
+        curves.add(
+                curve(
+                        "measured",
+                        Mark.DOTS,
+                        run.size(),
+                        k -> new Point(run.time(k), measured.apply(k))));
+        return new Chart(title, TIME, unit, curves, "");
+    }
+
+    private List<Block> speed() {
+        Speed speed = new Speed(run);
+        return speed.isKnown()
+                ? List.of(
+                        overTime(
+                                "Speed over time" + (speed.isMeasured() ? "" : ", by positions"),
+                                "speed (m/s)",
+                                speed::at,
+                                motion -> motion.velocity().norm()))
+                : List.of();
+    }
+
+    private List<Block> angles() {
+        if (!run.measures(Channel.ORIENTATION)) {
+            return List.of();
+        }
+        List<Block> charts = new ArrayList<>();
+        for (Angle angle : Angle.values()) {
+            if (run.measures(Channel.ORIENTATION, angle.ordinal())) {
+                charts.add(angles(angle));
+            }
+        }
+        return charts;
+    }
+
+    private Chart angles(Angle angle) {
+        List<Curve> curves = new ArrayList<>();
+        for (Model model : models) {
+            curves.add(
+                    curve(
+                            model.name(),
+                            Mark.LINE,
+                            angle.course(
+                                    size(model), k -> model.told().get(k).orientation())));
+        }
+        curves.add(
+                curve(
+                        "measured",
+                        Mark.DOTS,
+                        angle.measured(run, models.getLast().told().getFirst().orientation())));
+        return new Chart(angle.words() + " over time", TIME, "angle (rad)", curves, "");
+    }
+
+    private Curve curve(String name, Mark mark, double[] values) {
+        return curve(name, mark, values.length, k -> new Point(run.time(k), values[k]));
+    }
+
+    private Chart residuals(Channel channel, Model model) {
+        Misfit misfit = new Misfit(run, model.told());
+        List<Curve> curves = new ArrayList<>();
+        for (int axis = 0; axis < AXES.length(); axis++) {
+            int of = axis;
+            if (run.measures(channel, axis)) {
+                curves.add(
+                        curve(
+                                AXES.substring(axis, axis + 1),
+                                Mark.LINE,
+                                misfit.size(),
+                                k ->
+                                        new Point(
+                                                run.time(k),
+                                                Misfit.component(misfit.of(channel, k), of))));
+            }
+        }
+        String unit = Sentence.unit(channel);
+        return new Chart(
+                "Residual of the %s, %s".formatted(Sentence.words(channel), model.name()),
+                TIME,
+                "measured less simulated (%s)".formatted(unit),
+                curves,
+                "Root mean square %s %s; noise %s %s."
+                        .formatted(
+                                Numbers.rounded(misfit.rootMeanSquare(channel)),
+                                unit,
+                                Numbers.rounded(noise.getOrDefault(channel, Double.NaN)),
+                                unit));
+    }
+
+    private List<Block> forceResiduals() {
+        List<Block> charts = new ArrayList<>();
+        charts.add(forceResidual(models.getFirst().name(), ForceResidual::before));
+        if (models.size() > 1) {
+            charts.add(forceResidual(models.getLast().name(), ForceResidual::after));
+        }
+        return charts;
+    }
+
+    private Chart forceResidual(String model, Function<ForceResidual, Vec3> of) {
+        double[] travelled = new Travelled(run, models.getLast().told()).at(forces);
+        List<Curve> curves = new ArrayList<>();
+        for (int axis = 0; axis < AXES.length(); axis++) {
+            int along = axis;
+            curves.add(
+                    curve(
+                            AXES.substring(axis, axis + 1),
+                            Mark.LINE,
+                            forces.size(),
+                            i ->
+                                    new Point(
+                                            travelled[i],
+                                            Misfit.component(of.apply(forces.get(i)), along))));
+        }
+        return new Chart(
+                "Force that is missing along the path, " + model,
+                "distance travelled (m)",
+                "force (N, world axes)",
+                curves,
+                "");
+    }
+
+    private int size(Model model) {
+        return Math.min(run.size(), model.told().size());
+    }
+
+    private static Curve curve(String name, Mark mark, int size, IntFunction<Point> points) {
+        return new Curve(name, mark, IntStream.range(0, size).mapToObj(points).toList())
+                .decimated(MOST_POINTS);
+    }
+}

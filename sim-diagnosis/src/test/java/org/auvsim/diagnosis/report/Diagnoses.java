@@ -1,0 +1,323 @@
+package org.auvsim.diagnosis.report;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import org.auvsim.auvsml.AuvsmlException;
+import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.cause.Quantity;
+import org.auvsim.diagnosis.result.Alternative;
+import org.auvsim.diagnosis.result.DiagnosedRun;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Discrepancy;
+import org.auvsim.diagnosis.result.Finding;
+import org.auvsim.diagnosis.result.ForceResidual;
+import org.auvsim.diagnosis.result.Gain;
+import org.auvsim.diagnosis.result.HorizonGain;
+import org.auvsim.diagnosis.result.Identifiability;
+import org.auvsim.diagnosis.result.Identifiability.Confusion;
+import org.auvsim.diagnosis.result.NextExperiment;
+import org.auvsim.diagnosis.result.Proposal;
+import org.auvsim.diagnosis.result.Ranked;
+import org.auvsim.diagnosis.result.Sentence;
+import org.auvsim.diagnosis.result.Verdict;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.server.feedback.RigidMotion;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Random;
+
+/** Diagnoses made by hand: a sledge that turns and sinks, slowed by quadratic drag or by nothing. */
+final class Diagnoses {
+    static final double NOISE = 0.01;
+    static final double TURN_NOISE = 0.004;
+    private static final double DRAG = 0.05;
+    private static final double SPEED = 2;
+    private static final double DURATION = 60;
+
+    static final Finding QUADRATIC_DRAG =
+            new Finding(
+                    "quadratic_drag",
+                    Optional.empty(),
+                    List.of(new Quantity("k", "kg/m", 12.43)),
+                    List.of(0.31),
+                    0.991);
+    static final Finding THRUST =
+            new Finding(
+                    "thruster_gain",
+                    Optional.of("port"),
+                    List.of(new Quantity("factor", "1", 0.8)),
+                    List.of(0.004),
+                    0.3);
+    static final Finding CURRENT =
+            new Finding(
+                    "current_constant",
+                    Optional.empty(),
+                    List.of(
+                            new Quantity("u.x", "m/s", 0.2),
+                            new Quantity("u.y", "m/s", -0.1),
+                            new Quantity("u.z", "m/s", 0)),
+                    List.of(0.004, 0.003, 0.002),
+                    0.2);
+    private static final Map<Channel, Double> NOISES =
+            Map.of(Channel.POSITION, NOISE, Channel.ORIENTATION, TURN_NOISE);
+
+    private Diagnoses() {}
+
+    /** A scenario with a body of this drag (kg/m). */
+    static Scenario scenario(double drag) {
+        String xml =
+                """
+                <scenario>
+                  <world-object name="sledge" mass="30">
+                    <box><size x="1.2" y="0.4" z="0.3"/></box>
+                    %s
+                  </world-object>
+                </scenario>
+                """
+                        .formatted(
+                                drag == 0
+                                        ? ""
+                                        : "<isotropic-drag quadratic=\"%s\"/>".formatted(drag));
+        try {
+            return ScenarioLoader.load(Diagnoses.class.getClassLoader())
+                    .parse(xml.getBytes(UTF_8));
+        } catch (AuvsmlException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private static RigidMotion motion(double time, double drag) {
+        double way =
+                drag == 0 ? SPEED * time : Math.log1p(drag * SPEED * time) / drag;
+        double speed = SPEED / (1 + drag * SPEED * time);
+        double turn = 0.1 * time;
+        return new RigidMotion(
+                new Vec3(way, 8 * Math.sin(turn), -1 - 0.02 * way),
+                Quat.ofAxisAngle(new Vec3(0, 0, 1), turn),
+                new Vec3(speed, 0.8 * Math.cos(turn), -0.02 * speed),
+                new Vec3(0, 0, 0.1));
+    }
+
+    private static List<RigidMotion> motions(int samples, double drag) {
+        List<RigidMotion> motions = new ArrayList<>();
+        for (int k = 0; k < samples; k++) {
+            motions.add(motion(time(k, samples), drag));
+        }
+        return motions;
+    }
+
+    private static double time(int sample, int samples) {
+        return DURATION * sample / (samples - 1);
+    }
+
+    static MeasuredRun run(String name, int samples, double drag, long seed) {
+        Random noise = new Random(seed);
+        MeasuredRunBuilder run = MeasuredRun.named(name);
+        int k = 0;
+        for (RigidMotion motion : motions(samples, drag)) {
+            RigidMotion told =
+                    motion.plus(
+                            new double[] {
+                                NOISE * noise.nextGaussian(),
+                                NOISE * noise.nextGaussian(),
+                                NOISE * noise.nextGaussian(),
+                                TURN_NOISE * noise.nextGaussian(),
+                                TURN_NOISE * noise.nextGaussian(),
+                                TURN_NOISE * noise.nextGaussian(),
+                                0, 0, 0, 0, 0, 0
+                            });
+            Vec3 p = told.position();
+            run.at(time(k++, samples))
+                    .position(p.x(), p.y(), p.z())
+                    .orientation(told.orientation());
+        }
+        return run.build();
+    }
+
+
+    private static DiagnosedRun diagnosed(
+            String name, int samples, double drag, boolean isHeldOut) {
+        MeasuredRun run = run(name, samples, drag, name.hashCode());
+        List<ForceResidual> forces = new ArrayList<>();
+        for (int k = 0; k < 60; k++) {
+            double v = motion(k, drag).velocity().norm();
+            forces.add(
+                    new ForceResidual(
+                            k,
+                            new Vec3(-30 * drag * v * v, 0.02 * Math.sin(k), 0),
+                            new Vec3(0.02 * Math.cos(k), 0.02 * Math.sin(k), 0)));
+        }
+        return new DiagnosedRun(
+                run, isHeldOut, motions(samples, 0), motions(samples, drag), forces);
+    }
+
+    private static List<DiagnosedRun> runs(int samples, double drag) {
+        return List.of(
+                diagnosed("run1", samples, drag, false),
+                diagnosed("run2", samples, drag, false),
+                diagnosed("run3", samples, drag, true));
+    }
+
+    /** Drag was found. */
+    static Diagnosis explained() {
+        return explained(1201, List.of());
+    }
+
+    /** Drag was found in runs of so many samples. */
+    static Diagnosis explained(int samples, List<Alternative> alternatives) {
+        return explained(List.of(QUADRATIC_DRAG), samples, alternatives);
+    }
+
+    static Diagnosis explained(
+            List<Finding> found, int samples, List<Alternative> alternatives) {
+        Map<Channel, Gain> heldOut =
+                Map.of(
+                        Channel.POSITION, new Gain(0.834, 0.0112, NOISE),
+                        Channel.ORIENTATION, new Gain(0.0041, 0.00405, TURN_NOISE));
+        return diagnosis(
+                Verdict.EXPLAINED,
+                new Sentence(heldOut, false).explained(found, 0.991, alternatives),
+                found,
+                alternatives,
+                heldOut,
+                runs(samples, DRAG),
+                Optional.empty(),
+                Optional.empty(),
+                scenario(12.43),
+                List.of("run2.csv: times of whole seconds are read as 20 samples a second."));
+    }
+
+    /** Nothing is wrong. */
+    static Diagnosis none() {
+        Map<Channel, Gain> heldOut = Map.of(Channel.POSITION, new Gain(0.0101, 0.0101, NOISE));
+        return diagnosis(
+                Verdict.NONE,
+                new Sentence(heldOut, false).none(),
+                List.of(),
+                List.of(),
+                heldOut,
+                runs(601, 0),
+                Optional.empty(),
+                Optional.empty(),
+                scenario(0),
+                List.of());
+    }
+
+    /** Something is wrong that nobody knows. */
+    static Diagnosis unexplained() {
+        Map<Channel, Gain> heldOut = Map.of(Channel.POSITION, new Gain(0.834, 0.61, NOISE));
+        Discrepancy seen =
+                new Discrepancy(
+                        Channel.POSITION, 'y', "run2", 12.4, OptionalDouble.of(0.31), 0.41);
+        return diagnosis(
+                Verdict.UNEXPLAINED,
+                new Sentence(heldOut, false).unexplained(Optional.of(seen)),
+                List.of(),
+                List.of(),
+                heldOut,
+                runs(601, DRAG),
+                Optional.of(seen),
+                Optional.of(
+                        new Proposal("formula", "F.x = -1.2 v.x |v| < 0", new Gain(0.8, 0.4, 0.01))),
+                scenario(0),
+                List.of());
+    }
+
+    private static Diagnosis diagnosis(
+            Verdict verdict,
+            String sentence,
+            List<Finding> selected,
+            List<Alternative> alternatives,
+            Map<Channel, Gain> heldOut,
+            List<DiagnosedRun> runs,
+            Optional<Discrepancy> discrepancy,
+            Optional<Proposal> proposal,
+            Scenario extended,
+            List<String> notices) {
+        return new Diagnosis(
+                verdict,
+                sentence,
+                "sledge",
+                selected,
+                ranked(selected),
+                alternatives,
+                NOISES,
+                heldOut,
+                List.of(
+                        new HorizonGain(1, new Gain(0.012, 0.0105, NOISE)),
+                        new HorizonGain(5, new Gain(0.08, 0.0107, NOISE)),
+                        new HorizonGain(20, new Gain(0.4, 0.011, NOISE)),
+                        new HorizonGain(60, new Gain(0.834, 0.0112, NOISE))),
+                false,
+                runs,
+                discrepancy,
+                proposal,
+                Optional.of(
+                        new NextExperiment(
+                                "coast_down",
+                                "Speed up to 3 m/s, then coast with all thrusters off.",
+                                List.of("quadratic_drag", "linear_drag"),
+                                41)),
+                new Identifiability(
+                        List.of(
+                                new Confusion("quadratic_drag", "linear_drag", 11.2),
+                                new Confusion("mass_error", "added_mass", 0.4)),
+                        List.of("restitution", "contact_friction")),
+                extended,
+                notices,
+                42,
+                true);
+    }
+
+    /** The same of a body of another name. */
+    static Diagnosis renamed(Diagnosis of, String body) {
+        return new Diagnosis(
+                of.verdict(),
+                of.sentence(),
+                body,
+                of.selected(),
+                of.ranked(),
+                of.alternatives(),
+                of.noise(),
+                of.heldOut(),
+                of.horizons(),
+                of.usedHeldOut(),
+                of.runs(),
+                of.discrepancy(),
+                of.proposal(),
+                of.nextExperiment(),
+                of.identifiability(),
+                of.extended(),
+                of.notices(),
+                of.seed(),
+                of.isComplete());
+    }
+
+    private static List<Ranked> ranked(List<Finding> selected) {
+        return List.of(
+                new Ranked(
+                        selected.stream().map(Finding::name).toList(),
+                        selected.stream().map(Finding::quantities).toList(),
+                        -1234.5,
+                        0.9999),
+                new Ranked(
+                        List.of("linear_drag"),
+                        List.of(List.of(new Quantity("c", "N s/m", 8.1))),
+                        -1260,
+                        1e-11),
+                new Ranked(
+                        List.of("magnus"),
+                        List.of(List.of(new Quantity("s", "kg", 8.1))),
+                        Double.NEGATIVE_INFINITY,
+                        0));
+    }
+}

@@ -1,0 +1,138 @@
+package org.auvsim.diagnosis.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.networknt.schema.Error;
+import com.networknt.schema.InputFormat;
+import com.networknt.schema.Schema;
+import com.networknt.schema.SchemaRegistry;
+import com.networknt.schema.SpecificationVersion;
+
+import org.auvsim.diagnosis.result.Alternative;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+
+class DiagnosisJsonTest {
+    private static final Path SCHEMA = Path.of("../docs/diagnosis.schema.json");
+
+    private static String json(Diagnosis diagnosis) {
+        return DiagnosisJson.text(diagnosis, RunFile.of(diagnosis.runs()));
+    }
+
+    private static List<String> faults(String json) throws IOException {
+        Schema schema =
+                SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
+                        .getSchema(Files.readString(SCHEMA), InputFormat.JSON);
+        return schema.validate(json, InputFormat.JSON).stream().map(Error::toString).toList();
+    }
+
+    private static Stream<Diagnosis> diagnoses() {
+        return Stream.of(
+                Diagnoses.none(),
+                Diagnoses.unexplained(),
+                Diagnoses.explained(
+                        List.of(Diagnoses.QUADRATIC_DRAG, Diagnoses.THRUST, Diagnoses.CURRENT),
+                        100,
+                        List.of(new Alternative(List.of("mass_error"), true, "mass / gain"))));
+    }
+
+    @ParameterizedTest
+    @MethodSource("diagnoses")
+    void hasTheFormOfItsSchema(Diagnosis diagnosis) throws IOException {
+        assertThat(faults(json(diagnosis))).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "\"verdict\" : \"none\" -> \"verdict\" : \"perhaps\"",
+                "\"seed\" : 42 -> \"seed\" : 4.5",
+                "\"sentence\" -> \"statement\"",
+                "\"log_evidence\" : -1234.5 -> \"log_evidence\" : \"much\"",
+                "\"complete\" : true -> \"complete\" : 1",
+                "\"heldout\" : true -> \"held_out\" : true",
+            })
+    void theSchemaRefusesAnotherForm(String change) throws IOException {
+        String[] parts = change.split(" -> ");
+        String json = json(Diagnoses.none());
+        assertThat(json).contains(parts[0]);
+        assertThat(faults(json.replace(parts[0], parts[1]))).isNotEmpty();
+    }
+
+    @Test
+    void beginsWithTheMembersInTheirOrder() {
+        JsonNode root = JsonMapper.shared().readTree(json(Diagnoses.explained()));
+        assertThat(root.propertyNames())
+                .startsWith(
+                        "verdict",
+                        "selected",
+                        "ranked",
+                        "alternatives",
+                        "noise",
+                        "heldout_rmse_before",
+                        "heldout_rmse_after",
+                        "heldout",
+                        "next_experiment",
+                        "seed",
+                        "version",
+                        "sentence");
+    }
+
+    @Test
+    void namesCausesWithTheirNumbers() {
+        JsonNode root =
+                JsonMapper.shared()
+                        .readTree(
+                                json(
+                                        Diagnoses.explained(
+                                                List.of(
+                                                        Diagnoses.QUADRATIC_DRAG,
+                                                        Diagnoses.THRUST,
+                                                        Diagnoses.CURRENT),
+                                                100,
+                                                List.of())));
+        assertThat(root.at("/selected/0").toString())
+                .isEqualTo(
+                        "{\"name\":\"quadratic_drag\",\"params\":{\"k\":12.43},"
+                                + "\"sigma\":{\"k\":0.31},\"unit\":{\"k\":\"kg/m\"},"
+                                + "\"share\":0.991}");
+        assertThat(root.at("/selected/1/params").toString())
+                .isEqualTo("{\"thruster\":\"port\",\"factor\":0.8}");
+        assertThat(root.at("/selected/2/params").toString()).isEqualTo("{\"u\":[0.2,-0.1,0.0]}");
+        assertThat(root.at("/ranked/0/name").asString())
+                .isEqualTo("quadratic_drag + thruster_gain (port) + current_constant");
+        assertThat(root.at("/heldout_rmse_before").asDouble()).isEqualTo(0.834);
+        assertThat(root.at("/heldout/orientation/after").asDouble()).isEqualTo(0.00405);
+    }
+
+    @Test
+    void whatIsNotFiniteIsNull() {
+        JsonNode root = JsonMapper.shared().readTree(json(Diagnoses.none()));
+        assertThat(root.at("/ranked/2/log_evidence").isNull()).isTrue();
+        assertThat(root.at("/ranked/0/name").asString()).isEqualTo("none");
+    }
+
+    @Test
+    void runsHaveTheirErrorsAndTables() {
+        JsonNode root = JsonMapper.shared().readTree(json(Diagnoses.explained()));
+        JsonNode heldOut = root.at("/runs/2");
+        assertThat(heldOut.at("/prediction").asString()).isEqualTo("predictions/run3.csv");
+        assertThat(heldOut.at("/residuals").asString()).isEqualTo("residuals/run3.csv");
+        assertThat(heldOut.at("/errors/position/after").asDouble()).isBetween(0.0095, 0.0105);
+        assertThat(heldOut.at("/errors/orientation/after").asDouble()).isBetween(0.0038, 0.0042);
+        assertThat(heldOut.at("/errors/position/before").asDouble()).isGreaterThan(1);
+        assertThat(root.at("/runs/0/prediction").isNull()).isTrue();
+    }
+}

@@ -1,0 +1,71 @@
+package org.auvsim.diagnosis.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.auvsml.document.Validation;
+import org.auvsim.auvsml.mapping.MessageCatalogue;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+class ExtendedScenarioTest {
+    private static final ClassLoader LOADER = ExtendedScenarioTest.class.getClassLoader();
+    @TempDir private Path folder;
+
+    private Path written(Diagnosis diagnosis) throws Exception {
+        Report.write(diagnosis, folder);
+        return folder.resolve("extended-scenario.xml");
+    }
+
+    @Test
+    void itIsReadAsWhatWasFound() throws Exception {
+        Diagnosis diagnosis = Diagnoses.explained();
+        Path file = written(diagnosis);
+        assertThat(ScenarioLoader.load(LOADER).load(file)).isEqualTo(diagnosis.extended());
+        assertThat(new Validation(MessageCatalogue.load(LOADER)).faults(file)).isEmpty();
+    }
+
+    @Test
+    void itSaysWhatWasAddedAndWhy() throws Exception {
+        assertThat(
+                        Files.readString(
+                                written(
+                                        Diagnoses.explained(
+                                                List.of(
+                                                        Diagnoses.QUADRATIC_DRAG,
+                                                        Diagnoses.THRUST,
+                                                        Diagnoses.CURRENT),
+                                                100,
+                                                List.of()))))
+                .startsWith("<!--\n  A diagnosis of 'sledge' (seed 42).\n  Quadratic drag is missing")
+                .contains(
+                        """
+                          What was added to the model as it was believed:
+                          - quadratic_drag: k = 12.4 +- 0.3 kg/m; quadratic drag is missing
+                          - thruster_gain (port): factor = 0.800 +- 0.004 times; the thrust of 'port' is wrong
+                          - current_constant: u = (0.200 +- 0.004, -0.100 +- 0.003, 0.000 +- 0.002) m/s; a constant current is missing
+                        -->
+                        <scenario""");
+    }
+
+    @Test
+    void aNullSaysThatNothingWasAdded() throws Exception {
+        Diagnosis none = Diagnoses.none();
+        Path file = written(none);
+        assertThat(Files.readString(file))
+                .contains("Nothing was added: this is the model as it was believed.\n-->");
+        assertThat(ScenarioLoader.load(LOADER).load(file)).isEqualTo(none.extended());
+    }
+
+    @Test
+    void namesEndNoComment() throws Exception {
+        Diagnosis diagnosis = Diagnoses.renamed(Diagnoses.none(), "a--b-->");
+        assertThat(ScenarioLoader.load(LOADER).load(written(diagnosis)))
+                .isEqualTo(diagnosis.extended());
+    }
+}

@@ -1,0 +1,130 @@
+package org.auvsim.diagnosis.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIOException;
+
+import org.auvsim.diagnosis.result.Alternative;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+
+class ReportTest {
+    @TempDir private Path folder;
+
+    private String page(Diagnosis diagnosis) throws IOException {
+        return Files.readString(Report.write(diagnosis, folder));
+    }
+
+    private List<String> files() throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            return files.filter(Files::isRegularFile)
+                    .map(file -> folder.relativize(file).toString().replace('\\', '/'))
+                    .sorted()
+                    .toList();
+        }
+    }
+
+    @Test
+    void hasAllItsFilesAndNoDrafts() throws IOException {
+        Report.write(Diagnoses.explained(), folder);
+        assertThat(files())
+                .containsExactly(
+                        "diagnosis.json",
+                        "extended-scenario.xml",
+                        "predictions/run3.csv",
+                        "report.html",
+                        "residuals/run1.csv",
+                        "residuals/run2.csv",
+                        "residuals/run3.csv");
+    }
+
+    @Test
+    void replacesThoseOfAnEarlierReport() throws IOException {
+        Files.createDirectories(folder.resolve("predictions"));
+        Files.writeString(folder.resolve("predictions/old.csv"), "t\n");
+        Files.writeString(folder.resolve("predictions/mine.txt"), "kept");
+        Files.writeString(folder.resolve("diagnosis.json"), "{}");
+        Report.write(Diagnoses.none(), folder);
+        assertThat(files())
+                .contains("predictions/mine.txt", "predictions/run3.csv")
+                .doesNotContain("predictions/old.csv");
+        assertThat(folder.resolve("diagnosis.json")).content().contains("\"none\"");
+    }
+
+    @Test
+    void whatCannotBeWrittenIsLeftAsItWas() throws IOException {
+        Path blocked = folder.resolve("report.html");
+        Files.createDirectories(blocked.resolve("full"));
+        assertThatIOException().isThrownBy(() -> Report.write(Diagnoses.none(), folder));
+        assertThat(files()).doesNotContain("diagnosis.json").noneMatch(f -> f.endsWith(".part"));
+    }
+
+    @Test
+    void thePageBeginsWithTheVerdict() throws IOException {
+        assertThat(page(Diagnoses.explained()))
+                .containsSubsequence(
+                        "<h1>sledge: explained</h1>",
+                        "<p class=\"summary\">Quadratic drag is missing: 12.4 \u00b1 0.3 kg/m; it"
+                                + " explains 99.1 % of the misfit; held-out position error 0.83 m"
+                                + " \u2192 0.011 m, noise is 0.010 m.</p>",
+                        "What was found",
+                        "12.4 \u00b1 0.3 kg/m",
+                        "Gain on held-out runs",
+                        "Measured and simulated: run3 (held out)",
+                        "Causes that were tried",
+                        "<td>magnus</td><td>s = 8.10 kg</td><td>below all</td><td>below 0.1 %</td>",
+                        "What this data can tell apart",
+                        "However strong they are",
+                        "What to measure next",
+                        "coast with all thrusters off",
+                        "The runs",
+                        "In detail: run1 (fitted)",
+                        "Residual of the orientation, as believed",
+                        "Force that is missing along the path, with what was found",
+                        "Notices",
+                        "20 samples a second");
+    }
+
+    @Test
+    void thePageOfANullHasOneModel() throws IOException {
+        assertThat(page(Diagnoses.none()))
+                .contains("<h1>sledge: nothing missing</h1>")
+                .contains("Residual of the position, simulated")
+                .doesNotContain("with what was found</h3>")
+                .doesNotContain("<h2>Notices</h2>");
+    }
+
+    @Test
+    void thePageOfTheUnexplainedSaysWhatIsKnown() throws IOException {
+        assertThat(page(Diagnoses.unexplained()))
+                .contains("<h1>sledge: unexplained</h1>")
+                .contains("<td>frequency</td><td>0.31 Hz</td>")
+                .contains("A proposal, not a named cause (formula): F.x = -1.2 v.x |v| &lt; 0.");
+    }
+
+    @Test
+    void thePageTellsWhatCannotBeToldApart() throws IOException {
+        Alternative other =
+                new Alternative(List.of("thruster_gain"), true, "mass / thruster gain = 1.20");
+        assertThat(page(Diagnoses.explained(200, List.of(other))))
+                .contains("this data cannot tell apart: quadratic drag is missing, or the thrust")
+                .contains(
+                        "<td>thruster_gain</td><td>no such data can tell</td>"
+                                + "<td>mass / thruster gain = 1.20</td>");
+    }
+
+    @Test
+    void longRunsAreThinned() throws IOException {
+        Path page = Report.write(Diagnoses.explained(20_001, List.of()), folder);
+        assertThat(Files.size(page)).isLessThan(3_000_000);
+        try (Stream<String> rows = Files.lines(folder.resolve("residuals/run1.csv"))) {
+            assertThat(rows.count()).isEqualTo(20_002);
+        }
+    }
+}

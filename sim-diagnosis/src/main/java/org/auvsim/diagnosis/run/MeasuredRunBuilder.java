@@ -33,7 +33,9 @@ public final class MeasuredRunBuilder {
         private final ResizableDoubleArray values = new ResizableDoubleArray();
 
         void add(double... more) {
-            values.addElements(more);
+            for (double number : more) {
+                values.addElement(number); // addElements copies all there are
+            }
         }
 
         void setLast(int from, double[] last) {

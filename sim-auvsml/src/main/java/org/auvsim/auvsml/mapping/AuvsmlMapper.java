@@ -9,6 +9,7 @@ import org.auvsim.auvsml.xml.XmlTree;
 import org.auvsim.core.description.ElementName;
 import org.jspecify.annotations.Nullable;
 
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -91,8 +92,29 @@ public final class AuvsmlMapper {
         codec.encode(codec.elementName(), record, out);
     }
 
-    /** The record types that stand for an interface, by element name. */
-    Map<String, Class<?>> implementations(Class<?> type) {
+    /**
+     * A record of a type that states nothing, each component as its default has it; empty if one of
+     * them is needed, or the record refuses to be so.
+     */
+    public <R> Optional<R> withDefaults(Class<R> type) {
+        RecordCodec codec = codec(type);
+        @Nullable Object[] values = new @Nullable Object[codec.slots().size()];
+        for (Slot slot : codec.slots()) {
+            Object value = slot.presence().complete(null);
+            if (value == null) {
+                return Optional.empty();
+            }
+            values[slot.index()] = value;
+        }
+        try {
+            return Optional.of(type.cast(codec.create(values)));
+        } catch (IllegalArgumentException e) {
+            return Optional.empty();
+        }
+    }
+
+    /** The record types that stand for an interface, by element name, in its order. */
+    public Map<String, Class<?>> implementations(Class<?> type) {
         return implementations.computeIfAbsent(type, this::collect);
     }
 
@@ -101,7 +123,7 @@ public final class AuvsmlMapper {
         for (Class<?> provider : ProviderFile.read(type, loader)) {
             put(byName, type, provider);
         }
-        return byName;
+        return Collections.unmodifiableMap(byName);
     }
 
     private static void put(Map<String, Class<?>> byName, Class<?> type, Class<?> record) {

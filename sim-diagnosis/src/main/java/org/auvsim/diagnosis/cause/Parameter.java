@@ -1,5 +1,7 @@
 package org.auvsim.diagnosis.cause;
 
+import java.util.List;
+
 /**
  * A number of a cause that is searched for.
  *
@@ -15,9 +17,22 @@ public record Parameter(String name, String unit, double scale, double lowest, d
                 name, unit, scale, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
     }
 
+    /** The three of a vector, which may be any numbers: {@code u.x}, {@code u.y}, {@code u.z}. */
+    public static List<Parameter> vector(String name, String unit, double scale) {
+        return List.of(
+                signed(name + ".x", unit, scale),
+                signed(name + ".y", unit, scale),
+                signed(name + ".z", unit, scale));
+    }
+
     /** One that is 0 or more. */
     public static Parameter positive(String name, String unit, double scale) {
         return new Parameter(name, unit, scale, 0, Double.POSITIVE_INFINITY);
+    }
+
+    /** The same, but no lower. */
+    Parameter atLeast(double other) {
+        return new Parameter(name, unit, scale, other, highest);
     }
 
     /** The nearest number that makes sense. */

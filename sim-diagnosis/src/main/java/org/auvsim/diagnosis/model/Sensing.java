@@ -13,10 +13,38 @@ import org.auvsim.server.feedback.RigidMotion;
  * @param turn by which the sensors' axes are off the world's (rotation vector, rad)
  * @param yaw by which orientations are off about the vertical (rad)
  * @param yawRate by which that grows (rad/s)
+ * @param drift by which positions run away from the run's beginning on (m/s)
  */
-public record Sensing(double delay, Vec3 scale, Vec3 turn, double yaw, double yawRate) {
+public record Sensing(
+        double delay, Vec3 scale, Vec3 turn, double yaw, double yawRate, Vec3 drift) {
     /** What is told is what is. */
-    public static final Sensing EXACT = new Sensing(0, Vec3.ZERO, Vec3.ZERO, 0, 0);
+    public static final Sensing EXACT =
+            new Sensing(0, Vec3.ZERO, Vec3.ZERO, 0, 0, Vec3.ZERO);
+
+    /** The same, older by a time (s). */
+    public Sensing delayed(double more) {
+        return new Sensing(delay + more, scale, turn, yaw, yawRate, drift);
+    }
+
+    /** The same, its coordinates larger by shares. */
+    public Sensing scaled(Vec3 more) {
+        return new Sensing(delay, scale.plus(more), turn, yaw, yawRate, drift);
+    }
+
+    /** The same, its axes turned on (rotation vector, rad). */
+    public Sensing turned(Vec3 more) {
+        return new Sensing(delay, scale, turn.plus(more), yaw, yawRate, drift);
+    }
+
+    /** The same, its orientations off by more (rad, rad/s) about the vertical. */
+    public Sensing yawed(double more, double moreRate) {
+        return new Sensing(delay, scale, turn, yaw + more, yawRate + moreRate, drift);
+    }
+
+    /** The same, its positions running away faster (m/s). */
+    public Sensing drifting(Vec3 more) {
+        return new Sensing(delay, scale, turn, yaw, yawRate, drift.plus(more));
+    }
 
     /**
      * What is told of a motion.
@@ -39,13 +67,13 @@ public record Sensing(double delay, Vec3 scale, Vec3 turn, double yaw, double ya
         Vec3 p = then.position();
         Vec3 v = then.velocity();
         return new RigidMotion(
-                axes.rotate(scaled(p)),
+                axes.rotate(inScale(p)).plus(drift.times(since)),
                 heading.times(axes).times(then.orientation()).normalized(),
-                axes.rotate(scaled(v)),
+                axes.rotate(inScale(v)).plus(drift),
                 axes.rotate(then.angularVelocity()));
     }
 
-    private Vec3 scaled(Vec3 v) {
+    private Vec3 inScale(Vec3 v) {
         return new Vec3(
                 v.x() * (1 + scale.x()), v.y() * (1 + scale.y()), v.z() * (1 + scale.z()));
     }

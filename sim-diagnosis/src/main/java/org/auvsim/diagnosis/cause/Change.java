@@ -1,0 +1,169 @@
+package org.auvsim.diagnosis.cause;
+
+import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+
+/**
+ * A cause that is a law with numbers. Those of its numbers that its guesses move are its strengths:
+ * while all of them are 0 it leaves the model as it is. Immutable.
+ */
+final class Change implements Cause {
+    private final String id;
+    private final Optional<String> subject;
+    private final List<Parameter> parameters;
+    private final List<Guess> guesses;
+    private final int[] strengths;
+    private final boolean generic;
+    private final Law law;
+    private final Function<double[], List<Quantity>> telling;
+
+    /** How numbers, of which one strength at least is not 0, change a model. */
+    interface Law {
+        Variant in(Variant model, double[] theta);
+    }
+
+    private Change(
+            String id,
+            Optional<String> subject,
+            List<Parameter> parameters,
+            List<Guess> guesses,
+            boolean generic,
+            Law law,
+            Function<double[], List<Quantity>> telling) {
+        this.id = id;
+        this.subject = subject;
+        this.parameters = List.copyOf(parameters);
+        this.guesses = List.copyOf(guesses);
+        this.strengths =
+                guesses.stream()
+                        .flatMapToInt(g -> g.columns().stream().mapToInt(c -> c))
+                        .distinct()
+                        .toArray();
+        this.generic = generic;
+        this.law = law;
+        this.telling = telling;
+    }
+
+    /** One all of whose parameters are strengths, to begin at 0, and told as they are. */
+    static Change of(String id, List<Parameter> parameters, Law law) {
+        int[] all = IntStream.range(0, parameters.size()).toArray();
+        return new Change(
+                id,
+                Optional.empty(),
+                parameters,
+                List.of(guess(parameters, new double[parameters.size()], all)),
+                false,
+                law,
+                theta -> plain(parameters, theta));
+    }
+
+    private static List<Quantity> plain(List<Parameter> parameters, double[] theta) {
+        List<Quantity> quantities = new ArrayList<>();
+        for (int i = 0; i < theta.length; i++) {
+            Parameter parameter = parameters.get(i);
+            quantities.add(new Quantity(parameter.name(), parameter.unit(), theta[i]));
+        }
+        return quantities;
+    }
+
+    /** A guess whose columns are moved by small steps. */
+    static Guess guess(List<Parameter> parameters, double[] theta, int... columns) {
+        return new Guess(
+                boxed(theta),
+                IntStream.of(columns).boxed().toList(),
+                IntStream.of(columns)
+                        .mapToObj(c -> SMALL * parameters.get(c).scale())
+                        .toList());
+    }
+
+    /** A guess of one number at 0 that is moved by a step of this size. */
+    static Guess secant(double step) {
+        return new Guess(List.of(0.0), List.of(0), List.of(step));
+    }
+
+    private static List<Double> boxed(double[] numbers) {
+        return DoubleStream.of(numbers).boxed().toList();
+    }
+
+    /** The same about a part of the body. */
+    Change about(String part) {
+        return new Change(id, Optional.of(part), parameters, guesses, generic, law, telling);
+    }
+
+    /** The same with other places to begin. */
+    Change from(List<Guess> others) {
+        return new Change(id, subject, parameters, others, generic, law, telling);
+    }
+
+    /** The same that counts only where nothing specific passes. */
+    Change asGeneric() {
+        return new Change(id, subject, parameters, guesses, true, law, telling);
+    }
+
+    /** The same, its numbers told otherwise. */
+    Change told(Function<double[], List<Quantity>> otherwise) {
+        return new Change(id, subject, parameters, guesses, generic, law, otherwise);
+    }
+
+    /** The same, its numbers told as factors: 1 more. */
+    Change toldAsFactors() {
+        return told(
+                theta ->
+                        plain(
+                                parameters,
+                                Arrays.stream(theta).map(excess -> 1 + excess).toArray()));
+    }
+
+    @Override
+    public String id() {
+        return id;
+    }
+
+    @Override
+    public Optional<String> subject() {
+        return subject;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return parameters;
+    }
+
+    @Override
+    public Variant in(Variant model, double[] theta) {
+        for (int strength : strengths) {
+            if (theta[strength] != 0) {
+                return law.in(model, theta);
+            }
+        }
+        return model;
+    }
+
+    @Override
+    public List<Guess> guesses(List<MeasuredRun> runs) {
+        return guesses;
+    }
+
+    @Override
+    public List<Quantity> quantities(double[] theta) {
+        return telling.apply(theta);
+    }
+
+    @Override
+    public boolean isGeneric() {
+        return generic;
+    }
+
+    @Override
+    public String toString() {
+        return subject.map(of -> id + " (" + of + ")").orElse(id);
+    }
+}

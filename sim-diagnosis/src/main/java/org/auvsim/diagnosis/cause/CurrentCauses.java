@@ -1,0 +1,120 @@
+package org.auvsim.diagnosis.cause;
+
+import org.auvsim.core.field.OscillatingCurrent;
+import org.auvsim.core.field.ShearCurrent;
+import org.auvsim.core.field.UniformCurrent;
+import org.auvsim.core.field.VortexCurrent;
+import org.auvsim.core.field.VortexProfile;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.model.Variant;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Water that moves otherwise than the model's. */
+final class CurrentCauses {
+    /** Ids of found currents begin beyond those that scenarios usually have. */
+    private static final long FIRST_ID = 1_000_001;
+
+    /** Cores of vortices to begin with, as shares of the range. */
+    private static final double[] CORES = {0.15, 0.4};
+
+    private static final int VORTICES = 4;
+
+    private CurrentCauses() {}
+
+    static List<Cause> of(Setting s) {
+        double scale = s.scale("m/s");
+        return List.of(
+                Change.of(
+                        "current_constant",
+                        Parameter.vector("u", "m/s", scale),
+                        (v, t) -> v.in(new UniformCurrent(id(v), name(v), vector(t, 0)))),
+                oscillating(s, scale),
+                shear(s, scale),
+                vortex(s, scale));
+    }
+
+    private static long id(Variant v) {
+        return FIRST_ID + v.currents().size();
+    }
+
+    private static String name(Variant v) {
+        return "found current " + (v.currents().size() + 1);
+    }
+
+    private static Vec3 vector(double[] theta, int from) {
+        return new Vec3(theta[from], theta[from + 1], theta[from + 2]);
+    }
+
+    /** Of a sine and a cosine, as both are linear. */
+    private static Cause oscillating(Setting s, double scale) {
+        Swing swing = new Swing(s, "u", "m/s", scale);
+        return Change.of(
+                        "current_oscillating",
+                        swing.parameters(),
+                        (v, t) ->
+                                swinging(
+                                        swinging(v, vector(t, 0), t[Swing.OMEGA], 0),
+                                        vector(t, 3),
+                                        t[Swing.OMEGA],
+                                        Math.PI / 2))
+                .from(swing.guesses())
+                .told(swing::quantities);
+    }
+
+    private static Variant swinging(Variant v, Vec3 amplitude, double omega, double phase) {
+        return v.in(
+                new OscillatingCurrent(
+                        id(v), name(v), Vec3.ZERO, amplitude, 2 * Math.PI / omega, phase));
+    }
+
+    private static Cause shear(Setting s, double scale) {
+        double height = Math.max(0.1 * s.path().range(), s.path().high().z() - s.path().low().z());
+        return Change.of(
+                "current_shear",
+                List.of(
+                        Parameter.signed("rate.x", "1/s", scale / height),
+                        Parameter.signed("rate.y", "1/s", scale / height)),
+                (v, t) ->
+                        v.in(
+                                new ShearCurrent(
+                                        id(v), name(v), Vec3.ZERO, 0, new Vec3(t[0], t[1], 0))));
+    }
+
+    private static Cause vortex(Setting s, double scale) {
+        double range = s.path().range();
+        List<Parameter> parameters =
+                List.of(
+                        Parameter.signed("centre.x", "m", 0.1 * range),
+                        Parameter.signed("centre.y", "m", 0.1 * range),
+                        Parameter.signed("gamma", "m^2/s", 2 * Math.PI * range * scale),
+                        new Parameter("core", "m", 0.1 * range, 0.01 * range, 10 * range));
+        List<Guess> guesses = new ArrayList<>();
+        Vec3 low = s.path().centre().minus(new Vec3(range, range, 0).times(0.75));
+        for (int i = 0; i < VORTICES; i++) {
+            for (int j = 0; j < VORTICES; j++) {
+                for (double core : CORES) {
+                    double x = low.x() + 1.5 * range * (i + 0.5) / VORTICES;
+                    double y = low.y() + 1.5 * range * (j + 0.5) / VORTICES;
+                    guesses.add(
+                            Change.guess(parameters, new double[] {x, y, 0, core * range}, 2));
+                }
+            }
+        }
+        return Change.of(
+                        "current_vortex",
+                        parameters,
+                        (v, t) ->
+                                v.in(
+                                        new VortexCurrent(
+                                                id(v),
+                                                name(v),
+                                                t[0],
+                                                t[1],
+                                                t[2],
+                                                t[3],
+                                                VortexProfile.KAUFMANN)))
+                .from(guesses);
+    }
+}

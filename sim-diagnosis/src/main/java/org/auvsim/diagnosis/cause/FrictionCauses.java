@@ -1,0 +1,71 @@
+package org.auvsim.diagnosis.cause;
+
+import org.auvsim.core.effect.CoulombFriction;
+import org.auvsim.core.effect.PivotFriction;
+import org.auvsim.core.entity.Pinned;
+import org.auvsim.core.entity.WorldObjectDefinition;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Dry friction, in a pivot or on what the body slides on, and what contacts do. */
+final class FrictionCauses {
+    private static final double GRAVITY = 9.80665;
+
+    /** Speeds (shares of the typical one) below which friction falls to nothing. */
+    private static final double SLIP = 0.01;
+
+    private FrictionCauses() {}
+
+    static List<Cause> of(Setting s) {
+        List<Cause> causes = new ArrayList<>();
+        if (s.body().mount().filter(Pinned.class::isInstance).isPresent()) {
+            double slip = SLIP * s.rate();
+            causes.add(
+                    Change.of(
+                            "coulomb_torque",
+                            List.of(Parameter.positive("c", "N m", s.torque())),
+                            (v, t) -> v.with(b -> b.effect(new PivotFriction(t[0], 0, slip)))));
+        } else {
+            double slip = SLIP * s.path().speed();
+            causes.add(
+                    Change.of(
+                            "coulomb_friction",
+                            List.of(
+                                    Parameter.positive(
+                                            "mu", "1", s.force() / (s.mass() * GRAVITY))),
+                            (v, t) ->
+                                    v.with(
+                                            b ->
+                                                    b.effect(
+                                                            new CoulombFriction(
+                                                                    t[0], GRAVITY, slip)))));
+        }
+        if (mayTouch(s)) {
+            causes.addAll(contacts(s.body()));
+        }
+        return causes;
+    }
+
+    private static boolean mayTouch(Setting s) {
+        return s.model().scenario().worldObject().stream().anyMatch(WorldObjectDefinition::fixed);
+    }
+
+    private static List<Cause> contacts(WorldObjectDefinition body) {
+        double e = body.restitution();
+        double mu = body.friction();
+        return List.of(
+                Change.of(
+                                "restitution",
+                                List.of(new Parameter("e", "1", 0.1, -e, 1 - e)),
+                                (v, t) -> v.with(b -> b.restitution(e + t[0])))
+                        .from(List.of(Change.secant(e > 0.5 ? -0.05 : 0.05)))
+                        .told(t -> List.of(new Quantity("e", "1", e + t[0]))),
+                Change.of(
+                                "contact_friction",
+                                List.of(new Parameter("mu", "1", 0.1, -mu, 10)),
+                                (v, t) -> v.with(b -> b.friction(mu + t[0])))
+                        .from(List.of(Change.secant(0.05)))
+                        .told(t -> List.of(new Quantity("mu", "1", mu + t[0]))));
+    }
+}

@@ -1,0 +1,50 @@
+package org.auvsim.diagnosis.cause;
+
+import org.auvsim.core.effect.Kick;
+import org.auvsim.core.effect.StepForce;
+import org.auvsim.core.math.Vec3;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** What happens at one time: a force that begins, an impulse. */
+final class OnsetCauses {
+    /** Time steps over which they are spread: enough for the integrator, hardly seen in data. */
+    static final double STEPS = 3;
+
+    private static final int TIMES = 24;
+
+    private OnsetCauses() {}
+
+    static List<Cause> of(Setting s) {
+        double spread = STEPS * s.timeStep();
+        return List.of(
+                begun(
+                        s,
+                        "step_force",
+                        Parameter.vector("force", "N", s.force()),
+                        (v, t) ->
+                                v.with(b -> b.effect(new StepForce(vector(t), t[3], spread)))),
+                begun(
+                        s,
+                        "impulse",
+                        Parameter.vector("impulse", "N s", 0.1 * s.scale("N s")),
+                        (v, t) -> v.with(b -> b.effect(new Kick(vector(t), t[3], spread)))));
+    }
+
+    private static Vec3 vector(double[] theta) {
+        return new Vec3(theta[0], theta[1], theta[2]);
+    }
+
+    private static Cause begun(Setting s, String id, List<Parameter> strength, Change.Law law) {
+        List<Parameter> parameters = new ArrayList<>(strength);
+        parameters.add(
+                new Parameter(
+                        "t", "s", 0.02 * s.path().duration(), s.path().begin(), s.path().end()));
+        List<Guess> guesses = new ArrayList<>();
+        for (double time : s.path().times(TIMES)) {
+            guesses.add(Change.guess(parameters, new double[] {0, 0, 0, time}, 0, 1, 2));
+        }
+        return Change.of(id, parameters, law).from(guesses);
+    }
+}

@@ -1,0 +1,125 @@
+package org.auvsim.diagnosis.cause;
+
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Where bodies went in runs.
+ *
+ * @param places some of them, spread over all runs (m, world)
+ * @param low corner of the box around them (m, world)
+ * @param high the corner across
+ * @param speed typical (m/s)
+ * @param begin of the first run (s)
+ * @param end of the last run (s)
+ * @param duration of the longest run (s)
+ */
+record Path(
+        List<Vec3> places,
+        Vec3 low,
+        Vec3 high,
+        double speed,
+        double begin,
+        double end,
+        double duration) {
+    private static final int LOOKS = 200;
+    private static final double SLOWEST = 1e-3;
+    private static final double SHORTEST = 1e-2;
+
+    static Path of(List<MeasuredRun> runs) {
+        List<Vec3> places = new ArrayList<>();
+        double[] speeds = new double[2];
+        for (MeasuredRun run : runs) {
+            walk(run, places, speeds);
+        }
+        double begin = runs.stream().mapToDouble(run -> run.time(0)).min().orElseThrow();
+        double end = runs.stream().mapToDouble(r -> r.time(0) + r.duration()).max().orElseThrow();
+        double duration = runs.stream().mapToDouble(MeasuredRun::duration).max().orElseThrow();
+        double speed = speeds[1] == 0 ? 0 : Math.sqrt(speeds[0] / speeds[1]);
+        return new Path(
+                List.copyOf(places),
+                corner(places, Double.POSITIVE_INFINITY, Math::min),
+                corner(places, Double.NEGATIVE_INFINITY, Math::max),
+                Math.max(SLOWEST, speed),
+                begin,
+                end,
+                duration);
+    }
+
+    /** Sums squares of speeds, and counts them: over long ways, as noise hides short ones. */
+    private static void walk(MeasuredRun run, List<Vec3> places, double[] speeds) {
+        int stride = Math.max(1, run.size() / LOOKS);
+        for (int k = 0; k < run.size(); k += stride) {
+            run.vector(Channel.POSITION, k).ifPresent(places::add);
+            double speed = speed(run, k, Math.min(run.size() - 1, k + 5 * stride));
+            if (Double.isFinite(speed)) {
+                speeds[0] += speed * speed;
+                speeds[1]++;
+            }
+        }
+    }
+
+    private static double speed(MeasuredRun run, int from, int to) {
+        if (run.measures(Channel.VELOCITY)) {
+            return run.vector(Channel.VELOCITY, from).map(Vec3::norm).orElse(Double.NaN);
+        }
+        double square = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double way =
+                    run.value(Channel.POSITION, to, axis) - run.value(Channel.POSITION, from, axis);
+            square += Double.isNaN(way) ? 0 : way * way;
+        }
+        return Math.sqrt(square) / (run.time(to) - run.time(from));
+    }
+
+    private interface Choice {
+        double of(double a, double b);
+    }
+
+    private static Vec3 corner(List<Vec3> places, double from, Choice choice) {
+        Vec3 corner = new Vec3(from, from, from);
+        for (Vec3 p : places) {
+            corner =
+                    new Vec3(
+                            choice.of(corner.x(), p.x()),
+                            choice.of(corner.y(), p.y()),
+                            choice.of(corner.z(), p.z()));
+        }
+        return places.isEmpty() ? Vec3.ZERO : corner;
+    }
+
+    /** The middle of the box around it (m). */
+    Vec3 centre() {
+        return low.plus(high).times(0.5);
+    }
+
+    /** The longest side of that box (m), or what the speed makes of the duration. */
+    double range() {
+        Vec3 size = high.minus(low);
+        double longest = Math.max(size.x(), Math.max(size.y(), size.z()));
+        return Math.max(SHORTEST, places.isEmpty() ? speed * duration : longest);
+    }
+
+    /** Half the diagonal of that box (m). */
+    double radius() {
+        return Math.max(SHORTEST, high.minus(low).norm() / 2);
+    }
+
+    /** The distance from a point that a share of the places is nearer than (m). */
+    double quantile(Vec3 from, double share) {
+        double[] distances = places.stream().mapToDouble(from::distance).sorted().toArray();
+        return distances[(int) Math.min(distances.length - 1, share * distances.length)];
+    }
+
+    /** Times spread evenly inside of it (s). */
+    double[] times(int count) {
+        double[] times = new double[count];
+        Arrays.setAll(times, i -> begin + (end - begin) * (i + 0.5) / count);
+        return times;
+    }
+}

@@ -1,0 +1,94 @@
+package org.auvsim.diagnosis.cause;
+
+import org.auvsim.core.effect.PeriodicForce;
+import org.auvsim.core.effect.WaveForce;
+import org.auvsim.core.math.Vec3;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Forces that come again and again. */
+final class PeriodicCauses {
+    private static final double GRAVITY = 9.80665;
+    private static final int WAVES = 24;
+    private static final int DIRECTIONS = 6;
+
+    private PeriodicCauses() {}
+
+    static List<Cause> of(Setting s) {
+        return List.of(waves(s), force(s));
+    }
+
+    private static Cause force(Setting s) {
+        Swing swing = new Swing(s, "force", "N", s.force());
+        return Change.of(
+                        "periodic_force",
+                        swing.parameters(),
+                        (v, t) ->
+                                v.with(
+                                        b ->
+                                                b.effect(
+                                                        new PeriodicForce(
+                                                                new Vec3(t[0], t[1], t[2]),
+                                                                new Vec3(t[3], t[4], t[5]),
+                                                                t[Swing.OMEGA]))))
+                .from(swing.guesses())
+                .told(swing::quantities)
+                .asGeneric();
+    }
+
+    /**
+     * Of a sine and a cosine, as both are linear. The wave number is told by its ratio to that of
+     * deep water: 1 for waves that run, 0 for a force that is the same everywhere.
+     */
+    private static Cause waves(Setting s) {
+        Frequencies frequencies = new Frequencies(s);
+        List<Parameter> parameters =
+                List.of(
+                        Parameter.signed("sine", "N", s.force()),
+                        Parameter.signed("cosine", "N", s.force()),
+                        Parameter.signed("direction", "rad", 0.1),
+                        frequencies.parameter(),
+                        new Parameter("dispersion", "1", 0.1, 0, 10));
+        List<Guess> guesses = new ArrayList<>();
+        for (double omega : frequencies.spread(WAVES)) {
+            for (int i = 0; i < DIRECTIONS; i++) {
+                double direction = 2 * Math.PI * i / DIRECTIONS;
+                guesses.add(
+                        Change.guess(
+                                parameters, new double[] {0, 0, direction, omega, 1}, 0, 1));
+            }
+            for (double direction : new double[] {0, Math.PI / 2}) {
+                guesses.add(
+                        Change.guess(
+                                parameters, new double[] {0, 0, direction, omega, 0}, 0, 1));
+            }
+        }
+        return Change.of(
+                        "wave_forcing",
+                        parameters,
+                        (v, t) -> v.with(b -> b.effect(force(t))))
+                .from(guesses)
+                .told(PeriodicCauses::quantities);
+    }
+
+    private static WaveForce force(double[] theta) {
+        double omega = theta[3];
+        return new WaveForce(
+                StrictMath.hypot(theta[0], theta[1]),
+                theta[2],
+                omega,
+                StrictMath.atan2(theta[1], theta[0]),
+                theta[4] * omega * omega / GRAVITY);
+    }
+
+    private static List<Quantity> quantities(double[] theta) {
+        WaveForce force = force(theta);
+        return List.of(
+                new Quantity("amplitude", "N", force.amplitude()),
+                new Quantity("direction", "rad", force.direction()),
+                new Quantity("omega", "rad/s", force.angularFrequency()),
+                new Quantity("phase", "rad", force.phase()),
+                new Quantity("wave_number", "rad/m", force.waveNumber()));
+    }
+}

@@ -1,0 +1,90 @@
+package org.auvsim.diagnosis.cause;
+
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Measurements that tell otherwise than the body moves. */
+final class SensorCauses {
+    private static final int YAW = 2;
+    private static final double LONGEST_DELAY = 5;
+
+    private SensorCauses() {}
+
+    static List<Cause> of(Setting s) {
+        List<Cause> causes = new ArrayList<>();
+        if (s.runs().stream().anyMatch(SensorCauses::measuresYaw)) {
+            causes.add(
+                    Change.of(
+                            "sensor_bias",
+                            List.of(new Parameter("yaw", "rad", 0.02, -Math.PI, Math.PI)),
+                            (v, t) -> v.sensed(sensing -> sensing.yawed(t[0], 0))));
+            double perSecond = 0.02 / s.path().duration();
+            causes.add(
+                    Change.of(
+                            "sensor_drift",
+                            List.of(Parameter.signed("yaw_rate", "rad/s", perSecond)),
+                            (v, t) -> v.sensed(sensing -> sensing.yawed(0, t[0]))));
+        }
+        causes.add(
+                Change.of(
+                                "sensor_delay",
+                                List.of(new Parameter("delay", "s", 0.05, 0, LONGEST_DELAY)),
+                                (v, t) -> v.sensed(sensing -> sensing.delayed(t[0])))
+                        .from(List.of(Change.secant(0.05), Change.secant(0.3))));
+        causes.add(
+                Change.of(
+                                "clock_offset",
+                                List.of(
+                                        new Parameter(
+                                                "offset",
+                                                "s",
+                                                0.05,
+                                                -LONGEST_DELAY,
+                                                LONGEST_DELAY)),
+                                (v, t) -> v.sensed(sensing -> sensing.delayed(-t[0])))
+                        .asGeneric());
+        if (s.measures(Channel.POSITION)) {
+            causes.addAll(ofPositions(s));
+        }
+        return causes;
+    }
+
+    private static boolean measuresYaw(MeasuredRun run) {
+        return run.measures(Channel.ORIENTATION, YAW);
+    }
+
+    private static List<Cause> ofPositions(Setting s) {
+        double perSecond = 0.05 * s.path().range() / s.path().duration();
+        return List.of(
+                Change.of(
+                        "axis_misalignment",
+                        Parameter.vector("turn", "rad", 0.02),
+                        (v, t) -> v.sensed(sensing -> sensing.turned(new Vec3(t[0], t[1], t[2])))),
+                Change.of(
+                                "sensor_scale",
+                                List.of(
+                                        new Parameter("scale.x", "1", 0.02, -0.9, 9),
+                                        new Parameter("scale.y", "1", 0.02, -0.9, 9),
+                                        new Parameter("scale.z", "1", 0.02, -0.9, 9)),
+                                (v, t) ->
+                                        v.sensed(
+                                                sensing ->
+                                                        sensing.scaled(
+                                                                new Vec3(t[0], t[1], t[2]))))
+                        .toldAsFactors()
+                        .asGeneric(),
+                Change.of(
+                                "position_drift",
+                                Parameter.vector("rate", "m/s", perSecond),
+                                (v, t) ->
+                                        v.sensed(
+                                                sensing ->
+                                                        sensing.drifting(
+                                                                new Vec3(t[0], t[1], t[2]))))
+                        .asGeneric());
+    }
+}

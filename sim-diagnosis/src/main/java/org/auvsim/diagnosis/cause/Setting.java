@@ -1,0 +1,142 @@
+package org.auvsim.diagnosis.cause;
+
+import org.auvsim.core.actuator.Fin;
+import org.auvsim.core.actuator.Propulsor;
+import org.auvsim.core.entity.Actuator;
+import org.auvsim.core.entity.Behavior;
+import org.auvsim.core.entity.Component;
+import org.auvsim.core.entity.Frame;
+import org.auvsim.core.entity.NamedForce;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Mat3;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.util.List;
+
+/**
+ * A model, what was measured of it, and how large things are there: what is small, but can be told.
+ *
+ * @param path what the runs have seen of the world
+ * @param rate typical size of the angular velocity (rad/s)
+ */
+record Setting(BelievedModel model, List<MeasuredRun> runs, Path path, double rate) {
+    private static final double SLOWEST_TURN = 0.05;
+
+    static Setting of(BelievedModel model, List<MeasuredRun> runs) {
+        return new Setting(model, runs, Path.of(runs), Math.max(SLOWEST_TURN, Turning.rate(runs)));
+    }
+
+    WorldObjectDefinition body() {
+        return model.variant().body();
+    }
+
+    boolean measures(Channel channel) {
+        return runs.stream().anyMatch(run -> run.measures(channel));
+    }
+
+    /** Whether the body's turning shows, in what is measured of it or in where it goes. */
+    boolean turnsMatter() {
+        return measures(Channel.ORIENTATION)
+                || measures(Channel.ANGULAR_VELOCITY)
+                || body().component().stream().anyMatch(Actuator.class::isInstance)
+                || body().force().stream().anyMatch(Setting::dependsOnTurning);
+    }
+
+    private static boolean dependsOnTurning(NamedForce force) {
+        return force.frame() == Frame.BODY;
+    }
+
+    /** The propulsors that push in any of the runs. */
+    List<Propulsor> propulsors() {
+        boolean isLedByItself = body().component().stream().anyMatch(Behavior.class::isInstance);
+        return body().component().stream()
+                .filter(Propulsor.class::isInstance)
+                .map(Propulsor.class::cast)
+                .filter(p -> isLedByItself || p.level() != 0 || isCommanded(p))
+                .toList();
+    }
+
+    /** The fins that are commanded in any of the runs, or fixed. */
+    List<Fin> fins() {
+        return body().component().stream()
+                .filter(Fin.class::isInstance)
+                .map(Fin.class::cast)
+                .toList();
+    }
+
+    private boolean isCommanded(Component component) {
+        for (MeasuredRun run : runs) {
+            for (var command : run.commands()) {
+                if (command.name().equals(component.name())) {
+                    for (int k = 0; k < run.size(); k++) {
+                        if (command.level(k) != 0) {
+                            return true;
+                        }
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Of the body, and the mean of what it carries of the water (kg). */
+    double mass() {
+        Vec3 carried = body().addedMass().map(a -> a.linear()).orElse(Vec3.ZERO);
+        return body().mass().orElseThrow() + (carried.x() + carried.y() + carried.z()) / 3;
+    }
+
+    /** The mean of the body's moments of inertia (kg m^2). */
+    double inertia() {
+        Mat3 tensor = body().massProperties().orElseThrow().inertia();
+        return (tensor.xx() + tensor.yy() + tensor.zz()) / 3;
+    }
+
+    /** Force (N) that brings the body to its speed within the longest run. */
+    double force() {
+        return mass() * path.speed() / path.duration();
+    }
+
+    /** Torque (N m), likewise. */
+    double torque() {
+        return inertia() * rate / path.duration();
+    }
+
+    /** Drag (N s/m) of that force at the typical speed. */
+    double linearDrag() {
+        return force() / path.speed();
+    }
+
+    /** Drag (N s^2/m^2), likewise. */
+    double quadraticDrag() {
+        return force() / (path.speed() * path.speed());
+    }
+
+    /** Longest step (s) of the world's time. */
+    double timeStep() {
+        return model.scenario().timeStep().delta();
+    }
+
+    /** A small number that can be told of a quantity with this unit. */
+    double scale(String unit) {
+        return switch (unit) {
+            case "N" -> force();
+            case "N m" -> torque();
+            case "N s/m", "kg/s" -> linearDrag();
+            case "N s^2/m^2", "kg/m" -> quadraticDrag();
+            case "N m s/rad" -> torque() / rate;
+            case "N m s^2/rad^2" -> torque() / (rate * rate);
+            case "N s" -> force() * path.duration();
+            case "N/m" -> force() / path.range();
+            case "m/s" -> 0.1 * path.speed();
+            case "rad/s" -> 0.1 * rate;
+            case "kg" -> 0.1 * mass();
+            case "kg m^2" -> 0.1 * inertia();
+            case "m" -> 0.1 * path.range();
+            case "s" -> 0.01 * path.duration();
+            default -> 0.1;
+        };
+    }
+}

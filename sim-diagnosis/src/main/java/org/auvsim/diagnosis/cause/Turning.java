@@ -1,0 +1,47 @@
+package org.auvsim.diagnosis.cause;
+
+import org.auvsim.core.math.Quat;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.util.List;
+import java.util.Optional;
+
+/** How fast bodies turned in runs. */
+final class Turning {
+    private static final int LOOKS = 100;
+
+    private Turning() {}
+
+    /** Root mean square of the angular velocity (rad/s), as far as it was measured; else 0. */
+    static double rate(List<MeasuredRun> runs) {
+        double sum = 0;
+        int count = 0;
+        for (MeasuredRun run : runs) {
+            int stride = Math.max(1, run.size() / LOOKS);
+            for (int k = stride; k < run.size(); k += stride) {
+                double rate = rate(run, k - stride, k);
+                if (Double.isFinite(rate)) {
+                    sum += rate * rate;
+                    count++;
+                }
+            }
+        }
+        return count == 0 ? 0 : Math.sqrt(sum / count);
+    }
+
+    private static double rate(MeasuredRun run, int from, int to) {
+        if (run.measures(Channel.ANGULAR_VELOCITY)) {
+            return run.vector(Channel.ANGULAR_VELOCITY, to).map(w -> w.norm()).orElse(Double.NaN);
+        }
+        Optional<Quat> before = run.orientation(from);
+        Optional<Quat> after = run.orientation(to);
+        if (before.isEmpty() || after.isEmpty()) {
+            return Double.NaN;
+        }
+        Quat turn = after.get().times(before.get().conjugate());
+        double sine = Math.sqrt(turn.x() * turn.x() + turn.y() * turn.y() + turn.z() * turn.z());
+        double angle = 2 * StrictMath.atan2(sine, Math.abs(turn.w()));
+        return angle / (run.time(to) - run.time(from));
+    }
+}

@@ -1,0 +1,182 @@
+package org.auvsim.diagnosis.cause;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.core.entity.Field;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.server.feedback.RigidMotion;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+
+class LibraryTest {
+    private static final int SAMPLES = 40;
+    private static final BelievedModel VEHICLE = Tank.vehicle();
+    private static final BelievedModel PENDULUM = Tank.pendulum();
+
+    private static List<Cause> library(BelievedModel model) {
+        return Library.of(model, List.of(Tank.run(model, SAMPLES)));
+    }
+
+    static Stream<Arguments> causes() {
+        return Stream.of(VEHICLE, PENDULUM)
+                .flatMap(model -> library(model).stream().map(c -> Arguments.of(c, model)));
+    }
+
+    @Test
+    void aVehicleMayLackAllThatIsListed() {
+        assertThat(library(VEHICLE).stream().map(Cause::id).distinct())
+                .contains(
+                        "linear_drag",
+                        "quadratic_drag",
+                        "anisotropic_drag",
+                        "rotational_drag",
+                        "added_mass",
+                        "current_constant",
+                        "current_oscillating",
+                        "current_shear",
+                        "current_vortex",
+                        "buoyancy_weight",
+                        "cob_offset",
+                        "mass_error",
+                        "inertia_error",
+                        "thruster_gain",
+                        "thruster_deadzone",
+                        "thruster_lag",
+                        "thruster_misalignment",
+                        "thruster_loss",
+                        "magnetic",
+                        "magnus",
+                        "coulomb_friction",
+                        "restitution",
+                        "contact_friction",
+                        "tether_spring",
+                        "wave_forcing",
+                        "periodic_force",
+                        "step_force",
+                        "impulse",
+                        "sensor_bias",
+                        "sensor_drift",
+                        "sensor_scale",
+                        "sensor_delay",
+                        "clock_offset",
+                        "axis_misalignment")
+                .doesNotContain("coulomb_torque");
+    }
+
+    @Test
+    void causesThatMakeNoSenseAreLeftOut() {
+        assertThat(library(PENDULUM).stream().map(Cause::id))
+                .contains("coulomb_torque")
+                .doesNotContain(
+                        "coulomb_friction", "thruster_gain", "restitution", "cob_offset");
+        assertThat(library(Tank.bare()).stream().map(Cause::id))
+                .doesNotContain("thruster_lag", "contact_friction");
+    }
+
+    @Test
+    void thrusterCausesAreAboutOneOfThemOrAll() {
+        assertThat(
+                        library(VEHICLE).stream()
+                                .filter(c -> c.id().equals("thruster_gain"))
+                                .map(c -> c.subject().orElse("all")))
+                .containsExactly("all", "port", "starboard");
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("causes")
+    void guessesAreNumbersWithWhichItDoesNothing(Cause cause, BelievedModel model) {
+        List<Guess> guesses = cause.guesses(List.of());
+        assertThat(guesses).isNotEmpty();
+        for (Guess guess : guesses) {
+            assertThat(guess.theta()).hasSameSizeAs(cause.parameters());
+            assertThat(guess.columns()).isNotEmpty().hasSameSizeAs(guess.steps());
+            double[] theta = numbers(guess);
+            for (int i = 0; i < theta.length; i++) {
+                Parameter parameter = cause.parameters().get(i);
+                assertThat(parameter.clipped(theta[i])).isEqualTo(theta[i]);
+                assertThat(parameter.scale()).isPositive().isFinite();
+            }
+            assertThat(guess.columns()).allMatch(c -> theta[c] == 0);
+            assertThat(cause.in(model.variant(), theta)).isEqualTo(model.variant());
+        }
+        assertThat(cause.quantities(numbers(guesses.getFirst())))
+                .allMatch(q -> Double.isFinite(q.value()));
+    }
+
+    /** What a cause changes is in the model's motion, or in what is told of it. */
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("causes")
+    void aStepOfAGuessCanBeSimulated(Cause cause, BelievedModel model) {
+        for (Guess guess : cause.guesses(List.of())) {
+            Variant moved = cause.in(model.variant(), moved(cause, guess));
+            RigidMotion[] motion = Tank.motion(model, moved, SAMPLES);
+            for (RigidMotion m : motion) {
+                assertThat(m.position().isFinite() && m.velocity().isFinite()).isTrue();
+            }
+        }
+    }
+
+    /** All but what sensors do, which no scenario states, comes back from a text. */
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("causes")
+    void whatItAddsCanBeWrittenAndRead(Cause cause, BelievedModel model) throws Exception {
+        Guess guess = cause.guesses(List.of()).getFirst();
+        Variant moved = cause.in(model.variant(), moved(cause, guess));
+        Scenario extended = with(model.scenario(), moved);
+        byte[] text =
+                AuvsmlMapper.load(getClass().getClassLoader())
+                        .encode(extended)
+                        .getBytes(StandardCharsets.UTF_8);
+        assertThat(ScenarioLoader.load(getClass().getClassLoader()).parse(text))
+                .isEqualTo(extended);
+        boolean isOfSensors = !moved.sensing().equals(model.variant().sensing());
+        assertThat(extended.equals(model.scenario())).isEqualTo(isOfSensors);
+    }
+
+    private static double[] numbers(Guess guess) {
+        return guess.theta().stream().mapToDouble(Double::doubleValue).toArray();
+    }
+
+    private static double[] moved(Cause cause, Guess guess) {
+        double[] theta = numbers(guess);
+        for (int i = 0; i < guess.columns().size(); i++) {
+            int column = guess.columns().get(i);
+            theta[column] += guess.steps().get(i);
+            assertThat(cause.parameters().get(column).clipped(theta[column]))
+                    .isEqualTo(theta[column]);
+        }
+        return theta;
+    }
+
+    private static Scenario with(Scenario scenario, Variant variant) {
+        List<Field<?>> fields = new ArrayList<>(scenario.field());
+        fields.addAll(variant.currents());
+        List<WorldObjectDefinition> objects = new ArrayList<>(scenario.worldObject());
+        objects.replaceAll(o -> o.name().equals(variant.body().name()) ? variant.body() : o);
+        return new Scenario(
+                scenario.startTime(),
+                scenario.boundingSpheres(),
+                scenario.allowOverlaps(),
+                scenario.feedbackHorizon(),
+                scenario.timeStep(),
+                scenario.stepper(),
+                scenario.feedbackTimestepping(),
+                scenario.feedbackProcessor(),
+                scenario.releasedObject(),
+                scenario.datum(),
+                fields,
+                objects);
+    }
+}

@@ -4,6 +4,8 @@ import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.mapping.SchemaWriter;
 import org.auvsim.auvsml.recording.EntryTypes;
 import org.auvsim.auvsml.recording.Recording;
+import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.auvsml.run.Run;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -18,6 +20,8 @@ public final class Schema {
         documents.add(Scenario.class);
         documents.add(Recording.class);
         documents.addAll(EntryTypes.all());
+        documents.add(Run.class);
+        documents.add(ColumnMapping.class);
         return SchemaWriter.write(catalogue, documents);
     }
 }

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.function.ToIntFunction;
 
 /** How a name that somebody wrote is shown, and which known names it comes near. */
-final class Names {
+public final class Names {
     private static final int LONGEST_COMPARED = 64;
     private static final int LONGEST_SHOWN = 80;
 
@@ -20,7 +20,7 @@ final class Names {
     }
 
     /** "the nearest known name is 'a'", or a few that are about as near. */
-    static String nearest(String unknown, Collection<String> known) {
+    public static String nearest(String unknown, Collection<String> known) {
         ToIntFunction<String> distance = name -> distance(unknown, name);
         int least = known.stream().mapToInt(distance).min().orElse(0);
         List<String> best =

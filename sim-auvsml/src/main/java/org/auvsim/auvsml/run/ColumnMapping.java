@@ -1,0 +1,65 @@
+package org.auvsim.auvsml.run;
+
+import org.auvsim.core.description.Default;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * How the columns of measured runs are to be read: a document of its own, which any number of runs
+ * may share.
+ *
+ * @param axes of positions, orientations and velocities
+ * @param degrees whether angles and their rates are in degrees
+ * @param ignoreOthers whether columns with unknown names are left out
+ * @param column those whose name or unit is another
+ */
+public record ColumnMapping(
+        @Default("ENU") MeasuredAxes axes,
+        @Default("0") boolean degrees,
+        @Default("0") boolean ignoreOthers,
+        List<MappedColumn> column) {
+    /** Columns have their usual names and units. */
+    public static final ColumnMapping USUAL =
+            new ColumnMapping(MeasuredAxes.ENU, false, false, List.of());
+
+    /**
+     * A checked mapping.
+     *
+     * @throws IllegalArgumentException if a column is mapped twice
+     */
+    public ColumnMapping {
+        column = List.copyOf(column);
+        List<String> names = column.stream().map(MappedColumn::name).toList();
+        for (String name : names) {
+            if (names.indexOf(name) != names.lastIndexOf(name)) {
+                throw new IllegalArgumentException("column '%s' is mapped twice".formatted(name));
+            }
+        }
+    }
+
+    /** The same with positions and velocities in axes x north, y east, z down. */
+    public ColumnMapping inNed() {
+        return new ColumnMapping(MeasuredAxes.NED, degrees, ignoreOthers, column);
+    }
+
+    /** The same with angles in degrees. */
+    public ColumnMapping inDegrees() {
+        return new ColumnMapping(axes, true, ignoreOthers, column);
+    }
+
+    /** The same, columns with unknown names left out. */
+    public ColumnMapping ignoringOthers() {
+        return new ColumnMapping(axes, degrees, true, column);
+    }
+
+    /** The same with columns that replace what it says of those of their names. */
+    public ColumnMapping with(List<MappedColumn> more) {
+        List<String> replaced = more.stream().map(MappedColumn::name).toList();
+        Stream<MappedColumn> kept = column.stream().filter(c -> !replaced.contains(c.name()));
+        List<MappedColumn> all = new ArrayList<>(kept.toList());
+        all.addAll(more);
+        return new ColumnMapping(axes, degrees, ignoreOthers, all);
+    }
+}

@@ -1,0 +1,71 @@
+package org.auvsim.diagnosis.reading;
+
+import de.siegmar.fastcsv.reader.CsvRecord;
+
+import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.run.CellForm;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** Reads numbers from the cells of a table. */
+final class Cells {
+    private static final Pattern TIME_OF_DAY = Pattern.compile("(\\d{2})(\\d{2})(\\d{2}(\\.\\d*)?)");
+
+    private final CsvTable table;
+
+    Cells(CsvTable table) {
+        this.table = table;
+    }
+
+    /** A cell's number in the unit of its place; NaN if there is none: an empty cell, or nan. */
+    double optional(CsvRecord row, BoundColumn column) throws DocumentException {
+        String text = text(row, column);
+        return text.isEmpty() || text.equalsIgnoreCase("nan") ? Double.NaN : number(row, column);
+    }
+
+    /** A cell's number in the unit of its place. */
+    double number(CsvRecord row, BoundColumn column) throws DocumentException {
+        String text = text(row, column);
+        return column.converted(
+                column.form() == CellForm.HHMMSS
+                        ? timeOfDay(row, column, text)
+                        : finite(row, column, text));
+    }
+
+    static String text(CsvRecord row, BoundColumn column) {
+        return row.getField(column.field()).strip();
+    }
+
+    private double finite(CsvRecord row, BoundColumn column, String text)
+            throws DocumentException {
+        try {
+            double number = Double.parseDouble(text);
+            if (Double.isFinite(number)) {
+                return number;
+            }
+        } catch (NumberFormatException _) {
+            // said below, as for numbers that are not finite
+        }
+        throw expected(row, column, "a number");
+    }
+
+    private double timeOfDay(CsvRecord row, BoundColumn column, String text)
+            throws DocumentException {
+        Matcher parts = TIME_OF_DAY.matcher(text);
+        if (!parts.matches()) {
+            throw expected(row, column, "a time of day as 205259");
+        }
+        return 3600.0 * Integer.parseInt(parts.group(1))
+                + 60.0 * Integer.parseInt(parts.group(2))
+                + Double.parseDouble(parts.group(3));
+    }
+
+    /** Something else was expected in a cell. */
+    DocumentException expected(CsvRecord row, BoundColumn column, String what) {
+        return table.at(
+                row.getStartingLineNumber(),
+                column.name(),
+                "expected %s, but found '%s'".formatted(what, text(row, column)));
+    }
+}

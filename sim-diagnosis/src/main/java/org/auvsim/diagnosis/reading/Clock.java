@@ -1,0 +1,30 @@
+package org.auvsim.diagnosis.reading;
+
+/**
+ * The times of rows. Whole seconds with several rows each are read as a constant rate, which begins
+ * anew where seconds are missing.
+ */
+final class Clock {
+    /** Stamps that are further apart (s) leave seconds out. */
+    private static final double NEXT = 1.5;
+
+    private final boolean isEven;
+    private final double interval;
+    private boolean hasBegun;
+    private double stamp;
+    private double time;
+
+    Clock(Survey survey) {
+        isEven = survey.hasWholeSeconds();
+        interval = survey.interval();
+    }
+
+    /** The time (s) of the next row, whose stamp this is. */
+    double next(double stamp) {
+        boolean goesOn = isEven && hasBegun && stamp - this.stamp < NEXT;
+        time = goesOn ? time + interval : Math.max(stamp, hasBegun ? time + interval : stamp);
+        this.stamp = stamp;
+        hasBegun = true;
+        return time;
+    }
+}

@@ -1,0 +1,159 @@
+package org.auvsim.diagnosis.reading;
+
+import de.siegmar.fastcsv.reader.CloseableIterator;
+import de.siegmar.fastcsv.reader.CsvParseException;
+import de.siegmar.fastcsv.reader.CsvReader;
+import de.siegmar.fastcsv.reader.CsvRecord;
+import de.siegmar.fastcsv.reader.FieldMismatchStrategy;
+
+import org.auvsim.auvsml.document.DocumentException;
+
+import java.io.BufferedReader;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/** A table in a file, read row by row: a long one needs no more memory than a short one. */
+final class CsvTable implements Closeable {
+    private final Path file;
+    private final CloseableIterator<CsvRecord> rows;
+    private final List<String> header;
+
+    private CsvTable(Path file) throws IOException, DocumentException {
+        this.file = file;
+        CsvReader<CsvRecord> csv =
+                CsvReader.builder()
+                        .detectBomHeader(true)
+                        .fieldSeparator(separator(file))
+                        .missingFieldStrategy(FieldMismatchStrategy.IGNORE)
+                        .extraFieldStrategy(FieldMismatchStrategy.IGNORE)
+                        .ofCsvRecord(file);
+        rows = csv.iterator();
+        try {
+            header = header();
+        } catch (IOException | DocumentException | RuntimeException e) {
+            close();
+            throw e;
+        }
+    }
+
+    /**
+     * Opens a file and reads its header.
+     *
+     * @throws DocumentException if it cannot be read or has no header
+     */
+    static CsvTable open(Path file) throws DocumentException {
+        try {
+            return new CsvTable(file);
+        } catch (IOException | UncheckedIOException e) {
+            throw unreadable(file, e);
+        }
+    }
+
+    /** The sentence on a file that the system does not give. */
+    static DocumentException unreadable(Path file, Exception e) {
+        Throwable reason = e instanceof UncheckedIOException wrapped ? wrapped.getCause() : e;
+        return switch (reason) {
+            case NoSuchFileException _ ->
+                    new DocumentException(file + ": there is no such file", e);
+            case CharacterCodingException _ ->
+                    new DocumentException(file + " is no text in UTF-8, as CSV must be", e);
+            default -> new DocumentException(file + " cannot be read: " + reason.getMessage(), e);
+        };
+    }
+
+    /** The comma; or a semicolon or tab, if the header has that and no comma. */
+    private static char separator(Path file) throws IOException {
+        try (BufferedReader in = Files.newBufferedReader(file)) {
+            String first = Optional.ofNullable(in.readLine()).orElse("");
+            for (char other : new char[] {';', '\t'}) {
+                if (first.indexOf(',') < 0 && first.indexOf(other) >= 0) {
+                    return other;
+                }
+            }
+            return ',';
+        }
+    }
+
+    private List<String> header() throws IOException, DocumentException {
+        CsvRecord first =
+                next().orElseThrow(
+                                () ->
+                                        new DocumentException(
+                                                file
+                                                        + " is empty: expected a header line with"
+                                                        + " the columns' names and rows below it"));
+        List<String> names = first.getFields().stream().map(String::strip).toList();
+        Set<String> seen = new HashSet<>();
+        for (String name : names) {
+            if (!seen.add(name)) {
+                throw at(
+                        first.getStartingLineNumber(),
+                        name,
+                        "this name stands in the header twice; name each column otherwise");
+            }
+        }
+        return names;
+    }
+
+    /** What it is read from. */
+    Path file() {
+        return file;
+    }
+
+    /** The names of the columns. */
+    List<String> columns() {
+        return header;
+    }
+
+    /**
+     * The next row, which has a field for each column; empty at the end.
+     *
+     * @throws DocumentException if it is no CSV or has another number of fields
+     */
+    Optional<CsvRecord> row() throws DocumentException {
+        Optional<CsvRecord> row;
+        try {
+            row = next();
+        } catch (UncheckedIOException e) {
+            throw unreadable(file, e);
+        }
+        if (row.isPresent() && row.get().getFieldCount() != header.size()) {
+            throw new DocumentException(
+                    ("%s:%d: expected %d fields as in the header, but found %d; complete the row,"
+                                    + " or take it out if the file was cut off")
+                            .formatted(
+                                    file,
+                                    row.get().getStartingLineNumber(),
+                                    header.size(),
+                                    row.get().getFieldCount()));
+        }
+        return row;
+    }
+
+    private Optional<CsvRecord> next() throws DocumentException {
+        try {
+            return rows.hasNext() ? Optional.of(rows.next()) : Optional.empty();
+        } catch (CsvParseException e) {
+            throw new DocumentException("%s is not CSV: %s".formatted(file, e.getMessage()), e);
+        }
+    }
+
+    /** A fault in a row and column of this file. */
+    DocumentException at(long line, String column, String problem) {
+        return new DocumentException("%s:%d: column '%s': %s".formatted(file, line, column, problem));
+    }
+
+    @Override
+    public void close() throws IOException {
+        rows.close();
+    }
+}

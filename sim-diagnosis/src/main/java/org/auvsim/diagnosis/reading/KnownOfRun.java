@@ -1,0 +1,73 @@
+package org.auvsim.diagnosis.reading;
+
+import org.auvsim.auvsml.run.Run;
+import org.auvsim.auvsml.run.RunStart;
+import org.auvsim.auvsml.run.RunStart.KnownOrientation;
+import org.auvsim.auvsml.run.RunStart.KnownVector;
+import org.auvsim.auvsml.run.TimedPush;
+import org.auvsim.core.entity.NamedForce;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.KnownDifferences;
+import org.auvsim.diagnosis.run.KnownStart;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.diagnosis.run.ScheduledForce;
+import org.auvsim.server.feedback.RigidMotion;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Tells runs what the document beside their file says of them. */
+final class KnownOfRun {
+    private final Run run;
+    private boolean hasBegun;
+
+    KnownOfRun(Run run) {
+        this.run = run;
+    }
+
+    /** Tells the next part; the start is that of the first. */
+    void tell(MeasuredRunBuilder part) {
+        if (!hasBegun) {
+            run.start().map(KnownOfRun::start).ifPresent(part::start);
+        }
+        hasBegun = true;
+        run.scheduledForce().stream().map(KnownOfRun::force).forEach(part::force);
+        run.differences()
+                .map(d -> new KnownDifferences(d.mass(), d.effect(), d.currents()))
+                .ifPresent(part::differences);
+    }
+
+    private static ScheduledForce force(TimedPush push) {
+        return new ScheduledForce(
+                push.from(),
+                push.until(),
+                new NamedForce(push.name(), push.frame(), push.vector(), push.point()));
+    }
+
+    private static KnownStart start(RunStart start) {
+        List<Double> deviations = new ArrayList<>();
+        add(start.position().map(KnownVector::deviation), deviations);
+        add(start.orientation().map(KnownOrientation::deviation), deviations);
+        add(start.velocity().map(KnownVector::deviation), deviations);
+        add(start.angularVelocity().map(KnownVector::deviation), deviations);
+        return new KnownStart(
+                new RigidMotion(
+                        vector(start.position()),
+                        start.orientation().map(KnownOrientation::quaternion).orElse(Quat.IDENTITY),
+                        vector(start.velocity()),
+                        vector(start.angularVelocity())),
+                deviations);
+    }
+
+    private static Vec3 vector(Optional<KnownVector> known) {
+        return known.map(KnownVector::vector).orElse(Vec3.ZERO);
+    }
+
+    private static void add(Optional<Double> deviation, List<Double> to) {
+        for (int axis = 0; axis < 3; axis++) {
+            to.add(deviation.orElse(Double.POSITIVE_INFINITY));
+        }
+    }
+}

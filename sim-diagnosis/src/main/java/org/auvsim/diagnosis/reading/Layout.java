@@ -1,0 +1,222 @@
+package org.auvsim.diagnosis.reading;
+
+import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.mapping.Names;
+import org.auvsim.auvsml.run.CellForm;
+import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.auvsml.run.MappedColumn;
+import org.auvsim.core.entity.Frame;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/** What each column of one file has, by its header, a mapping and what the body can be told. */
+final class Layout {
+    private static final double RADIANS = Math.PI / 180;
+
+    private final CsvTable table;
+    private final ColumnMapping mapping;
+    private final CommandNames known;
+    private final List<BoundColumn> columns = new ArrayList<>();
+    private final List<String> commands = new ArrayList<>();
+    private final Map<Integer, String> filled = new LinkedHashMap<>();
+    private final Set<String> meant = new LinkedHashSet<>();
+
+    /**
+     * That of a table.
+     *
+     * @throws DocumentException naming the column that is unknown, missing or stated twice
+     */
+    Layout(CsvTable table, ColumnMapping mapping, CommandNames known) throws DocumentException {
+        this.table = table;
+        this.mapping = mapping;
+        this.known = known;
+        requireMapped();
+        for (int field = 0; field < table.columns().size(); field++) {
+            bind(field, rule(table.columns().get(field)));
+        }
+        require();
+    }
+
+    /** All columns that count; one that moves several things is there for each. */
+    List<BoundColumn> columns() {
+        return columns;
+    }
+
+    /** Names of what is commanded, in order of its places. */
+    List<String> commands() {
+        return commands;
+    }
+
+    /** The axes of a velocity: the body's, if one of those names is there. */
+    Frame frame(List<String> inBody) {
+        return inBody.stream().anyMatch(meant::contains) ? Frame.BODY : Frame.WORLD;
+    }
+
+    /** The column that has the time. */
+    BoundColumn time() {
+        return columns.stream().filter(c -> c.slot() == Slots.TIME).findFirst().orElseThrow();
+    }
+
+    /** The name of the column that fills a place; some name if none does. */
+    String nameOf(int slot) {
+        return filled.getOrDefault(slot, "?");
+    }
+
+    private void requireMapped() throws DocumentException {
+        for (MappedColumn column : mapping.column()) {
+            if (!table.columns().contains(column.name())) {
+                throw table.at(
+                        1,
+                        column.name(),
+                        "the mapping names this column, but the header has none of this name; %s"
+                                .formatted(Names.nearest(column.name(), table.columns())));
+            }
+        }
+    }
+
+    private MappedColumn rule(String column) {
+        return mapping.column().stream()
+                .filter(mapped -> mapped.name().equals(column))
+                .findFirst()
+                .orElseGet(
+                        () ->
+                                new MappedColumn(
+                                        column, Optional.empty(), 1, 0, CellForm.NUMBER, false));
+    }
+
+    private void bind(int field, MappedColumn rule) throws DocumentException {
+        if (rule.ignored()) {
+            return;
+        }
+        String meaning = rule.means().orElse(rule.name());
+        if (Slots.byName().containsKey(meaning)) {
+            int slot = Slots.byName().get(meaning);
+            meant.add(meaning);
+            add(field, rule, slot, unit(slot, meaning));
+        } else if (known.isKnown(meaning)) {
+            for (CommandNames.Part part : known.parts(meaning)) {
+                int slot = Slots.COMMANDS + commands.size();
+                commands.add(part.command());
+                add(field, rule, slot, part.factor() * (part.isAngle() ? angle() : 1));
+            }
+        } else if (!mapping.ignoreOthers() || rule.means().isPresent()) {
+            throw unknown(rule.name(), meaning);
+        }
+    }
+
+    private DocumentException unknown(String column, String meaning) {
+        List<String> names = new ArrayList<>(Slots.byName().keySet());
+        names.addAll(known.names());
+        return table.at(
+                1,
+                column,
+                "%s; rename it to what it has, ignore it, or name a force or actuator of '%s' so"
+                        .formatted(
+                                "nothing is known by the name '%s'; %s"
+                                        .formatted(meaning, Names.nearest(meaning, names)),
+                                known.body()));
+    }
+
+    private double unit(int slot, String meaning) {
+        boolean isDepth = meaning.equals(Slots.DEPTH_NAME);
+        boolean isUp = Axes.of(mapping.axes()) == Axes.ENU;
+        double sign = isDepth && isUp ? -1 : 1;
+        return sign * (Slots.isAngular(slot) ? angle() : 1);
+    }
+
+    private double angle() {
+        return mapping.degrees() ? RADIANS : 1;
+    }
+
+    private void add(int field, MappedColumn rule, int slot, double factor)
+            throws DocumentException {
+        String other = filled.putIfAbsent(slot, rule.name());
+        if (other != null) {
+            throw table.at(
+                    1,
+                    rule.name(),
+                    "column '%s' has the same already; ignore one of the two".formatted(other));
+        }
+        CellForm form = rule.form();
+        columns.add(
+                new BoundColumn(
+                        field,
+                        rule.name(),
+                        slot,
+                        factor * rule.scale(),
+                        factor * rule.offset(),
+                        form));
+    }
+
+    private void require() throws DocumentException {
+        if (!filled.containsKey(Slots.TIME)) {
+            throw table.at(
+                    1,
+                    Slots.TIME_NAME,
+                    "the header has no column with the time in s, only %s; rename the one that has it"
+                            .formatted(String.join(", ", table.columns())));
+        }
+        if (filled.keySet().stream().noneMatch(Slots::isMeasured)) {
+            throw new DocumentException(
+                    "%s: the header has nothing that was measured; expected at least one of %s"
+                            .formatted(
+                                    table.file(),
+                                    Slots.byName().entrySet().stream()
+                                            .filter(e -> Slots.isMeasured(e.getValue()))
+                                            .map(Map.Entry::getKey)
+                                            .collect(Collectors.joining(", "))));
+        }
+        requireWhole();
+    }
+
+    private void requireWhole() throws DocumentException {
+        long parts = filled.keySet().stream().filter(Layout::isOfQuaternion).count();
+        if (parts != 0 && parts != 4) {
+            throw table.at(
+                    1, first(Slots.QUATERNION, 4), "a quaternion needs all of qw, qx, qy and qz");
+        }
+        boolean hasAngles = !first(Slots.ANGLES, 3).isEmpty();
+        if (parts != 0 && hasAngles) {
+            throw table.at(
+                    1,
+                    first(Slots.ANGLES, 3),
+                    "the orientation is there as a quaternion already; ignore one of the two");
+        }
+        requireOneFrame(Slots.VX, Slots.U, Slots.VELOCITY);
+        requireOneFrame(Slots.WX, Slots.P, Slots.ANGULAR_VELOCITY);
+    }
+
+    /** Refuses vx beside v: no vector is measured in two frames at once. */
+    private void requireOneFrame(List<String> world, List<String> body, int slot)
+            throws DocumentException {
+        boolean both =
+                world.stream().anyMatch(meant::contains) && body.stream().anyMatch(meant::contains);
+        if (both) {
+            throw table.at(
+                    1,
+                    first(slot, 3),
+                    "%s are in the world's axes and %s in the body's; ignore those of one kind"
+                            .formatted(String.join(", ", world), String.join(", ", body)));
+        }
+    }
+
+    private static boolean isOfQuaternion(int slot) {
+        return slot >= Slots.QUATERNION && slot < Slots.QUATERNION + 4;
+    }
+
+    private String first(int slot, int count) {
+        for (int i = slot; i < slot + count; i++) {
+            if (filled.containsKey(i)) {
+                return filled.get(i);
+            }
+        }
+        return "";
+    }
+}

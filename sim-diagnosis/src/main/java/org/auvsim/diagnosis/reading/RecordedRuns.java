@@ -1,0 +1,152 @@
+package org.auvsim.diagnosis.reading;
+
+import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.core.entity.Actuator;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.NavigableSet;
+import java.util.TreeSet;
+
+/**
+ * Reads the run, or the runs between gaps, of one recording: feedback messages are what was
+ * measured; levels of propulsors, angles of fins and forces are what was commanded.
+ */
+final class RecordedRuns {
+    private final Path file;
+    private final String name;
+    private final MeasuredBody body;
+    private final AuvsmlMapper mapper;
+    private final KnownOfRun known;
+    private final List<String> notices = new ArrayList<>();
+
+    RecordedRuns(
+            Path file, String name, MeasuredBody body, AuvsmlMapper mapper, KnownOfRun known) {
+        this.file = file;
+        this.name = name;
+        this.body = body;
+        this.mapper = mapper;
+        this.known = known;
+    }
+
+    /**
+     * The runs.
+     *
+     * @throws DocumentException if it cannot be read or nobody sent feedback for the body
+     */
+    List<MeasuredRun> read() throws DocumentException {
+        RecordedFeedback feedback = new RecordedFeedback(file, mapper);
+        long id = feedback.idOf(body.name());
+        List<String> actuators = body.commands().actuators().stream().map(Actuator::name).toList();
+        long times = count(feedback, id);
+        long each = (times + RunParts.MOST - 1) / RunParts.MOST;
+        RecordedRows rows = new RecordedRows(id, actuators, each);
+        RecordedPushes pushes = new RecordedPushes(id);
+        feedback.tell(
+                (time, message) -> {
+                    rows.sent(time, message);
+                    pushes.sent(time, message);
+                });
+        tell(feedback, rows, each);
+        return runs(rows, actuators, pushes);
+    }
+
+    /** What was done to the data, and what could not be used. */
+    List<String> notices() {
+        return notices;
+    }
+
+    private long count(RecordedFeedback feedback, long id) throws DocumentException {
+        RecordedRows all = new RecordedRows(id, List.of(), Long.MAX_VALUE);
+        feedback.tell(all);
+        if (all.times() < RunParts.FEWEST) {
+            throw new DocumentException(
+                    "%s: expected feedback for '%s' at %d instants at least, but found %d"
+                            .formatted(file, body.name(), RunParts.FEWEST, all.times()));
+        }
+        return all.times();
+    }
+
+    private void tell(RecordedFeedback feedback, RecordedRows rows, long each) {
+        feedback.replaced()
+                .ifPresent(
+                        time ->
+                                notices.add(
+                                        "%s: at %.6g s the world was replaced; what follows is left out"
+                                                .formatted(name, time)));
+        if (rows.leftOut() > 0) {
+            notices.add(
+                    "%s: parts of %d measurements are left out: places in body axes are relative to a state that no recording has, and velocities are taken in one kind of axes"
+                            .formatted(name, rows.leftOut()));
+        }
+        if (each > 1) {
+            notices.add(
+                    "%s: of %d measured instants one in %d is taken"
+                            .formatted(name, rows.times(), each));
+        }
+    }
+
+    private List<MeasuredRun> runs(
+            RecordedRows rows, List<String> actuators, RecordedPushes pushes)
+            throws DocumentException {
+        RowSample samples =
+                new RowSample(Axes.ENU, rows.frame(), rows.frame(), body.usualOrientation());
+        Extent extent =
+                new Extent(rows.measured().size(), rows.told().size(), interval(rows.measured()));
+        RunParts parts =
+                new RunParts(
+                        name,
+                        actuators,
+                        samples,
+                        extent,
+                        run -> {
+                            known.tell(run);
+                            pushes.forces().forEach(run::force);
+                        });
+        double[] levels =
+                body.commands().actuators().stream().mapToDouble(Actuator::command).toArray();
+        add(rows, levels, parts);
+        List<MeasuredRun> runs = parts.runs();
+        notices.addAll(parts.notices());
+        return runs;
+    }
+
+    private static double interval(Map<Double, double[]> measured) {
+        double[] times = measured.keySet().stream().mapToDouble(Double::doubleValue).toArray();
+        double[] intervals = new double[times.length - 1];
+        for (int i = 0; i < intervals.length; i++) {
+            intervals[i] = times[i + 1] - times[i];
+        }
+        Arrays.sort(intervals);
+        return intervals[intervals.length / 2];
+    }
+
+    /** All rows in order of time; commands from before the first measurement are its own. */
+    private static void add(RecordedRows rows, double[] levels, RunParts parts) {
+        double begin = rows.measured().firstKey();
+        rows.told().headMap(begin, true).values().forEach(told -> hold(told, levels));
+        NavigableSet<Double> times = new TreeSet<>(rows.measured().keySet());
+        times.addAll(rows.told().tailMap(begin, false).keySet());
+        for (double time : times) {
+            double[] told = rows.told().getOrDefault(time, new double[0]);
+            hold(time > begin ? told : new double[0], levels);
+            boolean isMeasured = rows.measured().containsKey(time);
+            double[] numbers =
+                    rows.measured()
+                            .getOrDefault(time, new double[Slots.COMMANDS + levels.length]);
+            System.arraycopy(levels, 0, numbers, Slots.COMMANDS, levels.length);
+            parts.add(time, numbers, isMeasured, told.length > 0);
+        }
+    }
+
+    private static void hold(double[] told, double[] levels) {
+        for (int i = 0; i < told.length; i++) {
+            levels[i] = Double.isNaN(told[i]) ? levels[i] : told[i];
+        }
+    }
+}

@@ -1,0 +1,136 @@
+package org.auvsim.diagnosis.reading;
+
+import de.siegmar.fastcsv.reader.CsvRecord;
+
+import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.core.entity.Actuator;
+
+import java.util.Arrays;
+import java.util.Optional;
+
+/** Reads the numbers of rows into their places, and holds commands from row to row. */
+final class RowReader {
+    private static final double NEARLY_UNIT = 0.01;
+
+    private final CsvTable table;
+    private final Layout layout;
+    private final CommandNames known;
+    private final Cells cells;
+    private final double[] numbers;
+    private boolean isToldOtherwise;
+    private double largestAngle;
+
+    RowReader(CsvTable table, Layout layout, CommandNames known) {
+        this.table = table;
+        this.layout = layout;
+        this.known = known;
+        this.cells = new Cells(table);
+        numbers = new double[Slots.COMMANDS + layout.commands().size()];
+        Arrays.fill(numbers, Double.NaN);
+    }
+
+    /**
+     * The numbers of the next row by {@link Slots}, NaN where it has none; overwritten by that
+     * after it. Empty at the end.
+     *
+     * @throws DocumentException naming row and column of what is wrong
+     */
+    Optional<double[]> next() throws DocumentException {
+        Optional<CsvRecord> row = table.row();
+        if (row.isEmpty()) {
+            return Optional.empty();
+        }
+        isToldOtherwise = false;
+        for (BoundColumn column : layout.columns()) {
+            if (column.slot() >= Slots.COMMANDS) {
+                command(row.get(), column);
+            } else {
+                numbers[column.slot()] =
+                        column.slot() == Slots.TIME
+                                ? cells.number(row.get(), column)
+                                : cells.optional(row.get(), column);
+                requireDeviation(row.get(), column);
+                note(column);
+            }
+        }
+        requireUnit(row.get());
+        return Optional.of(numbers);
+    }
+
+    /** Whether the last row told an actuator or force something else than that before. */
+    boolean isToldOtherwise() {
+        return isToldOtherwise;
+    }
+
+    private void note(BoundColumn column) {
+        boolean isAngle = column.slot() >= Slots.ANGLES && column.slot() < Slots.ANGLES + 3;
+        if (isAngle && Math.abs(numbers[column.slot()]) > largestAngle) {
+            largestAngle = Math.abs(numbers[column.slot()]);
+        }
+    }
+
+    /** The largest of roll, pitch and yaw (rad) so far, without its sign. */
+    double largestAngle() {
+        return largestAngle;
+    }
+
+    private void command(CsvRecord row, BoundColumn column) throws DocumentException {
+        double held = numbers[column.slot()];
+        double now = cells.optional(row, column);
+        if (Double.isNaN(now)) {
+            if (Double.isNaN(held)) {
+                throw cells.expected(row, column, "what is commanded at the beginning");
+            }
+        } else if (now != held) {
+            requirePossible(row, column, now);
+            numbers[column.slot()] = now;
+            isToldOtherwise = true;
+        }
+    }
+
+    private void requirePossible(CsvRecord row, BoundColumn column, double level)
+            throws DocumentException {
+        String name = layout.commands().get(column.slot() - Slots.COMMANDS);
+        Optional<Actuator> actuator = known.actuator(name);
+        try {
+            actuator.ifPresent(each -> each.commanded(level, 0));
+        } catch (IllegalArgumentException e) {
+            throw table.at(
+                    row.getStartingLineNumber(),
+                    column.name(),
+                    "'%s' cannot be told this: %s; map the column with a scale and an offset if it has another unit"
+                            .formatted(Cells.text(row, column), e.getMessage()));
+        }
+    }
+
+    private void requireDeviation(CsvRecord row, BoundColumn column) throws DocumentException {
+        if (Slots.isDeviation(column.slot()) && numbers[column.slot()] <= 0) {
+            throw cells.expected(row, column, "a standard deviation above 0");
+        }
+    }
+
+    private void requireUnit(CsvRecord row) throws DocumentException {
+        double square = 0;
+        int measured = 0;
+        for (int i = Slots.QUATERNION; i < Slots.QUATERNION + 4; i++) {
+            measured += Double.isNaN(numbers[i]) ? 0 : 1;
+            square += numbers[i] * numbers[i];
+        }
+        String column = layout.nameOf(Slots.QUATERNION);
+        if (measured != 0 && measured != 4) {
+            throw table.at(
+                    row.getStartingLineNumber(),
+                    column,
+                    "expected all four numbers of the quaternion, but found %d; leave out all of it or nothing"
+                            .formatted(measured));
+        }
+        double length = Math.sqrt(square);
+        if (measured == 4 && !(Math.abs(length - 1) <= NEARLY_UNIT)) {
+            throw table.at(
+                    row.getStartingLineNumber(),
+                    column,
+                    "expected a quaternion of length 1 (within %s), but its length is %.4g; are its columns in order and unscaled?"
+                            .formatted(NEARLY_UNIT, length));
+        }
+    }
+}

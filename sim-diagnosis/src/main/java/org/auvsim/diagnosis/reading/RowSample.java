@@ -1,0 +1,90 @@
+package org.auvsim.diagnosis.reading;
+
+import org.auvsim.core.entity.Frame;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+
+/** Turns the numbers of rows into samples of a run, in the simulator's axes. */
+final class RowSample {
+    private final Axes axes;
+    private final Frame velocity;
+    private final Frame angularVelocity;
+    private final Vec3 usualAngles;
+
+    /**
+     * For rows in axes.
+     *
+     * @param velocity the frame of velocities
+     * @param angularVelocity that of angular velocities
+     * @param usual the orientation (body to world) whose angles stand in for those that are not
+     *     measured
+     */
+    RowSample(Axes axes, Frame velocity, Frame angularVelocity, Quat usual) {
+        this.axes = axes;
+        this.velocity = velocity;
+        this.angularVelocity = angularVelocity;
+        this.usualAngles = EulerAngles.of(axes.orientation(usual));
+    }
+
+    /** Says what the samples' axes are. */
+    void tell(MeasuredRunBuilder run) {
+        run.frame(Channel.VELOCITY, velocity).frame(Channel.ANGULAR_VELOCITY, angularVelocity);
+    }
+
+    /** What was measured in a row. */
+    void addMeasured(double[] row, MeasuredRunBuilder to) {
+        Vec3 position = axes.world(vector(row, Slots.POSITION));
+        to.position(position.x(), position.y(), position.z());
+        addOrientation(row, to);
+        add(Channel.VELOCITY, velocity, vector(row, Slots.VELOCITY), to);
+        add(Channel.ANGULAR_VELOCITY, angularVelocity, vector(row, Slots.ANGULAR_VELOCITY), to);
+        for (Channel channel : Channel.values()) {
+            Vec3 stated = vector(row, Slots.DEVIATIONS + 3 * channel.ordinal());
+            Vec3 size = isInBody(channel) ? stated : axes.sizes(stated);
+            to.deviation(channel, size.x(), size.y(), size.z());
+        }
+    }
+
+    private boolean isInBody(Channel channel) {
+        return channel == Channel.VELOCITY && velocity == Frame.BODY
+                || channel == Channel.ANGULAR_VELOCITY && angularVelocity == Frame.BODY;
+    }
+
+    private void add(Channel channel, Frame frame, Vec3 measured, MeasuredRunBuilder to) {
+        Vec3 v = frame == Frame.BODY ? axes.body(measured) : axes.world(measured);
+        to.measured(channel, v.x(), v.y(), v.z());
+    }
+
+    private void addOrientation(double[] row, MeasuredRunBuilder to) {
+        if (!Double.isNaN(row[Slots.QUATERNION])) {
+            Quat q =
+                    new Quat(
+                            row[Slots.QUATERNION],
+                            row[Slots.QUATERNION + 1],
+                            row[Slots.QUATERNION + 2],
+                            row[Slots.QUATERNION + 3]);
+            to.orientation(axes.orientation(q.normalized()));
+            return;
+        }
+        Vec3 angles = vector(row, Slots.ANGLES);
+        boolean roll = !Double.isNaN(angles.x());
+        boolean pitch = !Double.isNaN(angles.y());
+        boolean yaw = !Double.isNaN(angles.z());
+        if (roll || pitch || yaw) {
+            Quat q =
+                    EulerAngles.orientation(
+                            roll ? angles.x() : usualAngles.x(),
+                            pitch ? angles.y() : usualAngles.y(),
+                            yaw ? angles.z() : usualAngles.z());
+            boolean isNed = axes == Axes.NED;
+            to.orientation(
+                    axes.orientation(q), isNed ? pitch : roll, isNed ? roll : pitch, yaw);
+        }
+    }
+
+    private static Vec3 vector(double[] row, int slot) {
+        return new Vec3(row[slot], row[slot + 1], row[slot + 2]);
+    }
+}

@@ -1,0 +1,24 @@
+package org.auvsim.diagnosis.reading;
+
+import org.auvsim.auvsml.run.RunRole;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What was read from one file.
+ *
+ * @param runs one, or several if it has long gaps
+ * @param role what the document beside it says that it is there for
+ * @param notices what was done to the data, and what looks wrong with it
+ */
+public record RunFile(
+        Path file, List<MeasuredRun> runs, Optional<RunRole> role, List<String> notices) {
+    /** The lists cannot be changed. */
+    public RunFile {
+        runs = List.copyOf(runs);
+        notices = List.copyOf(notices);
+    }
+}

@@ -1,0 +1,158 @@
+package org.auvsim.diagnosis.reading;
+
+import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.run.RunRole;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.Split;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The runs of several files, told apart into those to fit and those to judge.
+ *
+ * @param fit what causes are looked for in
+ * @param heldOut what judges them
+ * @param notices what was done to the data, and what looks wrong with it
+ */
+public record RunFiles(List<MeasuredRun> fit, List<MeasuredRun> heldOut, List<String> notices) {
+    /** The lists cannot be changed. */
+    public RunFiles {
+        fit = List.copyOf(fit);
+        heldOut = List.copyOf(heldOut);
+        notices = List.copyOf(notices);
+    }
+
+    /**
+     * Reads files. A run whose document gives it the role to be held out is so, also among those to
+     * fit; without any to hold out, runs or parts of the only one are.
+     *
+     * @param fit at least one
+     * @throws DocumentException naming file, row and column of what cannot be used
+     */
+    public static RunFiles read(RunReader reader, List<Path> fit, List<Path> heldOut)
+            throws DocumentException {
+        requireDifferent(fit, heldOut);
+        List<MeasuredRun> toFit = new ArrayList<>();
+        List<MeasuredRun> toJudge = new ArrayList<>();
+        List<String> notices = new ArrayList<>();
+        List<Path> all = new ArrayList<>(fit);
+        all.addAll(heldOut);
+        List<RunFile> read = new ArrayList<>();
+        for (int i = 0; i < all.size(); i++) {
+            RunFile file = reader.read(all.get(i), name(all, i));
+            requireNew(file, read);
+            read.add(file);
+            notices.addAll(file.notices());
+            boolean isHeldOut = i >= fit.size() || saysHeldOut(file, notices);
+            (isHeldOut ? toJudge : toFit).addAll(file.runs());
+        }
+        return told(toFit, toJudge, notices, all);
+    }
+
+    private static RunFiles told(
+            List<MeasuredRun> fit, List<MeasuredRun> heldOut, List<String> notices, List<Path> all)
+            throws DocumentException {
+        if (fit.isEmpty()) {
+            throw new DocumentException(
+                    "all runs of %s are to be held out; expected one to fit at least"
+                            .formatted(all));
+        }
+        if (!heldOut.isEmpty()) {
+            return new RunFiles(fit, heldOut, notices);
+        }
+        try {
+            Split split = Split.of(fit);
+            notices.add(split.notice());
+            return new RunFiles(split.fit(), split.heldOut(), notices);
+        } catch (IllegalArgumentException e) {
+            throw new DocumentException(all.getFirst() + ": " + e.getMessage(), e);
+        }
+    }
+
+    private static boolean saysHeldOut(RunFile file, List<String> notices) {
+        boolean says = file.role().filter(RunRole.HOLDOUT::equals).isPresent();
+        if (says) {
+            notices.add(
+                    "%s: the document beside it says that it is held out"
+                            .formatted(file.runs().getFirst().name()));
+        }
+        return says;
+    }
+
+    /** A file's name, with a number if one before it has the same. */
+    private static String name(List<Path> files, int i) {
+        String name = RunReader.nameOf(files.get(i));
+        long before =
+                files.subList(0, i).stream()
+                        .filter(other -> RunReader.nameOf(other).equals(name))
+                        .count();
+        return before == 0 ? name : name + "_" + (before + 1);
+    }
+
+    private static void requireDifferent(List<Path> fit, List<Path> heldOut)
+            throws DocumentException {
+        for (int i = 0; i < fit.size(); i++) {
+            for (Path other : fit.subList(0, i)) {
+                if (isSame(fit.get(i), other)) {
+                    throw new DocumentException(
+                            "%s is given twice to fit; give each run once".formatted(other));
+                }
+            }
+            for (Path other : heldOut) {
+                if (isSame(fit.get(i), other)) {
+                    throw new DocumentException(
+                            "%s is given to fit and to hold out; what is fitted cannot judge: give another run"
+                                    .formatted(other));
+                }
+            }
+        }
+    }
+
+    private static boolean isSame(Path one, Path other) {
+        try {
+            return Files.isSameFile(one, other);
+        } catch (IOException _) {
+            return one.toAbsolutePath().normalize().equals(other.toAbsolutePath().normalize());
+        }
+    }
+
+    private static void requireNew(RunFile file, List<RunFile> before) throws DocumentException {
+        for (RunFile other : before) {
+            if (isSame(file.runs(), other.runs())) {
+                throw new DocumentException(
+                        "%s has the same numbers as %s; a copy neither tells nor judges anything: leave one of them out"
+                                .formatted(file.file(), other.file()));
+            }
+        }
+    }
+
+    private static boolean isSame(List<MeasuredRun> some, List<MeasuredRun> others) {
+        boolean same = some.size() == others.size();
+        for (int i = 0; same && i < some.size(); i++) {
+            same = isSame(some.get(i), others.get(i));
+        }
+        return same;
+    }
+
+    private static boolean isSame(MeasuredRun one, MeasuredRun other) {
+        boolean same = one.size() == other.size();
+        for (int k = 0; same && k < one.size(); k++) {
+            same = one.orientation(k).equals(other.orientation(k));
+            for (Channel channel : Channel.values()) {
+                for (int axis = 0; axis < 3; axis++) {
+                    same &=
+                            Double.compare(
+                                            one.value(channel, k, axis),
+                                            other.value(channel, k, axis))
+                                    == 0;
+                }
+            }
+        }
+        return same;
+    }
+}

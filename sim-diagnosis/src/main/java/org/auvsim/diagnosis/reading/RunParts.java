@@ -1,0 +1,141 @@
+package org.auvsim.diagnosis.reading;
+
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+
+/**
+ * Makes runs of the rows of one file: a long gap ends one and begins another, and of more rows than
+ * are needed some are left out. Rows that tell something anew always count; of those that would have
+ * been left out otherwise, only the commands do, so that what is measured stays evenly spaced.
+ */
+final class RunParts {
+    /** Samples of what is measured that are kept of a file, about. */
+    static final int MOST = 20_000;
+
+    /** Fewer samples tell nothing. */
+    static final int FEWEST = 16;
+
+    /** A gap is longer than so many usual intervals, and than a second. */
+    private static final double INTERVALS = 10;
+
+    private static final double LEAST_GAP = 1;
+
+    private final String name;
+    private final List<String> commands;
+    private final RowSample samples;
+    private final double longest;
+    private final long each;
+    private final boolean keepsCommands;
+    private final Consumer<MeasuredRunBuilder> known;
+    private final List<String> notices = new ArrayList<>();
+    private final List<MeasuredRunBuilder> parts = new ArrayList<>();
+    private Optional<MeasuredRunBuilder> part = Optional.empty();
+    private int inPart;
+    private double last;
+    private long row;
+
+    /**
+     * For so many rows.
+     *
+     * @param known tells a run what its document says
+     */
+    RunParts(
+            String name,
+            List<String> commands,
+            RowSample samples,
+            Extent extent,
+            Consumer<MeasuredRunBuilder> known) {
+        this.name = name;
+        this.commands = commands;
+        this.samples = samples;
+        this.known = known;
+        longest = Math.max(INTERVALS * extent.interval(), LEAST_GAP);
+        each = (extent.rows() + MOST - 1) / MOST;
+        keepsCommands = extent.changes() <= MOST;
+        tellLeftOut(extent);
+    }
+
+    private void tellLeftOut(Extent extent) {
+        if (each == 1) {
+            return;
+        }
+        notices.add(
+                "%s: of %d rows each %s is taken, %s"
+                        .formatted(
+                                name,
+                                extent.rows(),
+                                each == 2 ? "second" : each == 3 ? "third" : each + "th",
+                                keepsCommands
+                                        ? "and all that command something anew"
+                                        : "its commands included; those between are left out, as"
+                                                + " there are %d".formatted(extent.changes())));
+    }
+
+    /**
+     * Takes a row.
+     *
+     * @param isMeasured whether it has more than commands
+     * @param isToldOtherwise whether its commands differ from those of the row before
+     */
+    void add(double time, double[] numbers, boolean isMeasured, boolean isToldOtherwise) {
+        if (part.isPresent() && time - last > longest) {
+            notices.add(
+                    "%s: %.4g s without a row after %.6g s; what follows is read as another run"
+                            .formatted(name, time - last, last));
+            end();
+        }
+        boolean counts = isMeasured && (row % each == 0 || part.isEmpty());
+        if (counts || part.isPresent() && keepsCommands && isToldOtherwise) {
+            MeasuredRunBuilder run = part.orElseGet(this::begin);
+            run.at(time);
+            for (int i = 0; i < commands.size(); i++) {
+                run.command(i, numbers[Slots.COMMANDS + i]);
+            }
+            if (counts) {
+                samples.addMeasured(numbers, run);
+                inPart++;
+            }
+        }
+        if (isMeasured) {
+            last = time;
+            row++;
+        }
+    }
+
+    private MeasuredRunBuilder begin() {
+        String partName = parts.isEmpty() ? name : name + "-" + (parts.size() + 1);
+        MeasuredRunBuilder run = MeasuredRun.named(partName).commands(commands);
+        samples.tell(run);
+        known.accept(run);
+        part = Optional.of(run);
+        inPart = 0;
+        return run;
+    }
+
+    private void end() {
+        if (part.isPresent() && inPart >= FEWEST) {
+            parts.add(part.get());
+        } else if (part.isPresent()) {
+            notices.add(
+                    "%s: %d rows before a gap or the end are too few, and are left out"
+                            .formatted(name, inPart));
+        }
+        part = Optional.empty();
+    }
+
+    /** The runs, after the last row. */
+    List<MeasuredRun> runs() {
+        end();
+        return parts.stream().map(MeasuredRunBuilder::build).toList();
+    }
+
+    /** What was done to the rows. */
+    List<String> notices() {
+        return notices;
+    }
+}

@@ -1,0 +1,127 @@
+package org.auvsim.diagnosis.reading;
+
+import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.document.DocumentKind;
+import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.auvsml.run.Run;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Reads measured runs of one body: CSV with a document beside it, or recordings with feedback. Long
+ * files are read row by row; of more rows than a diagnosis needs, some are left out, with a notice.
+ */
+public final class RunReader {
+    private final BelievedModel model;
+    private final ColumnMapping mapping;
+    private final AuvsmlMapper mapper;
+    private final Documents documents;
+    private final MeasuredBody body;
+
+    /**
+     * A reader of runs of the model's body.
+     *
+     * @param mapping how columns are to be read
+     * @param mapper knows the effects and currents that documents may state
+     */
+    public RunReader(BelievedModel model, ColumnMapping mapping, AuvsmlMapper mapper) {
+        this.model = model;
+        this.mapping = mapping;
+        this.mapper = mapper;
+        this.documents = new Documents(mapper);
+        this.body = new MeasuredBody(model.variant().body());
+    }
+
+    /**
+     * The mapping in a file.
+     *
+     * @throws DocumentException with a sentence for each fault and its place
+     */
+    public static ColumnMapping mapping(Path file, AuvsmlMapper mapper) throws DocumentException {
+        return new Documents(mapper).read(ColumnMapping.class, file);
+    }
+
+    /**
+     * What is in a file, under the file's name.
+     *
+     * @throws DocumentException naming file, row and column of what cannot be used
+     */
+    public RunFile read(Path file) throws DocumentException {
+        return read(file, nameOf(file));
+    }
+
+    /** The same under another name. */
+    RunFile read(Path file, String name) throws DocumentException {
+        return switch (kind(file)) {
+            case RECORDING -> recorded(file, name);
+            case SCENARIO ->
+                    throw new DocumentException(
+                            file + " is a scenario; expected a measured run, CSV or a recording");
+            case OTHER -> csv(file, name);
+        };
+    }
+
+    /** A file's name without its ending. */
+    static String nameOf(Path file) {
+        return file.getFileName()
+                .toString()
+                .replaceFirst("(\\.csv|\\.auvsml|\\.auvsml\\.gz|\\.txt|\\.tsv)$", "");
+    }
+
+    private static DocumentKind kind(Path file) throws DocumentException {
+        try {
+            return DocumentKind.of(file);
+        } catch (IOException e) {
+            throw CsvTable.unreadable(file, e);
+        }
+    }
+
+    private RunFile csv(Path file, String name) throws DocumentException {
+        List<String> notices = new ArrayList<>();
+        Run document = documentBeside(file, name, notices);
+        CsvRuns csv = new CsvRuns(file, name, mapping, body, new KnownOfRun(document));
+        List<MeasuredRun> runs = csv.read();
+        notices.addAll(csv.notices());
+        return checked(file, runs, document, notices);
+    }
+
+    private RunFile checked(
+            Path file, List<MeasuredRun> runs, Run document, List<String> notices)
+            throws DocumentException {
+        for (MeasuredRun run : runs) {
+            notices.addAll(new Plausibility(model, run).notices(file));
+        }
+        return new RunFile(file, runs, document.role(), notices);
+    }
+
+    private RunFile recorded(Path file, String name) throws DocumentException {
+        List<String> notices = new ArrayList<>();
+        Run document = documentBeside(file, name, notices);
+        RecordedRuns recorded =
+                new RecordedRuns(file, name, body, mapper, new KnownOfRun(document));
+        List<MeasuredRun> runs = recorded.read();
+        notices.addAll(recorded.notices());
+        return checked(file, runs, document, notices);
+    }
+
+    /** What the XML file of the same name says; a scenario of that name is no such document. */
+    private Run documentBeside(Path file, String name, List<String> notices)
+            throws DocumentException {
+        Path beside = file.resolveSibling(nameOf(file) + ".xml");
+        if (!Files.exists(beside)) {
+            return Run.NOTHING_KNOWN;
+        }
+        if (kind(beside) == DocumentKind.SCENARIO) {
+            notices.add("%s: %s is a scenario, and says nothing of the run".formatted(name, beside));
+            return Run.NOTHING_KNOWN;
+        }
+        return documents.read(Run.class, beside);
+    }
+}

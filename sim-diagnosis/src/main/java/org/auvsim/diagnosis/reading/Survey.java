@@ -1,0 +1,141 @@
+package org.auvsim.diagnosis.reading;
+
+import de.siegmar.fastcsv.reader.CsvRecord;
+
+import org.apache.commons.math3.stat.descriptive.rank.PSquarePercentile;
+import org.auvsim.auvsml.document.DocumentException;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What a first reading of a table tells of it as a whole: how many rows there are, by what clock,
+ * and how often commands change.
+ */
+final class Survey {
+    private final CsvTable table;
+    private final Cells cells;
+    private final BoundColumn time;
+    private final List<BoundColumn> commands;
+    private final String[] told;
+    private final PSquarePercentile intervals = new PSquarePercentile(50);
+    private long rows;
+    private long changes;
+    private double first;
+    private double last = Double.NEGATIVE_INFINITY;
+    private boolean isWhole = true;
+    private long repeats;
+    private Optional<DocumentException> repeat = Optional.empty();
+    private long stamps;
+    private long ofFirstStamp;
+    private long ofLastStamp;
+
+    private Survey(CsvTable table, Layout layout) {
+        this.table = table;
+        this.cells = new Cells(table);
+        this.time = layout.time();
+        this.commands =
+                layout.columns().stream().filter(c -> c.slot() >= Slots.COMMANDS).toList();
+        this.told = new String[commands.size()];
+        Arrays.fill(told, "");
+    }
+
+    /**
+     * Reads all of a table.
+     *
+     * @throws DocumentException if its times do not increase
+     */
+    static Survey of(CsvTable table, Layout layout) throws DocumentException {
+        Survey survey = new Survey(table, layout);
+        for (Optional<CsvRecord> row = table.row(); row.isPresent(); row = table.row()) {
+            survey.take(row.get());
+        }
+        if (!survey.isWhole && survey.repeat.isPresent()) {
+            throw survey.repeat.get();
+        }
+        return survey;
+    }
+
+    private void take(CsvRecord row) throws DocumentException {
+        double now = cells.number(row, time);
+        isWhole &= now == Math.rint(now);
+        if (rows == 0) {
+            first = now;
+        } else if (now < last) {
+            throw notLater(row);
+        } else if (now == last) {
+            repeats++;
+            repeat = repeat.isEmpty() ? Optional.of(notLater(row)) : repeat;
+        } else {
+            requireSeconds(row, now);
+            intervals.increment(now - last);
+        }
+        stamps += now == last ? 0 : 1;
+        ofLastStamp = now == last ? ofLastStamp + 1 : 1;
+        ofFirstStamp += now == first ? 1 : 0;
+        last = now;
+        rows++;
+        changes += isToldOtherwise(row) ? 1 : 0;
+    }
+
+    private DocumentException notLater(CsvRecord row) {
+        return cells.expected(row, time, "a time after %s s".formatted(last));
+    }
+
+    /** Refuses 205259, 205300: a clock's digits are no seconds. */
+    private void requireSeconds(CsvRecord row, double now) throws DocumentException {
+        if (repeats > 0 && isWhole && now - last == 41 && last % 100 == 59) {
+            throw table.at(
+                    row.getStartingLineNumber(),
+                    time.name(),
+                    ("expected seconds, but %.0f follows %.0f: these look like hours, minutes and"
+                                    + " seconds; map the column with form=\"HHMMSS\"")
+                            .formatted(now, last));
+        }
+    }
+
+    private boolean isToldOtherwise(CsvRecord row) {
+        boolean differs = false;
+        for (int i = 0; i < told.length; i++) {
+            String text = Cells.text(row, commands.get(i));
+            if (!text.isEmpty() && !text.equals(told[i])) {
+                told[i] = text;
+                differs = true;
+            }
+        }
+        return differs;
+    }
+
+    long rows() {
+        return rows;
+    }
+
+    /** How much there is. */
+    Extent extent() {
+        return new Extent(rows, changes, interval());
+    }
+
+    /** Whether times are whole seconds with several rows each. */
+    boolean hasWholeSeconds() {
+        return repeats > 0;
+    }
+
+    /** The usual time between two rows (s). */
+    double interval() {
+        return hasWholeSeconds() ? 1 / rate() : intervals.getResult();
+    }
+
+    /** Whether times are whole numbers that are far apart, as those in ms would be. */
+    boolean looksLikeMilliseconds() {
+        return isWhole && !hasWholeSeconds() && rows > 2 && interval() >= 5;
+    }
+
+    /** Rows a second, of the seconds that are whole. */
+    private double rate() {
+        long inner = stamps - 2;
+        return inner > 0
+                ? (double) (rows - ofFirstStamp - ofLastStamp) / inner
+                : (double) rows / stamps;
+    }
+}

@@ -1,0 +1,316 @@
+package org.auvsim.diagnosis.reading;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.auvsim.auvsml.run.CellForm;
+import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.auvsml.run.MappedColumn;
+import org.auvsim.core.entity.Frame;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.Command;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+class CsvRunsTest {
+    private static final Vec3 AHEAD = new Vec3(1, 0, 0);
+    private static final Vec3 UP = new Vec3(0, 0, 1);
+
+    @TempDir private Path folder;
+
+    @Test
+    void columnsAreWhatTheirNamesSay() throws Exception {
+        MeasuredRun run =
+                Rov.run(
+                        folder,
+                        ColumnMapping.USUAL,
+                        Rov.rows(
+                                "x,y,z,qw,qx,qy,qz,vx,vy,vz,p,q,r,sd_x,sd_roll",
+                                20,
+                                i -> i + ",2,3,0.6,0,0.8,0,4,5,6,7,8,9,0.1,0.2"));
+
+        assertThat(run.name()).isEqualTo("run");
+        assertThat(run.size()).isEqualTo(20);
+        assertThat(run.time(7)).isEqualTo(0.7);
+        assertThat(run.vector(Channel.POSITION, 5)).contains(new Vec3(5, 2, 3));
+        assertThat(run.orientation(5)).contains(new Quat(0.6, 0, 0.8, 0));
+        assertThat(run.vector(Channel.VELOCITY, 5)).contains(new Vec3(4, 5, 6));
+        assertThat(run.frame(Channel.VELOCITY)).isEqualTo(Frame.WORLD);
+        assertThat(run.vector(Channel.ANGULAR_VELOCITY, 5)).contains(new Vec3(7, 8, 9));
+        assertThat(run.frame(Channel.ANGULAR_VELOCITY)).isEqualTo(Frame.BODY);
+        assertThat(run.deviation(Channel.POSITION, 5, 0)).isEqualTo(0.1);
+        assertThat(run.deviation(Channel.POSITION, 5, 1)).isNaN();
+        assertThat(run.deviation(Channel.ORIENTATION, 5, 0)).isEqualTo(0.2);
+    }
+
+    @Test
+    void depthAloneIsEnough() throws Exception {
+        MeasuredRun run =
+                Rov.run(folder, ColumnMapping.USUAL, Rov.rows("depth", 20, i -> "" + i));
+
+        assertThat(run.measures(Channel.POSITION, 2)).isTrue();
+        assertThat(run.measures(Channel.POSITION, 0)).isFalse();
+        assertThat(run.value(Channel.POSITION, 3, 2)).isEqualTo(-3);
+        assertThat(run.measures(Channel.ORIENTATION)).isFalse();
+    }
+
+    @Test
+    void anEmptyCellWasNotMeasured() throws Exception {
+        MeasuredRun run =
+                Rov.run(
+                        folder,
+                        ColumnMapping.USUAL,
+                        Rov.rows("x,vx", 20, i -> i % 4 == 0 ? i + ",nan" : "," + i));
+
+        assertThat(run.value(Channel.POSITION, 4, 0)).isEqualTo(4);
+        assertThat(run.value(Channel.POSITION, 5, 0)).isNaN();
+        assertThat(run.value(Channel.VELOCITY, 4, 0)).isNaN();
+        assertThat(run.value(Channel.VELOCITY, 5, 0)).isEqualTo(5);
+    }
+
+    @Test
+    void yawAloneTurnsAboutTheVertical() throws Exception {
+        MeasuredRun run =
+                Rov.run(
+                        folder,
+                        ColumnMapping.USUAL.inDegrees(),
+                        Rov.rows("yaw", 20, i -> "" + 10 * i));
+
+        assertThat(run.measures(Channel.ORIENTATION, 0)).isFalse();
+        assertThat(run.measures(Channel.ORIENTATION, 2)).isTrue();
+        Vec3 ahead = run.orientation(9).orElseThrow().rotate(AHEAD);
+        assertThat(ahead.distance(new Vec3(0, 1, 0))).isLessThan(1e-12);
+    }
+
+    @Test
+    void anAngleThatIsNotMeasuredIsThatOfTheScenario() throws Exception {
+        MeasuredRun run =
+                Rov.run(
+                        folder,
+                        ColumnMapping.USUAL,
+                        Rov.rows("pitch", 20, i -> "" + 0.01 * i));
+
+        Vec3 ahead = run.orientation(0).orElseThrow().rotate(AHEAD);
+        assertThat(ahead.distance(new Vec3(0, 1, 0))).isLessThan(1e-12);
+    }
+
+    @Test
+    void northEastDownBecomesEastNorthUp() throws Exception {
+        MeasuredRun run =
+                Rov.run(
+                        folder,
+                        ColumnMapping.USUAL.inNed().inDegrees(),
+                        Rov.rows(
+                                "x,y,z,roll,pitch,yaw,u,v,w,wx,wy,wz,sd_x",
+                                20,
+                                i -> i + ",2,3,0,30,90,1,2,3,0,0,180,0.5"));
+
+        assertThat(run.vector(Channel.POSITION, 1)).contains(new Vec3(2, 1, -3));
+        assertThat(run.deviation(Channel.POSITION, 1, 1)).isEqualTo(0.5);
+        Quat heading = run.orientation(1).orElseThrow();
+        Vec3 east30Up = new Vec3(Math.cos(Math.PI / 6), 0, 0.5);
+        assertThat(heading.rotate(AHEAD).distance(east30Up)).isLessThan(1e-12);
+        assertThat(heading.rotate(UP).distance(new Vec3(-0.5, 0, Math.cos(Math.PI / 6))))
+                .isLessThan(1e-12);
+        assertThat(run.vector(Channel.VELOCITY, 1)).contains(new Vec3(1, -2, -3));
+        assertThat(run.value(Channel.ANGULAR_VELOCITY, 1, 2)).isCloseTo(-Math.PI, within(1e-12));
+    }
+
+    @Test
+    void aQuaternionInNorthEastDownTurnsAsItsAngles() throws Exception {
+        double half = Math.sqrt(0.5);
+        MeasuredRun run =
+                Rov.run(
+                        folder,
+                        ColumnMapping.USUAL.inNed(),
+                        Rov.rows("x,qw,qx,qy,qz", 20, i -> i + "," + half + ",0,0," + half));
+
+        Quat east = run.orientation(0).orElseThrow();
+        assertThat(east.rotate(AHEAD).distance(new Vec3(1, 0, 0))).isLessThan(1e-12);
+        assertThat(east.rotate(UP).distance(UP)).isLessThan(1e-12);
+    }
+
+    @Test
+    void commandsHoldFromRowToRow() throws Exception {
+        MeasuredRun run =
+                Rov.run(
+                        folder,
+                        ColumnMapping.USUAL.inDegrees(),
+                        Rov.rows(
+                                "x,main,rudder,push.y",
+                                20,
+                                i -> i + (i % 10 == 0 ? ",0." + i / 10 + ",18,7" : ",,,")));
+
+        assertThat(level(run, "main", 9)).isEqualTo(0);
+        assertThat(level(run, "main", 11)).isEqualTo(0.1);
+        assertThat(level(run, "rudder", 11)).isCloseTo(Math.PI / 10, within(1e-15));
+        assertThat(level(run, "push.y", 11)).isEqualTo(7);
+    }
+
+    @Test
+    void aForceByItsNameActsAlongItsVector() throws Exception {
+        MeasuredRun run =
+                Rov.run(
+                        folder,
+                        ColumnMapping.USUAL,
+                        Rov.rows("x,push,main,rudder", 20, i -> i + ",10,0,0"));
+
+        assertThat(level(run, "push.x", 3)).isEqualTo(0);
+        assertThat(level(run, "push.y", 3)).isCloseTo(6, within(1e-12));
+        assertThat(level(run, "push.z", 3)).isCloseTo(8, within(1e-12));
+    }
+
+    @Test
+    void anActuatorWithoutAColumnHoldsWhatTheScenarioSays() throws Exception {
+        RunFile file =
+                Rov.read(folder, ColumnMapping.USUAL, Rov.rows("x,main", 20, i -> i + ",0"));
+
+        assertThat(file.notices())
+                .containsExactly(
+                        "run: nothing tells 'rudder' what to do: it holds the scenario's 0.0");
+    }
+
+    @Test
+    void aMappingRenamesScalesAndIgnores() throws Exception {
+        ColumnMapping mapping =
+                ColumnMapping.USUAL.with(
+                        List.of(
+                                MappedColumn.renamed("time_s", "t"),
+                                new MappedColumn(
+                                        "pwm",
+                                        Optional.of("main"),
+                                        0.0025,
+                                        -3.75,
+                                        CellForm.NUMBER,
+                                        false),
+                                MappedColumn.ignored("volt")));
+        String text = Rov.rows("x,pwm,volt", 20, i -> i + ",1700,low").replace("t,x", "time_s,x");
+
+        MeasuredRun run = Rov.run(folder, mapping, text);
+
+        assertThat(level(run, "main", 0)).isCloseTo(0.5, within(1e-12));
+        assertThat(run.time(3)).isEqualTo(0.3);
+    }
+
+    @Test
+    void otherColumnsAreLeftOutIfAskedFor() throws Exception {
+        MeasuredRun run =
+                Rov.run(
+                        folder,
+                        ColumnMapping.USUAL.ignoringOthers(),
+                        Rov.rows("x,voltage", 20, i -> i + ",12.1"));
+
+        assertThat(run.commands()).isEmpty();
+    }
+
+    @Test
+    void semicolonsAndTabsSeparate() throws Exception {
+        String text = Rov.rows("x,y", 20, i -> i + ",1");
+
+        assertThat(Rov.run(folder, ColumnMapping.USUAL, text.replace(',', ';')).size())
+                .isEqualTo(20);
+        assertThat(Rov.run(folder, ColumnMapping.USUAL, text.replace(',', '\t')).size())
+                .isEqualTo(20);
+    }
+
+    @Test
+    void wholeSecondsWithSeveralRowsAreAConstantRate() throws Exception {
+        StringBuilder text = new StringBuilder("t,x\n");
+        for (int i = 0; i < 100; i++) {
+            text.append((i + 3) / 8).append(',').append(i).append('\n');
+        }
+
+        RunFile file = Rov.read(folder, ColumnMapping.USUAL, text.toString());
+
+        MeasuredRun run = file.runs().getFirst();
+        assertThat(run.size()).isEqualTo(100);
+        assertThat(run.time(80) - run.time(0)).isCloseTo(10, within(1e-9));
+        assertThat(file.notices())
+                .contains(
+                        "run: times are whole seconds with several rows each; read as a constant"
+                                + " rate of 8 Hz");
+    }
+
+    @Test
+    void timesOfDayCountInSeconds() throws Exception {
+        ColumnMapping mapping =
+                ColumnMapping.USUAL.with(
+                        List.of(
+                                new MappedColumn(
+                                        "t", Optional.empty(), 1, 0, CellForm.HHMMSS, false)));
+        StringBuilder text = new StringBuilder("t,x\n");
+        for (int i = 0; i < 40; i++) {
+            int seconds = 50 + i / 4;
+            text.append(String.format(Locale.ROOT, "2052%02d", seconds)).append(',').append(i);
+            text.append('\n');
+        }
+        String crossing = text.toString().replace("205260", "205300");
+
+        RunFile file = Rov.read(folder, mapping, crossing);
+
+        assertThat(file.runs()).hasSize(1);
+        assertThat(file.runs().getFirst().time(0)).isEqualTo(20 * 3600 + 52 * 60 + 50);
+    }
+
+    @Test
+    void aLongGapBeginsAnotherRun() throws Exception {
+        String text = Rov.rows("x", 40, i -> "" + i);
+        String late = text.replaceAll("(?m)^(2|3)\\.(\\d),", "1$1.$2,");
+
+        RunFile file = Rov.read(folder, ColumnMapping.USUAL, late);
+
+        assertThat(file.runs()).extracting(MeasuredRun::name).containsExactly("run", "run-2");
+        assertThat(file.runs()).extracting(MeasuredRun::size).containsExactly(20, 20);
+        assertThat(file.notices())
+                .anyMatch(
+                        text1 ->
+                                text1.equals(
+                                        "run: 10.1 s without a row after 1.9 s; what follows is"
+                                                + " read as another run"));
+    }
+
+    @Test
+    void ofManyRowsSomeAreLeftOutButNoCommandIs() throws Exception {
+        int count = 100_000;
+        StringBuilder text = new StringBuilder("t,x,main,rudder\n");
+        for (int i = 0; i < count; i++) {
+            text.append(i / 1000.0).append(',').append(i).append(',');
+            text.append(i < 50_003 ? 0.25 : i == 50_003 ? -1 : 0.5).append(",0\n");
+        }
+
+        RunFile file = Rov.read(folder, ColumnMapping.USUAL, text.toString());
+
+        MeasuredRun run = file.runs().getFirst();
+        assertThat(run.size()).isBetween(20_000, 20_004);
+        assertThat(changes(run)).containsExactly(0.0, 50.003, 50.004);
+        assertThat(run.value(Channel.POSITION, 1, 0)).isEqualTo(5);
+        assertThat(file.notices())
+                .contains(
+                        "run: of 100000 rows each 5th is taken, and all that command something"
+                                + " anew");
+    }
+
+    private static List<Double> changes(MeasuredRun run) {
+        Command main = command(run, "main");
+        return java.util.stream.IntStream.range(0, run.size())
+                .filter(main::changesAt)
+                .mapToObj(run::time)
+                .toList();
+    }
+
+    private static Command command(MeasuredRun run, String name) {
+        return run.commands().stream().filter(c -> c.name().equals(name)).findFirst().orElseThrow();
+    }
+
+    private static double level(MeasuredRun run, String name, int sample) {
+        return command(run, name).level(sample);
+    }
+}

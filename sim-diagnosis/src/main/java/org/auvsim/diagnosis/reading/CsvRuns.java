@@ -70,21 +70,21 @@ final class CsvRuns {
     private void tell(Survey survey) {
         if (survey.hasWholeSeconds()) {
             notices.add(
-                    "%s: times are whole seconds with several rows each; read as a constant rate of %.4g Hz"
-                            .formatted(name, 1 / survey.interval()));
+                    "%s: times are whole seconds with several rows each; read as a constant rate of %s Hz"
+                            .formatted(name, Figures.shown(1 / survey.interval())));
         }
         if (survey.looksLikeMilliseconds()) {
             notices.add(
-                    "%s: rows are %.4g s apart by whole numbers: are these milliseconds? If so, map '%s' with a scale of 0.001"
-                            .formatted(name, survey.interval(), Slots.TIME_NAME));
+                    "%s: rows are %s s apart by whole numbers: are these milliseconds? If so, map '%s' with a scale of 0.001"
+                            .formatted(name, Figures.shown(survey.interval()), Slots.TIME_NAME));
         }
     }
 
     private void tellAngles(double largest) {
         if (largest > SEVERAL_TURNS && !mapping.degrees()) {
             notices.add(
-                    "%s: angles go up to %.4g rad: are they in degrees (--degrees)?"
-                            .formatted(name, largest));
+                    "%s: angles go up to %s rad: are they in degrees (--degrees)?"
+                            .formatted(name, Figures.shown(largest)));
         }
     }
 

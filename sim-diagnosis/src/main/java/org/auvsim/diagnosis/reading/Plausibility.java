@@ -110,8 +110,8 @@ final class Plausibility {
         return off(way, told)
                 .map(
                         ratio ->
-                                "positions go %.4g times as far as velocities say: is one of them in another unit?"
-                                        .formatted(ratio));
+                                "positions go %s times as far as velocities say: is one of them in another unit?"
+                                        .formatted(Figures.shown(ratio, 2)));
     }
 
     /** How far it goes beside what the model would do from rest in the same time. */
@@ -141,12 +141,12 @@ final class Plausibility {
                 .filter(ratio -> ratio > 1)
                 .map(
                         ratio ->
-                                "goes %.4g m within %.4g s, %.0f times as far as the model from rest (%.4g m): are positions in mm, or times in another unit?"
+                                "goes %s m within %s s, %s times as far as the model from rest (%s m): are positions in mm, or times in another unit?"
                                         .formatted(
-                                                measured.getAsDouble(),
-                                                run.time(last) - run.time(0),
-                                                ratio,
-                                                from));
+                                                Figures.shown(measured.getAsDouble()),
+                                                Figures.shown(run.time(last) - run.time(0)),
+                                                Figures.shown(ratio, 2),
+                                                Figures.shown(from)));
     }
 
     private OptionalDouble farthest(int last) {
@@ -178,8 +178,8 @@ final class Plausibility {
         String axes = run.frame(Channel.ANGULAR_VELOCITY) == Frame.BODY ? "p, q, r" : "wx, wy, wz";
         return fastest > SEVERAL_TURNS
                 ? Optional.of(
-                        "%s differ by up to %.4g rad/s: are they in degrees (--degrees)?"
-                                .formatted(axes, fastest))
+                        "%s differ by up to %s rad/s: are they in degrees (--degrees)?"
+                                .formatted(axes, Figures.shown(fastest)))
                 : Optional.empty();
     }
 }

@@ -77,8 +77,8 @@ final class RecordedRuns {
                 .ifPresent(
                         time ->
                                 notices.add(
-                                        "%s: at %.6g s the world was replaced; what follows is left out"
-                                                .formatted(name, time)));
+                                        "%s: at %s s the world was replaced; what follows is left out"
+                                                .formatted(name, Figures.shown(time, 9))));
         if (rows.leftOut() > 0) {
             notices.add(
                     "%s: parts of %d measurements are left out: places in body axes are relative to a state that no recording has, and velocities are taken in one kind of axes"

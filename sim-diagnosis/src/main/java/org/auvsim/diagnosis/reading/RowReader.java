@@ -110,27 +110,28 @@ final class RowReader {
     }
 
     private void requireUnit(CsvRecord row) throws DocumentException {
-        double square = 0;
-        int measured = 0;
-        for (int i = Slots.QUATERNION; i < Slots.QUATERNION + 4; i++) {
-            measured += Double.isNaN(numbers[i]) ? 0 : 1;
-            square += numbers[i] * numbers[i];
+        double w = numbers[Slots.QUATERNION];
+        double x = numbers[Slots.QUATERNION + 1];
+        double y = numbers[Slots.QUATERNION + 2];
+        double z = numbers[Slots.QUATERNION + 3];
+        if (Double.isNaN(w) && Double.isNaN(x) && Double.isNaN(y) && Double.isNaN(z)) {
+            return;
         }
-        String column = layout.nameOf(Slots.QUATERNION);
-        if (measured != 0 && measured != 4) {
-            throw table.at(
-                    row.getStartingLineNumber(),
-                    column,
-                    "expected all four numbers of the quaternion, but found %d; leave out all of it or nothing"
-                            .formatted(measured));
+        double length = Math.sqrt(w * w + x * x + y * y + z * z);
+        if (Double.isNaN(length)) {
+            throw ofQuaternion(
+                    row, "expected four numbers of the quaternion, or none, but some are missing");
         }
-        double length = Math.sqrt(square);
-        if (measured == 4 && !(Math.abs(length - 1) <= NEARLY_UNIT)) {
-            throw table.at(
-                    row.getStartingLineNumber(),
-                    column,
-                    "expected a quaternion of length 1 (within %s), but its length is %.4g; are its columns in order and unscaled?"
-                            .formatted(NEARLY_UNIT, length));
+        if (!(Math.abs(length - 1) <= NEARLY_UNIT)) {
+            throw ofQuaternion(
+                    row,
+                    "expected a quaternion of length 1 (within %s), but its length is %s; are its columns in order and unscaled?"
+                            .formatted(NEARLY_UNIT, Figures.shown(length)));
         }
+    }
+
+    private DocumentException ofQuaternion(CsvRecord row, String problem) {
+        return table.at(
+                row.getStartingLineNumber(), layout.nameOf(Slots.QUATERNION), problem);
     }
 }

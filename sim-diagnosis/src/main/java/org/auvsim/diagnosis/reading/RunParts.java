@@ -85,8 +85,9 @@ final class RunParts {
     void add(double time, double[] numbers, boolean isMeasured, boolean isToldOtherwise) {
         if (part.isPresent() && time - last > longest) {
             notices.add(
-                    "%s: %.4g s without a row after %.6g s; what follows is read as another run"
-                            .formatted(name, time - last, last));
+                    "%s: %s s without a row after %s s; what follows is read as another run"
+                            .formatted(
+                                    name, Figures.shown(time - last), Figures.shown(last, 9)));
             end();
         }
         boolean counts = isMeasured && (row % each == 0 || part.isEmpty());

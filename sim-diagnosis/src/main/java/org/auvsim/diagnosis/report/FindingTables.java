@@ -122,7 +122,9 @@ final class FindingTables {
     }
 
     private static String probability(double value) {
-        return value >= 0.0005 ? Numbers.percent(value) : "below 0.1 %";
+        return value > 0.9995 && value < 1
+                ? "> 99.9 %"
+                : value >= 0.0005 ? Numbers.percent(value) : "< 0.1 %";
     }
 
     private static String numbers(Ranked ranked) {

@@ -15,10 +15,25 @@ import java.util.stream.Stream;
 final class Page {
     private final Diagnosis of;
     private final FindingTables findings;
+    private final List<String> names;
 
     private Page(Diagnosis of) {
         this.of = of;
         this.findings = new FindingTables(of);
+        this.names = names(of);
+    }
+
+    /** Of the models that runs are compared with: one, if nothing changes. */
+    private static List<String> names(Diagnosis of) {
+        boolean isChanged = of.runs().stream().anyMatch(run -> !run.before().equals(run.after()));
+        if (!isChanged) {
+            return List.of("simulated");
+        }
+        return List.of(
+                "as believed",
+                of.verdict() == Verdict.EXPLAINED
+                        ? "with what was found"
+                        : "with the best that was tried");
     }
 
     static Report of(Diagnosis diagnosis) {
@@ -72,7 +87,7 @@ final class Page {
     }
 
     private RunCharts charts(DiagnosedRun run) {
-        return new RunCharts(run, of.noise(), of.verdict() == Verdict.EXPLAINED);
+        return new RunCharts(run, of.noise(), names);
     }
 
     /** Of one run that people see at once: a held-out one, if there is one. */

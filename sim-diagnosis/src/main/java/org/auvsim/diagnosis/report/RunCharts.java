@@ -39,15 +39,15 @@ final class RunCharts {
     /**
      * Charts of a run.
      *
-     * @param isExtended whether something was added to the model
+     * @param names of the model as believed and, if that differs, the other one
      */
-    RunCharts(DiagnosedRun of, Map<Channel, Double> noise, boolean isExtended) {
+    RunCharts(DiagnosedRun of, Map<Channel, Double> noise, List<String> names) {
         this.run = of.run();
         this.forces = of.forces();
         this.noise = noise;
-        models.add(new Model(isExtended ? "as believed" : "simulated", of.before()));
-        if (isExtended) {
-            models.add(new Model("with what was found", of.after()));
+        models.add(new Model(names.getFirst(), of.before()));
+        if (names.size() > 1) {
+            models.add(new Model(names.getLast(), of.after()));
         }
     }
 

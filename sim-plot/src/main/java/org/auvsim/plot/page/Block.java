@@ -8,7 +8,7 @@ public sealed interface Block {
     record Text(String sentences) implements Block {}
 
     /**
-     * Rows below a header; numbers are right-aligned.
+     * Rows below a header; columns of numbers are right-aligned.
      *
      * @param reading what the figures say, in a sentence
      */
@@ -28,6 +28,14 @@ public sealed interface Block {
                                     .formatted(row.size(), header.size(), row));
                 }
             }
+        }
+
+        /** Whether most cells of a column begin with a letter. */
+        boolean isOfWords(int column) {
+            List<String> cells =
+                    rows.stream().map(row -> row.get(column)).filter(c -> !c.isEmpty()).toList();
+            long words = cells.stream().filter(c -> Character.isLetter(c.charAt(0))).count();
+            return 2 * words > cells.size();
         }
     }
 

@@ -2,6 +2,7 @@ package org.auvsim.plot.page;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /** A named curve of a chart. */
 public record Curve(String name, Mark mark, List<Point> points) {
@@ -33,7 +34,8 @@ public record Curve(String name, Mark mark, List<Point> points) {
     /**
      * The same with {@code most} points at most, those of a single-valued curve in the order of x:
      * of each of equal runs of points the lowest and the highest one stay, in their order, so that
-     * no peak is lost.
+     * no peak is lost; of points without a line between them every second, third ... one stays, so
+     * that they look as dense where they are.
      *
      * @throws IllegalArgumentException if fewer than 4 may stay
      */
@@ -44,6 +46,9 @@ public record Curve(String name, Mark mark, List<Point> points) {
         }
         if (points.size() <= most) {
             return this;
+        }
+        if (mark == Mark.POINTS || mark == Mark.DOTS) {
+            return every(Math.ceilDiv(points.size(), most));
         }
         int runs = (most - 2) / 2;
         int inner = points.size() - 2;
@@ -56,6 +61,15 @@ public record Curve(String name, Mark mark, List<Point> points) {
         }
         kept.add(points.getLast());
         return new Curve(name, mark, kept);
+    }
+
+    private Curve every(int stride) {
+        return new Curve(
+                name,
+                mark,
+                IntStream.range(0, Math.ceilDiv(points.size(), stride))
+                        .mapToObj(i -> points.get(i * stride))
+                        .toList());
     }
 
     private static void keepExtremes(List<Point> run, List<Point> kept) {

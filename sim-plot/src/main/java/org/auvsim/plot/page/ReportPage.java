@@ -124,15 +124,24 @@ public final class ReportPage {
     }
 
     private static String html(Table table) {
-        StringBuilder out = new StringBuilder("<figure>\n<div class=\"wide\"><table>\n<tr>");
-        table.header().forEach(cell -> out.append("<th>%s</th>".formatted(escaped(cell))));
-        out.append("</tr>\n");
-        for (List<String> row : table.rows()) {
-            out.append("<tr>");
-            row.forEach(cell -> out.append("<td>%s</td>".formatted(escaped(cell))));
-            out.append("</tr>\n");
-        }
+        StringBuilder out = new StringBuilder("<figure>\n<div class=\"wide\"><table>\n");
+        append(table, table.header(), "th", out);
+        table.rows().forEach(row -> append(table, row, "td", out));
         return out + "</table></div>\n" + caption(table.reading()) + "</figure>\n";
+    }
+
+    private static void append(Table table, List<String> row, String cell, StringBuilder out) {
+        out.append("<tr>");
+        for (int column = 0; column < row.size(); column++) {
+            out.append(
+                    "<%s%s>%s</%s>"
+                            .formatted(
+                                    cell,
+                                    table.isOfWords(column) ? " class=\"words\"" : "",
+                                    escaped(row.get(column)),
+                                    cell));
+        }
+        out.append("</tr>\n");
     }
 
     private String html(Chart chart) {

@@ -6,22 +6,24 @@
     .map((chart, i) => ({ chart, canvas: canvases[i], drawn: null }));
   const colour = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
+  const paint = (curve, k) => colour(curve.mark === 'dots' ? '--quiet' : '--curve-' + k % 5);
+
   const dataset = (curve, k) => ({
     label: curve.name,
     data: curve.x.map((x, i) => ({ x, y: curve.y[i] })),
     showLine: curve.mark !== 'points' && curve.mark !== 'dots',
     borderDash: curve.mark === 'dashed' ? [6, 4] : [],
     borderWidth: curve.mark === 'dashed' ? 2 : 1.6,
-    pointRadius: { points: 4, dots: 1.5 }[curve.mark] ?? 0,
+    pointRadius: { points: 4, dots: 1.2 }[curve.mark] ?? 0,
     pointHitRadius: 6,
-    borderColor: colour('--curve-' + k % 5),
-    backgroundColor: colour('--curve-' + k % 5),
+    borderColor: paint(curve, k),
+    backgroundColor: paint(curve, k),
   });
 
   const axis = text => ({
     type: 'linear',
     title: { display: true, text, color: colour('--quiet') },
-    ticks: { color: colour('--quiet') },
+    ticks: { color: colour('--quiet'), includeBounds: false },
     grid: { color: colour('--rule') },
   });
 

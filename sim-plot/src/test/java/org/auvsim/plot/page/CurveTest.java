@@ -40,6 +40,15 @@ class CurveTest {
     }
 
     @Test
+    void ofDotsEveryNthStays() {
+        Curve dots = new Curve("dots", Curve.Mark.DOTS, sawtooth(1_001).points());
+        assertThat(dots.decimated(500).points())
+                .hasSize(334)
+                .startsWith(new Point(0, 0), new Point(3, 3), new Point(6, 6), new Point(9, 2))
+                .endsWith(new Point(999, 999 % 7));
+    }
+
+    @Test
     void tooFewPointsAreRefused() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> sawtooth(9).decimated(3))

@@ -123,6 +123,18 @@ class ReportPageTest {
     }
 
     @Test
+    void columnsOfWordsAreSet() {
+        Table table =
+                new Table(
+                        List.of("a", "b", "c"),
+                        List.of(List.of("1", "left", "below 0.1 %"), List.of("2", "", "9 %")),
+                        "");
+        assertThat(ReportPage.html(new Report("", "", List.of(Section.of("", table)))))
+                .contains("<tr><th>a</th><th class=\"words\">b</th><th>c</th></tr>")
+                .contains("<tr><td>2</td><td class=\"words\"></td><td>9 %</td></tr>");
+    }
+
+    @Test
     void aRowThatDoesNotFitItsHeaderIsRefused() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Table(List.of("a"), List.of(List.of("1", "2")), ""))

@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.report;
 import org.auvsim.core.math.Quat;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
+import java.util.Optional;
 import java.util.function.IntFunction;
 
 /** Angles of an orientation: first the heading, then the pitch, then the roll (z, y', x''). */
@@ -49,10 +50,10 @@ enum Angle {
         return course;
     }
 
-    /** The measured angles, the first within half a turn of that of an orientation. */
-    double[] measured(MeasuredRun run, Quat nearby) {
+    /** The measured angles, the first within half a turn of that of an orientation, if given. */
+    double[] measured(MeasuredRun run, Optional<Quat> nearby) {
         double[] course = new double[run.size()];
-        double last = of(nearby);
+        double last = nearby.map(this::of).orElse(0.0);
         for (int k = 0; k < course.length; k++) {
             double before = last;
             course[k] = run.orientation(k).map(q -> near(before, of(q))).orElse(Double.NaN);

@@ -34,7 +34,7 @@ final class RunCharts {
     /** What the run is compared with: the model as believed and, if that differs, the other. */
     private final List<Model> models = new ArrayList<>();
 
-    private record Model(String name, List<RigidMotion> told) {}
+    private record Model(String name, Mark mark, List<RigidMotion> told) {}
 
     /**
      * Charts of a run.
@@ -45,9 +45,10 @@ final class RunCharts {
         this.run = of.run();
         this.forces = of.forces();
         this.noise = noise;
-        models.add(new Model(names.getFirst(), of.before()));
-        if (names.size() > 1) {
-            models.add(new Model(names.getLast(), of.after()));
+        boolean isOnly = names.size() == 1;
+        models.add(new Model(names.getFirst(), isOnly ? Mark.LINE : Mark.DASHED, of.before()));
+        if (!isOnly) {
+            models.add(new Model(names.getLast(), Mark.LINE, of.after()));
         }
     }
 
@@ -89,7 +90,7 @@ final class RunCharts {
             curves.add(
                     curve(
                             model.name(),
-                            Mark.LINE,
+                            model.mark(),
                             size(model),
                             k -> {
                                 Vec3 p = model.told().get(k).position();
@@ -118,7 +119,7 @@ final class RunCharts {
             curves.add(
                     curve(
                             model.name(),
-                            Mark.LINE,
+                            model.mark(),
                             size(model),
                             k -> new Point(run.time(k), told.apply(model.told().get(k)))));
         }
@@ -162,7 +163,7 @@ final class RunCharts {
             curves.add(
                     curve(
                             model.name(),
-                            Mark.LINE,
+                            model.mark(),
                             angle.course(
                                     size(model), k -> model.told().get(k).orientation())));
         }
@@ -170,7 +171,11 @@ final class RunCharts {
                 curve(
                         "measured",
                         Mark.DOTS,
-                        angle.measured(run, models.getLast().told().getFirst().orientation())));
+                        angle.measured(
+                                run,
+                                models.getLast().told().stream()
+                                        .map(RigidMotion::orientation)
+                                        .findFirst())));
         return new Chart(angle.words() + " over time", TIME, "angle (rad)", curves, "");
     }
 

@@ -278,6 +278,24 @@ final class Diagnoses {
                 true);
     }
 
+    /** The runs of a null, but no model gets through the held-out one. */
+    static Diagnosis brokenOff() {
+        List<DiagnosedRun> runs = new ArrayList<>(runs(50, 0));
+        DiagnosedRun last = runs.removeLast();
+        runs.add(new DiagnosedRun(last.run(), true, List.of(), List.of(), List.of()));
+        return diagnosis(
+                Verdict.NONE,
+                "Nothing",
+                List.of(),
+                List.of(),
+                Map.of(),
+                runs,
+                Optional.empty(),
+                Optional.empty(),
+                scenario(0),
+                List.of());
+    }
+
     /** The same of a body of another name. */
     static Diagnosis renamed(Diagnosis of, String body) {
         return new Diagnosis(

@@ -120,6 +120,12 @@ class ReportTest {
     }
 
     @Test
+    void aModelThatBreaksOffLeavesMeasurementsAlone() throws IOException {
+        assertThat(page(Diagnoses.brokenOff())).contains("<h3>Heading over time</h3>");
+        assertThat(folder.resolve("predictions/run3.csv")).content().hasLineCount(1);
+    }
+
+    @Test
     void longRunsAreThinned() throws IOException {
         Path page = Report.write(Diagnoses.explained(20_001, List.of()), folder);
         assertThat(Files.size(page)).isLessThan(3_000_000);

@@ -10,7 +10,7 @@ public sealed interface Block {
     /**
      * Rows below a header; columns of numbers are right-aligned.
      *
-     * @param reading what the figures say, in a sentence
+     * @param reading what the figures say, in a sentence; may be empty
      */
     record Table(List<String> header, List<List<String>> rows, String reading) implements Block {
         /**
@@ -45,7 +45,7 @@ public sealed interface Block {
      * @param isMap whether a unit is as long across as it is up
      * @param x what the axis across shows, with its unit
      * @param y what the axis up shows, with its unit
-     * @param reading what the curves say, in a sentence
+     * @param reading what the curves say, in a sentence; may be empty
      */
     record Chart(
             String title, String x, String y, boolean isMap, List<Curve> curves, String reading)

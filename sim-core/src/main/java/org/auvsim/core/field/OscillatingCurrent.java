@@ -50,15 +50,23 @@ public record OscillatingCurrent(
     public void addTo(Block b) {
         double swing = StrictMath.sin(angle(b.time));
         double change = 2 * Math.PI / period * StrictMath.cos(angle(b.time));
-        add(b, b.ux, mean.x() + amplitude.x() * swing, b.flow[0], amplitude.x() * change);
-        add(b, b.uy, mean.y() + amplitude.y() * swing, b.flow[1], amplitude.y() * change);
-        add(b, b.uz, mean.z() + amplitude.z() * swing, b.flow[2], amplitude.z() * change);
+        for (int i = 0; i < b.count; i++) {
+            add(b, i, swing, change);
+        }
     }
 
-    private static void add(Block b, double[] to, double u, double[] rate, double acceleration) {
-        for (int i = 0; i < b.count; i++) {
-            to[i] += u;
-            rate[i] += acceleration;
-        }
+    @Override
+    public void addTo(Block b, int i) {
+        double swing = StrictMath.sin(angle(b.time));
+        add(b, i, swing, 2 * Math.PI / period * StrictMath.cos(angle(b.time)));
+    }
+
+    private void add(Block b, int i, double swing, double change) {
+        b.ux[i] += mean.x() + amplitude.x() * swing;
+        b.uy[i] += mean.y() + amplitude.y() * swing;
+        b.uz[i] += mean.z() + amplitude.z() * swing;
+        b.flow[0][i] += amplitude.x() * change;
+        b.flow[1][i] += amplitude.y() * change;
+        b.flow[2][i] += amplitude.z() * change;
     }
 }

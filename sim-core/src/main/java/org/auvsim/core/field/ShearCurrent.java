@@ -47,14 +47,18 @@ public record ShearCurrent(
 
     @Override
     public void addTo(Block b) {
-        double[] z = b.state[BodyState.Z];
         for (int i = 0; i < b.count; i++) {
-            double above = z[i] - height;
-            b.ux[i] += velocity.x() + shear.x() * above;
-            b.uy[i] += velocity.y() + shear.y() * above;
-            b.uz[i] += velocity.z();
-            b.flow[5][i] += shear.x();
-            b.flow[8][i] += shear.y();
+            addTo(b, i);
         }
+    }
+
+    @Override
+    public void addTo(Block b, int i) {
+        double above = b.state[BodyState.Z][i] - height;
+        b.ux[i] += velocity.x() + shear.x() * above;
+        b.uy[i] += velocity.y() + shear.y() * above;
+        b.uz[i] += velocity.z();
+        b.flow[5][i] += shear.x();
+        b.flow[8][i] += shear.y();
     }
 }

@@ -52,19 +52,24 @@ public record VortexCurrent(
 
     @Override
     public void addTo(Block b) {
-        double strength = strength();
         for (int i = 0; i < b.count; i++) {
-            double rx = b.state[BodyState.X][i] - x;
-            double ry = b.state[BodyState.Y][i] - y;
-            double s = rx * rx + ry * ry;
-            double rate = strength * profile.rate(s, coreRadius);
-            double change = 2 * strength * profile.change(s, coreRadius);
-            b.ux[i] -= ry * rate;
-            b.uy[i] += rx * rate;
-            b.flow[3][i] -= rx * ry * change;
-            b.flow[4][i] -= rate + ry * ry * change;
-            b.flow[6][i] += rate + rx * rx * change;
-            b.flow[7][i] += rx * ry * change;
+            addTo(b, i);
         }
+    }
+
+    @Override
+    public void addTo(Block b, int i) {
+        double strength = strength();
+        double rx = b.state[BodyState.X][i] - x;
+        double ry = b.state[BodyState.Y][i] - y;
+        double s = rx * rx + ry * ry;
+        double rate = strength * profile.rate(s, coreRadius);
+        double change = 2 * strength * profile.change(s, coreRadius);
+        b.ux[i] -= ry * rate;
+        b.uy[i] += rx * rate;
+        b.flow[3][i] -= rx * ry * change;
+        b.flow[4][i] -= rate + ry * ry * change;
+        b.flow[6][i] += rate + rx * rx * change;
+        b.flow[7][i] += rx * ry * change;
     }
 }

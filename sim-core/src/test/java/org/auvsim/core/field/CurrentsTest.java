@@ -49,7 +49,10 @@ class CurrentsTest {
         }
     }
 
-    /** The circulation around any circle is G (1 - exp(-r^2/a^2)), G outside Rankine's core, or G r^2/(r^2 + a^2). */
+    /**
+     * The circulation around any circle is G (1 - exp(-r^2/a^2)), G outside Rankine's core, or G
+     * r^2/(r^2 + a^2).
+     */
     @ParameterizedTest
     @ValueSource(doubles = {0.001, 0.3, 1, 2.5, 40})
     void aVortexHasItsCirculation(double r) {

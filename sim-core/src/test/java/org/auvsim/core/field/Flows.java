@@ -63,11 +63,22 @@ final class Flows {
                     .isLessThan(1e-14);
             assertThat(actual.elevation[i])
                     .isCloseTo(current.elevation(place.x(), place.y(), time), within(1e-14));
+            assertSameAlone(current.prepared(), actual, i, at(places, time));
             for (int d = 0; d < actual.flow.length; d++) {
                 assertThat(actual.flow[d][i])
                         .as("derivative %s at %s", d, place)
                         .isCloseTo(expected.flow[d][i], within(error));
             }
+        }
+    }
+
+    /** What it gives one body alone is what it gives that one among others. */
+    private static void assertSameAlone(Current current, Block among, int i, Block alone) {
+        current.addTo(alone, i);
+        assertThat(alone.waterVelocity(i).distance(among.waterVelocity(i))).isLessThan(1e-14);
+        assertThat(alone.waterVelocity(i == 0 ? 1 : 0)).isEqualTo(Vec3.ZERO);
+        for (int d = 0; d < among.flow.length; d++) {
+            assertThat(alone.flow[d][i]).isCloseTo(among.flow[d][i], within(1e-6));
         }
     }
 

@@ -64,9 +64,11 @@ final class CurrentCauses {
     }
 
     private static Variant swinging(Variant v, Vec3 amplitude, double omega, double phase) {
-        return v.in(
-                new OscillatingCurrent(
-                        id(v), name(v), Vec3.ZERO, amplitude, 2 * Math.PI / omega, phase));
+        return amplitude.equals(Vec3.ZERO)
+                ? v
+                : v.in(
+                        new OscillatingCurrent(
+                                id(v), name(v), Vec3.ZERO, amplitude, 2 * Math.PI / omega, phase));
     }
 
     private static Cause shear(Setting s, double scale) {

@@ -22,12 +22,14 @@ final class OnsetCauses {
                 begun(
                         s,
                         "step_force",
+                        "from",
                         Parameter.vector("force", "N", s.force()),
                         (v, t) ->
                                 v.with(b -> b.effect(new StepForce(vector(t), t[3], spread)))),
                 begun(
                         s,
                         "impulse",
+                        "at",
                         Parameter.vector("impulse", "N s", 0.1 * s.scale("N s")),
                         (v, t) -> v.with(b -> b.effect(new Kick(vector(t), t[3], spread)))));
     }
@@ -36,11 +38,16 @@ final class OnsetCauses {
         return new Vec3(theta[0], theta[1], theta[2]);
     }
 
-    private static Cause begun(Setting s, String id, List<Parameter> strength, Change.Law law) {
+    private static Cause begun(
+            Setting s, String id, String instant, List<Parameter> strength, Change.Law law) {
         List<Parameter> parameters = new ArrayList<>(strength);
         parameters.add(
                 new Parameter(
-                        "t", "s", 0.02 * s.path().duration(), s.path().begin(), s.path().end()));
+                        instant,
+                        "s",
+                        0.02 * s.path().duration(),
+                        s.path().begin(),
+                        s.path().end()));
         List<Guess> guesses = new ArrayList<>();
         for (double time : s.path().times(TIMES)) {
             guesses.add(Change.guess(parameters, new double[] {0, 0, 0, time}, 0, 1, 2));

@@ -10,7 +10,7 @@ import java.util.List;
 /** Forces that come again and again. */
 final class PeriodicCauses {
     private static final double GRAVITY = 9.80665;
-    private static final int WAVES = 24;
+    private static final int WAVES = 20;
     private static final int DIRECTIONS = 6;
 
     private PeriodicCauses() {}
@@ -58,6 +58,8 @@ final class PeriodicCauses {
                         Change.guess(
                                 parameters, new double[] {0, 0, direction, omega, 1}, 0, 1));
             }
+        }
+        for (double omega : frequencies.all()) {
             for (double direction : new double[] {0, Math.PI / 2}) {
                 guesses.add(
                         Change.guess(
@@ -82,8 +84,22 @@ final class PeriodicCauses {
                 theta[4] * omega * omega / GRAVITY);
     }
 
+    /** What is the same everywhere runs both ways: told as the one within half a turn of x. */
+    private static WaveForce told(WaveForce force) {
+        double half = force.waveNumber() == 0 ? Math.PI : 2 * Math.PI;
+        double turns = Math.floor(force.direction() / half);
+        boolean isTurned = half == Math.PI && turns % 2 != 0;
+        double phase = force.phase() + (isTurned ? Math.PI : 0);
+        return new WaveForce(
+                force.amplitude(),
+                force.direction() - turns * half,
+                force.angularFrequency(),
+                phase > Math.PI ? phase - 2 * Math.PI : phase,
+                force.waveNumber());
+    }
+
     private static List<Quantity> quantities(double[] theta) {
-        WaveForce force = force(theta);
+        WaveForce force = told(force(theta));
         return List.of(
                 new Quantity("amplitude", "N", force.amplitude()),
                 new Quantity("direction", "rad", force.direction()),

@@ -45,7 +45,7 @@ final class SensorCauses {
                                                 0.05,
                                                 -LONGEST_DELAY,
                                                 LONGEST_DELAY)),
-                                (v, t) -> v.sensed(sensing -> sensing.delayed(-t[0])))
+                                (v, t) -> v.sensed(sensing -> sensing.delayed(t[0])))
                         .asGeneric());
         if (s.measures(Channel.POSITION)) {
             causes.addAll(ofPositions(s));
@@ -75,7 +75,6 @@ final class SensorCauses {
                                                 sensing ->
                                                         sensing.scaled(
                                                                 new Vec3(t[0], t[1], t[2]))))
-                        .toldAsFactors()
                         .asGeneric(),
                 Change.of(
                                 "position_drift",

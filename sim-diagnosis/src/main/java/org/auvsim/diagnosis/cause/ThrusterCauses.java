@@ -101,7 +101,7 @@ final class ThrusterCauses {
                 List.of(
                         new Parameter("lost", "1", 0.1, 0, 1),
                         new Parameter(
-                                "t",
+                                "from",
                                 "s",
                                 0.02 * s.path().duration(),
                                 s.path().begin(),

@@ -191,10 +191,6 @@ public final class Examination {
     /** As the sensors would tell. */
     private static List<RigidMotion> told(
             MeasuredRun run, Variant variant, RigidMotion[] motion) {
-        List<RigidMotion> told = new ArrayList<>();
-        for (int k = 0; k < motion.length; k++) {
-            told.add(variant.sensing().of(motion[k], run.time(k) - run.time(0)));
-        }
-        return told;
+        return List.of(variant.sensing().of(motion, run, 0, motion.length));
     }
 }

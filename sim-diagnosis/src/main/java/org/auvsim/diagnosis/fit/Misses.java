@@ -87,10 +87,9 @@ final class Misses {
      */
     double[] of(RigidMotion[] motions, Sensing sensing, int from, int samples) {
         double[] misses = new double[samples * rows.size()];
+        RigidMotion[] told = sensing.of(motions, run, from, samples);
         for (int k = 0; k < samples; k++) {
-            int sample = from + k;
-            RigidMotion told = sensing.of(motions[k], run.time(sample) - run.time(0));
-            write(sample, told, misses, k * rows.size());
+            write(from + k, told[k], misses, k * rows.size());
         }
         return misses;
     }

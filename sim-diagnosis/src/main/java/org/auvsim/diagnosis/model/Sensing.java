@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.model;
 
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
 /**
@@ -47,21 +48,26 @@ public record Sensing(
     }
 
     /**
-     * What is told of a motion.
+     * What is told of a motion at a run's samples.
      *
-     * @param since time since the run's beginning (s)
+     * @param motions at samples from {@code from} on
+     * @param samples how many of them are asked for
      */
-    public RigidMotion of(RigidMotion motion, double since) {
+    public RigidMotion[] of(RigidMotion[] motions, MeasuredRun run, int from, int samples) {
         if (equals(EXACT)) {
-            return motion;
+            return motions;
         }
-        RigidMotion then =
-                delay == 0
-                        ? motion
-                        : motion.plus(
-                                change(
-                                        motion.velocity().times(-delay),
-                                        motion.angularVelocity().times(-delay)));
+        RigidMotion[] told = new RigidMotion[samples];
+        for (int k = 0; k < samples; k++) {
+            double time = run.time(from + k);
+            RigidMotion then =
+                    delay == 0 ? motions[k] : Course.at(motions, run, from, time - delay);
+            told[k] = of(then, time - run.time(0));
+        }
+        return told;
+    }
+
+    private RigidMotion of(RigidMotion then, double since) {
         Quat axes = rotation(turn);
         Quat heading = rotation(new Vec3(0, 0, yaw + yawRate * since));
         Vec3 p = then.position();
@@ -79,15 +85,9 @@ public record Sensing(
     }
 
     private static Quat rotation(Vec3 turn) {
-        double[] change = change(Vec3.ZERO, turn);
+        double[] change = {0, 0, 0, turn.x(), turn.y(), turn.z(), 0, 0, 0, 0, 0, 0};
         return new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO)
                 .plus(change)
                 .orientation();
-    }
-
-    private static double[] change(Vec3 way, Vec3 turn) {
-        return new double[] {
-            way.x(), way.y(), way.z(), turn.x(), turn.y(), turn.z(), 0, 0, 0, 0, 0, 0
-        };
     }
 }

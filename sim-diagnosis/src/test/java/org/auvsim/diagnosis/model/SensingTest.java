@@ -1,0 +1,92 @@
+package org.auvsim.diagnosis.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.server.feedback.RigidMotion;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class SensingTest {
+    private static final Vec3 UP = new Vec3(0, 0, 1);
+    private static final int SAMPLES = 60;
+
+    /** Round a circle of 2 m at 0.7 rad/s, climbing, while it turns faster and faster. */
+    private static RigidMotion motion(double t) {
+        double a = 0.7 * t;
+        double angle = 0.3 * t + 0.1 * t * t;
+        return new RigidMotion(
+                new Vec3(2 * Math.cos(a), 2 * Math.sin(a), 0.5 * t),
+                Quat.ofAxisAngle(UP, angle),
+                new Vec3(-1.4 * Math.sin(a), 1.4 * Math.cos(a), 0.5),
+                UP.times(0.3 + 0.2 * t));
+    }
+
+    private static MeasuredRun run() {
+        MeasuredRunBuilder run = MeasuredRun.named("run");
+        for (int k = 0; k < SAMPLES; k++) {
+            run.at(5 + 0.1 * k);
+        }
+        return run.build();
+    }
+
+    private static RigidMotion[] told(Sensing sensing, int from) {
+        MeasuredRun run = run();
+        RigidMotion[] motions = new RigidMotion[SAMPLES - from];
+        for (int k = 0; k < motions.length; k++) {
+            motions[k] = motion(run.time(from + k) - 5);
+        }
+        return sensing.of(motions, run, from, motions.length);
+    }
+
+    private static void assertNear(RigidMotion actual, RigidMotion expected, double error) {
+        for (double difference : actual.minus(expected)) {
+            assertThat(Math.abs(difference)).isLessThan(error);
+        }
+    }
+
+    /** What is old is what was, also where that was before the first sample. */
+    @ParameterizedTest
+    @CsvSource({"0.1, 2e-4", "0.23, 2e-3", "0.6, 2e-2", "-0.37, 5e-3"})
+    void aDelayTellsTheMotionOfBefore(double delay, double error) {
+        RigidMotion[] told = told(Sensing.EXACT.delayed(delay), 10);
+        for (int k = 0; k < told.length; k++) {
+            double then = 0.1 * (k + 10) - delay;
+            boolean isInside = then >= 1 && then <= 5.9;
+            assertNear(told[k], motion(then), isInside ? 2e-4 : error);
+        }
+    }
+
+    @Test
+    void scaleTurnYawAndDriftAreOfTheRunsTime() {
+        Sensing sensing =
+                Sensing.EXACT
+                        .scaled(new Vec3(0.1, 0, -0.2))
+                        .turned(UP.times(0.4))
+                        .yawed(0.2, 0.01)
+                        .drifting(new Vec3(0.03, 0, 0));
+        RigidMotion told = told(sensing, 20)[5];
+        RigidMotion moved = motion(2.5);
+        Quat axes = Quat.ofAxisAngle(UP, 0.4);
+        Vec3 p = moved.position();
+        Vec3 v = moved.velocity();
+        RigidMotion expected =
+                new RigidMotion(
+                        axes.rotate(new Vec3(1.1 * p.x(), p.y(), 0.8 * p.z()))
+                                .plus(new Vec3(0.03 * 2.5, 0, 0)),
+                        Quat.ofAxisAngle(UP, 0.4 + 0.2 + 0.025).times(moved.orientation()),
+                        axes.rotate(new Vec3(1.1 * v.x(), v.y(), 0.8 * v.z()))
+                                .plus(new Vec3(0.03, 0, 0)),
+                        axes.rotate(moved.angularVelocity()));
+        assertNear(told, expected, 1e-12);
+    }
+
+    @Test
+    void nothingIsTheMotionItself() {
+        assertThat(told(Sensing.EXACT, 0)[7]).isEqualTo(motion(run().time(7) - 5));
+    }
+}

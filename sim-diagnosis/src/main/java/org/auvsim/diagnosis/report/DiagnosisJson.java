@@ -69,11 +69,11 @@ final class DiagnosisJson {
         }
     }
 
-    static String text(Diagnosis diagnosis, List<RunFile> runs) {
+    static String text(Diagnosis diagnosis, List<NamedRun> runs) {
         return MAPPER.writeValueAsString(document(diagnosis, runs)) + "\n";
     }
 
-    private static DiagnosisDocument document(Diagnosis of, List<RunFile> runs) {
+    private static DiagnosisDocument document(Diagnosis of, List<NamedRun> runs) {
         Optional<Gain> position = Optional.ofNullable(of.heldOut().get(Channel.POSITION));
         return new DiagnosisDocument(
                 Names.of(of.verdict()),
@@ -156,7 +156,7 @@ final class DiagnosisJson {
         return new RankedPart(name, of.logEvidence(), of.probability(), of.causes(), params);
     }
 
-    private static RunPart run(RunFile file, Map<Channel, Double> noise) {
+    private static RunPart run(NamedRun file, Map<Channel, Double> noise) {
         DiagnosedRun of = file.run();
         MeasuredRun run = of.run();
         Map<Channel, Gain> errors = new LinkedHashMap<>();
@@ -165,8 +165,8 @@ final class DiagnosisJson {
                 errors.put(
                         channel,
                         new Gain(
-                                new Misfit(run, of.before()).rootMeanSquare(channel),
-                                new Misfit(run, of.after()).rootMeanSquare(channel),
+                                new Residuals(run, of.before()).rootMeanSquare(channel),
+                                new Residuals(run, of.after()).rootMeanSquare(channel),
                                 noise.getOrDefault(channel, Double.NaN)));
             }
         }

@@ -27,10 +27,10 @@ public final class Report {
      * @throws IOException if a file cannot be written
      */
     public static Path write(Diagnosis diagnosis, Path folder) throws IOException {
-        List<RunFile> runs = RunFile.of(diagnosis.runs());
+        List<NamedRun> runs = NamedRun.of(diagnosis.runs());
         Path predictions = emptied(folder.resolve(PREDICTIONS));
         Path residuals = emptied(folder.resolve(RESIDUALS));
-        for (RunFile file : runs) {
+        for (NamedRun file : runs) {
             DiagnosedRun run = file.run();
             if (run.isHeldOut()) {
                 WholeFile.write(

@@ -184,7 +184,7 @@ final class RunCharts {
     }
 
     private Chart residuals(Channel channel, Model model) {
-        Misfit misfit = new Misfit(run, model.told());
+        Residuals residuals = new Residuals(run, model.told());
         List<Curve> curves = new ArrayList<>();
         for (int axis = 0; axis < AXES.length(); axis++) {
             int of = axis;
@@ -193,11 +193,11 @@ final class RunCharts {
                         curve(
                                 AXES.substring(axis, axis + 1),
                                 Mark.LINE,
-                                misfit.size(),
+                                residuals.size(),
                                 k ->
                                         new Point(
                                                 run.time(k),
-                                                Misfit.component(misfit.of(channel, k), of))));
+                                                Residuals.component(residuals.of(channel, k), of))));
             }
         }
         String unit = Sentence.unit(channel);
@@ -208,7 +208,7 @@ final class RunCharts {
                 curves,
                 "Root mean square %s %s; noise %s %s."
                         .formatted(
-                                Numbers.rounded(misfit.rootMeanSquare(channel)),
+                                Numbers.rounded(residuals.rootMeanSquare(channel)),
                                 unit,
                                 Numbers.rounded(noise.getOrDefault(channel, Double.NaN)),
                                 unit));
@@ -236,7 +236,7 @@ final class RunCharts {
                             i ->
                                     new Point(
                                             travelled[i],
-                                            Misfit.component(of.apply(forces.get(i)), along))));
+                                            Residuals.component(of.apply(forces.get(i)), along))));
         }
         return new Chart(
                 "Force that is missing along the path, " + model,

@@ -49,8 +49,8 @@ final class RunTables {
         CsvWriter csv = CsvWriter.builder().build(out);
         List<Channel> channels = Stream.of(Channel.values()).filter(run::measures).toList();
         csv.writeRecord(header(channels));
-        Misfit before = new Misfit(run, of.before());
-        Misfit after = new Misfit(run, of.after());
+        Residuals before = new Residuals(run, of.before());
+        Residuals after = new Residuals(run, of.after());
         for (int k = 0; k < run.size(); k++) {
             DoubleStream.Builder numbers = DoubleStream.builder().add(run.time(k));
             for (Channel channel : channels) {
@@ -75,9 +75,9 @@ final class RunTables {
         return header;
     }
 
-    private static double number(Misfit misfit, Channel channel, int sample, int axis) {
-        return sample < misfit.size()
-                ? Misfit.component(misfit.of(channel, sample), axis)
+    private static double number(Residuals residuals, Channel channel, int sample, int axis) {
+        return sample < residuals.size()
+                ? Residuals.component(residuals.of(channel, sample), axis)
                 : Double.NaN;
     }
 

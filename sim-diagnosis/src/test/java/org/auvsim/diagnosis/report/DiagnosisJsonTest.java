@@ -28,7 +28,7 @@ class DiagnosisJsonTest {
     private static final Path SCHEMA = Path.of("../docs/diagnosis.schema.json");
 
     private static String json(Diagnosis diagnosis) {
-        return DiagnosisJson.text(diagnosis, RunFile.of(diagnosis.runs()));
+        return DiagnosisJson.text(diagnosis, NamedRun.of(diagnosis.runs()));
     }
 
     private static List<String> faults(String json) throws IOException {

@@ -105,8 +105,8 @@ class RunTablesTest {
                                                 List.of(),
                                                 List.of()))
                         .toList();
-        assertThat(RunFile.of(runs))
-                .extracting(RunFile::name)
+        assertThat(NamedRun.of(runs))
+                .extracting(NamedRun::name)
                 .containsExactly("a_b_c.csv", "Run.csv", "run-2.csv", "__x.csv", "run-3.csv");
     }
 }

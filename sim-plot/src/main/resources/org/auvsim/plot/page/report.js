@@ -6,12 +6,15 @@
     .map((chart, i) => ({ chart, canvas: canvases[i], drawn: null }));
   const colour = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
+  const hasLine = curve => curve.mark !== 'points' && curve.mark !== 'dots';
+
   const paint = (curve, k) => colour(curve.mark === 'dots' ? '--quiet' : '--curve-' + k % 5);
 
   const dataset = (curve, k) => ({
     label: curve.name,
     data: curve.x.map((x, i) => ({ x, y: curve.y[i] })),
-    showLine: curve.mark !== 'points' && curve.mark !== 'dots',
+    showLine: hasLine(curve),
+    pointStyle: hasLine(curve) ? 'line' : 'circle',
     borderDash: curve.mark === 'dashed' ? [6, 4] : [],
     borderWidth: curve.mark === 'dashed' ? 2 : 1.6,
     pointRadius: { points: 4, dots: 1.2 }[curve.mark] ?? 0,
@@ -25,6 +28,13 @@
     title: { display: true, text, color: colour('--quiet') },
     ticks: { color: colour('--quiet'), includeBounds: false },
     grid: { color: colour('--rule') },
+  });
+
+  const legend = () => ({
+    color: colour('--ink'),
+    usePointStyle: true,
+    pointStyleWidth: 24,
+    boxHeight: 6,
   });
 
   const extent = (chart, key) => {
@@ -60,7 +70,7 @@
         maintainAspectRatio: false,
         onResize: chart.map ? rescale : undefined,
         scales: { x: axis(chart.x), y: axis(chart.y) },
-        plugins: { legend: { labels: { color: colour('--ink'), boxWidth: 24, boxHeight: 2 } } },
+        plugins: { legend: { labels: legend() } },
       },
     });
     if (chart.map) scaleAlike(place);

@@ -14,7 +14,7 @@ import java.util.List;
  *
  * @param told sample by sample; no longer than the run
  */
-record Misfit(MeasuredRun run, List<RigidMotion> told) {
+record Residuals(MeasuredRun run, List<RigidMotion> told) {
     /** How many samples there are. */
     int size() {
         return Math.min(run.size(), told.size());

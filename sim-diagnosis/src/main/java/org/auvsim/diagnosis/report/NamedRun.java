@@ -13,20 +13,20 @@ import java.util.Set;
  *
  * @param name of a file, with its ending
  */
-record RunFile(DiagnosedRun run, String name) {
+record NamedRun(DiagnosedRun run, String name) {
     private static final String ENDING = ".csv";
 
     /** Runs with names that any system takes and that differ, also where case does not count. */
-    static List<RunFile> of(List<DiagnosedRun> runs) {
+    static List<NamedRun> of(List<DiagnosedRun> runs) {
         Set<String> taken = new HashSet<>();
-        List<RunFile> files = new ArrayList<>();
+        List<NamedRun> files = new ArrayList<>();
         for (DiagnosedRun run : runs) {
             String plain = plain(run.run().name());
             String name = plain;
             for (int i = 2; !taken.add(name.toLowerCase(Locale.ROOT)); i++) {
                 name = plain + "-" + i;
             }
-            files.add(new RunFile(run, name + ENDING));
+            files.add(new NamedRun(run, name + ENDING));
         }
         return files;
     }

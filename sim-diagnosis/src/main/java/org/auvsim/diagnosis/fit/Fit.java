@@ -8,7 +8,6 @@ import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -106,23 +105,6 @@ record Fit(
             one.add(List.of(new Window(0, data.get(r).run().size() - 1, start)));
         }
         return with(hypothesis, one);
-    }
-
-    /** What the windows miss, each from its own start, run by run in the order of samples. */
-    List<double[]> windowMisses() {
-        List<double[]> all = new ArrayList<>();
-        for (List<WindowDerivatives> ofRun : derivatives(Moves.NONE, 1)) {
-            all.add(
-                    ofRun.stream()
-                            .flatMapToDouble(window -> Arrays.stream(window.misses))
-                            .toArray());
-        }
-        return all;
-    }
-
-    /** The same, its numbers weighed otherwise. */
-    Fit weighed(List<Misses> other) {
-        return new Fit(model, other, hypothesis, windows, knowledge);
     }
 
     /** The motion of each run, simulated in one go from its start. */

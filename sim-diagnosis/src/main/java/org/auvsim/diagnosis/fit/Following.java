@@ -55,12 +55,6 @@ final class Following {
         return new Fit(model, data, hypothesis, windows, Knowledge.NONE);
     }
 
-    /** The same, outliers tamed. */
-    static Fit tamed(BelievedModel model, Hypothesis hypothesis, List<Misses> data, Noise noise) {
-        Fit fit = of(model, hypothesis, data, noise);
-        return fit.weighed(HeavyTails.tamed(fit));
-    }
-
     /** A window as it was fitted, and by how much it misses: chi squared of its samples. */
     private record Fitted(Window window, WindowDerivatives derivatives) {
         double cost() {

@@ -1,13 +1,16 @@
 package org.auvsim.diagnosis.fit;
 
-import java.util.ArrayList;
+import org.auvsim.core.math.Quat;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
 import java.util.Arrays;
-import java.util.List;
+import java.util.Optional;
 
 /**
  * Takes their power from outliers: where a channel has more numbers far off than a normal
  * distribution has, each is weighed as under Student's t with few degrees of freedom (Lange, Little
- * &amp; Taylor 1989), by what it is off windows that follow the measurement whatever moves the body.
+ * &amp; Taylor 1989), by how far it is off a cubic through its four neighbours: without any model.
  */
 final class HeavyTails {
     private static final double FREEDOM = 4;
@@ -17,38 +20,57 @@ final class HeavyTails {
 
     private static final double MOST_FAR = 0.002;
 
+    /** Of fourth differences (1, 4, 6, 4, 1), the middle one taken once. */
+    private static final double[] CUBIC = {1 / 6.0, -4 / 6.0, 1, -4 / 6.0, 1 / 6.0};
+
+    private static final double SPREAD = Math.sqrt(70) / 6;
+
     private HeavyTails() {}
 
-    /** The data of a fit, weighed where that is needed. */
-    static List<Misses> tamed(Fit following) {
-        List<double[]> misses = following.windowMisses();
-        List<Misses> tamed = new ArrayList<>();
-        for (int r = 0; r < misses.size(); r++) {
-            Misses of = following.data().get(r);
-            double[] factors = factors(of, misses.get(r));
-            boolean changes = Arrays.stream(factors).anyMatch(f -> f != 1);
-            tamed.add(changes ? of.weighed(factors) : of);
-        }
-        return tamed;
-    }
-
-    private static double[] factors(Misses of, double[] misses) {
+    /** What motions miss of a run, outliers weighed less where there are many. */
+    static Misses tamed(Misses of, Noise noise) {
         int rows = of.rows().size();
-        double[] factors = new double[misses.length];
+        double[] factors = new double[of.run().size() * rows];
         Arrays.fill(factors, 1);
         for (int row = 0; row < rows; row++) {
+            Misses.Row which = of.rows().get(row);
+            double scale = noise.of(which.channel()) * SPREAD;
             int far = 0;
-            int count = 0;
-            for (int i = row; i < misses.length; i += rows) {
-                if (of.isMeasured(i)) {
-                    count++;
-                    far += Math.abs(misses[i]) > FAR ? 1 : 0;
+            for (int k = 2; k + 2 < of.run().size(); k++) {
+                far += Math.abs(off(of.run(), which, k)) > FAR * scale ? 1 : 0;
+            }
+            if (far > MOST_FAR * of.run().size()) {
+                for (int k = 2; k + 2 < of.run().size(); k++) {
+                    double z = off(of.run(), which, k) / scale;
+                    factors[k * rows + row] = factor(z);
                 }
             }
-            for (int i = row; far > MOST_FAR * count && i < misses.length; i += rows) {
-                factors[i] = Math.sqrt((FREEDOM + 1) / (FREEDOM + misses[i] * misses[i]));
-            }
         }
-        return factors;
+        return of.weighed(factors);
+    }
+
+    private static double factor(double z) {
+        return Double.isNaN(z) ? 1 : Math.sqrt((FREEDOM + 1) / (FREEDOM + z * z));
+    }
+
+    private static double off(MeasuredRun run, Misses.Row row, int k) {
+        double sum = 0;
+        for (int j = 0; j < CUBIC.length; j++) {
+            int neighbour = k - 2 + j;
+            sum +=
+                    CUBIC[j]
+                            * (row.channel() == Channel.ORIENTATION
+                                    ? turn(run, row.axis(), k, neighbour)
+                                    : run.value(row.channel(), neighbour, row.axis()));
+        }
+        return sum;
+    }
+
+    private static double turn(MeasuredRun run, int axis, int from, int to) {
+        Optional<Quat> one = run.orientation(from);
+        Optional<Quat> other = run.orientation(to);
+        return one.isPresent() && other.isPresent()
+                ? Misses.axis(Misses.turn(one.get(), other.get()), axis)
+                : Double.NaN;
     }
 }

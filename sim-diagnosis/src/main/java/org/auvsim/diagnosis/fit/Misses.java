@@ -25,6 +25,11 @@ final class Misses {
     /** An axis (0 to 2) of a channel. */
     record Row(Channel channel, int axis) {}
 
+    /** Those of runs with this noise, outliers tamed. */
+    static List<Misses> of(List<MeasuredRun> runs, Noise noise) {
+        return runs.stream().map(run -> HeavyTails.tamed(new Misses(run, noise), noise)).toList();
+    }
+
     /** Those of a run whose measurements have this noise, where they do not state their own. */
     Misses(MeasuredRun run, Noise noise) {
         this.run = run;

@@ -31,10 +31,10 @@ final class Search {
         this.model = model;
         this.noise = Noise.of(runs);
         this.base =
-                Following.tamed(
+                Following.of(
                         model,
                         Hypothesis.NONE,
-                        runs.stream().map(run -> new Misses(run, noise)).toList(),
+                        Misses.of(runs, noise),
                         noise);
         this.library = library;
         this.guesses =

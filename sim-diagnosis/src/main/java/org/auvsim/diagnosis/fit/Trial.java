@@ -27,13 +27,13 @@ final class Trial {
 
     Trial(BelievedModel model, List<MeasuredRun> heldOut, Noise noise) {
         this.model = model;
-        this.data = heldOut.stream().map(run -> new Misses(run, noise)).toList();
+        this.data = Misses.of(heldOut, noise);
         this.noise = noise;
     }
 
     /** Held-out runs from starts of their own, the hypothesis as it is. */
     Judged prediction(Hypothesis hypothesis) {
-        Fit fit = Following.tamed(model, hypothesis.settled(), data, noise);
+        Fit fit = Following.of(model, hypothesis.settled(), data, noise);
         return Refinement.converge(Refinement.approach(fit, 1), STEPS);
     }
 

@@ -116,6 +116,23 @@ public record Scenario(
         return with(fields, worldObject);
     }
 
+    /** The same scenario with another time step. */
+    public Scenario with(TimeStep other) {
+        return new Scenario(
+                startTime,
+                boundingSpheres,
+                allowOverlaps,
+                feedbackHorizon,
+                other,
+                stepper,
+                feedbackTimestepping,
+                feedbackProcessor,
+                releasedObject,
+                datum,
+                field,
+                worldObject);
+    }
+
     /** The same scenario with other fields and objects. */
     public Scenario with(List<Field<?>> fields, List<WorldObjectDefinition> worldObjects) {
         return new Scenario(

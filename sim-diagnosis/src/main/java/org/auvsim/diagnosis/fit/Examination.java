@@ -4,12 +4,12 @@ import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.result.Alternative;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Discrepancy;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Gain;
-import org.auvsim.diagnosis.result.Identifiability;
 import org.auvsim.diagnosis.result.Ranked;
 import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.result.Verdict;
@@ -51,55 +51,74 @@ public final class Examination {
     public Diagnosis diagnosis() {
         Search.Found found = new Search(model, fit, causes, course).found();
         course.at("judging by held-out runs", 0.9);
-        Trial trial = new Trial(model, heldOut, found.noise());
+        Trial trial = new Trial(found.model(), heldOut, found.noise());
         Judged before = trial.prediction(Hypothesis.NONE);
         Judged best = found.best();
         Judged after =
                 best == found.none() ? before : trial.prediction(best.fit().hypothesis());
         Uncertainty uncertainty = new Uncertainty(best);
-        boolean passes =
-                Search.isWhite(best) && trial.passes(best, after, uncertainty.knowledge());
-        Verdict verdict =
-                !passes
-                        ? Verdict.UNEXPLAINED
-                        : best == found.none() ? Verdict.NONE : Verdict.EXPLAINED;
-        List<Finding> selected =
-                verdict == Verdict.EXPLAINED ? findings(found, uncertainty) : List.of();
+        Verdict verdict = verdict(found, trial, after, uncertainty);
+        boolean isExplained = verdict == Verdict.EXPLAINED;
+        List<Finding> selected = isExplained ? findings(found, uncertainty) : List.of();
+        List<Alternative> alternatives =
+                found.competitors().stream()
+                        .map(other -> Alternatives.alternative(best, other))
+                        .toList();
         Map<Channel, Gain> gains = trial.gains(before, after);
         Optional<Discrepancy> discrepancy =
                 verdict == Verdict.UNEXPLAINED
-                        ? Optional.of(discrepancy(found))
+                        ? Optional.of(Misfit.largest(best, share(found.none(), best)))
                         : Optional.empty();
         Sentence sentence = new Sentence(gains, false);
         String words =
                 switch (verdict) {
                     case EXPLAINED ->
-                            sentence.explained(selected, share(found, best), List.of());
+                            sentence.explained(
+                                    selected, share(found.none(), best), alternatives);
                     case NONE -> sentence.none();
                     case UNEXPLAINED -> sentence.unexplained(discrepancy);
                 };
-        Variant extended =
-                verdict == Verdict.EXPLAINED ? best.fit().variant() : model.variant();
         return new Diagnosis(
                 verdict,
                 words,
                 model.body(),
                 selected,
                 ranked(found),
-                List.of(),
+                alternatives,
                 found.noise().byChannel(),
                 gains,
-                List.of(),
+                trial.horizons(best.fit().variant()),
                 false,
                 runs(found, best, before, after),
                 discrepancy,
                 Optional.empty(),
-                Optional.empty(),
-                new Identifiability(List.of(), List.of()),
-                model.extended(extended),
-                List.of(),
+                new Menu(found.model(), best.fit(), found.noise())
+                        .next(best, found.competitors()),
+                found.traces().identifiability(best.fit().hypothesis().causes()),
+                model.extended(isExplained ? best.fit().variant() : model.variant()),
+                notices(found),
                 seed,
                 course.goesOn());
+    }
+
+    private static Verdict verdict(
+            Search.Found found, Trial trial, Judged after, Uncertainty uncertainty) {
+        Judged best = found.best();
+        if (!Search.isWhite(best) || !trial.passes(best, after, uncertainty.knowledge())) {
+            return Verdict.UNEXPLAINED;
+        }
+        return best == found.none() ? Verdict.NONE : Verdict.EXPLAINED;
+    }
+
+    private List<String> notices(Search.Found found) {
+        double stated = model.scenario().timeStep().delta();
+        double used = found.model().scenario().timeStep().delta();
+        return used < stated
+                ? List.of(
+                        ("the scenario's time step of %s s is too long for this data: steps of %s"
+                                        + " s were made, which a simulation needs, too")
+                                .formatted(stated, used))
+                : List.of();
     }
 
     private static List<Finding> findings(Search.Found found, Uncertainty uncertainty) {
@@ -116,10 +135,6 @@ public final class Examination {
                             share(found.without(c), found.best())));
         }
         return findings;
-    }
-
-    private static double share(Search.Found found, Judged best) {
-        return share(found.none(), best);
     }
 
     /** Share of the squares beyond noise that goes from one fit to a better one. */
@@ -158,10 +173,6 @@ public final class Examination {
         return ranked;
     }
 
-    private Discrepancy discrepancy(Search.Found found) {
-        return Misfit.largest(found.best(), share(found, found.best()));
-    }
-
     private List<DiagnosedRun> runs(
             Search.Found found, Judged best, Judged before, Judged after) {
         List<DiagnosedRun> runs = new ArrayList<>();
@@ -183,7 +194,8 @@ public final class Examination {
                             areHeldOut,
                             told(of.run(), model.variant(), motionBefore.get(r)),
                             told(of.run(), variant, motionAfter.get(r)),
-                            MissingForce.along(model, variant, of, found.noise())));
+                            MissingForce.along(
+                                    found.model(), variant, of, found.noise())));
         }
         return runs;
     }

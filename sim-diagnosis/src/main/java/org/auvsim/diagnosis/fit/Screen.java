@@ -84,6 +84,12 @@ final class Screen {
         return Math.max(1, (int) Math.floor(TOGETHER / shortest + 1e-9));
     }
 
+    /** How alike what causes do is, over whole runs. */
+    Traces traces() {
+        List<List<WindowBlock>> blocks = base.blocks(derivatives, base.longest());
+        return new Traces(Gram.of(blocks, moves.steps().length), seeds);
+    }
+
     /** Sets of so many causes (1 or 2), from each level, where they promise most. */
     List<Start> starts(int size) {
         return starts(gram -> size == 1 ? bestSingles(gram) : bestPairs(gram));

@@ -28,14 +28,14 @@ final class Search {
     private final List<Judged> judged = new ArrayList<>();
 
     Search(BelievedModel model, List<MeasuredRun> runs, List<Cause> library, Course course) {
-        this.model = model;
         this.noise = Noise.of(runs);
+        List<Misses> data = Misses.of(runs, noise);
+        Fit asStated = Following.of(model, Hypothesis.NONE, data, noise);
+        this.model = StepLength.converged(model, asStated);
         this.base =
-                Following.of(
-                        model,
-                        Hypothesis.NONE,
-                        Misses.of(runs, noise),
-                        noise);
+                this.model == model
+                        ? asStated
+                        : Following.of(this.model, Hypothesis.NONE, data, noise);
         this.library = library;
         this.guesses =
                 library.stream().map(c -> new Seed.Guesses(c, c.guesses(runs))).toList();
@@ -48,8 +48,21 @@ final class Search {
      * @param none the model as it is believed
      * @param best the best set of causes; that of none if no set is better
      * @param judged all sets, the best first
+     * @param competitors sets that explain the runs about as well as the best
+     * @param traces what causes leave in the data beside those of the best
      */
-    record Found(Judged none, Judged best, List<Judged> judged, Noise noise) {
+    record Found(
+            Judged none,
+            Judged best,
+            List<Judged> judged,
+            List<Judged> competitors,
+            Traces traces,
+            Noise noise) {
+        /** The model, in steps that are short enough. */
+        BelievedModel model() {
+            return none.fit().model();
+        }
+
         /** The best, one of its causes left out. */
         Judged without(int cause) {
             Hypothesis of = best.fit().hypothesis();
@@ -66,6 +79,7 @@ final class Search {
         course.at("fitting the model as it is", 0.1);
         Judged none = Refinement.converge(Refinement.approach(base, 1), THIRD_STEPS);
         judged.add(none);
+        int count = none.outcome().count();
         List<Cause> specific = library.stream().filter(c -> !c.isGeneric()).toList();
         Judged best = searched(none, specific);
         if (!isWhite(best) && course.goesOn()) {
@@ -77,7 +91,17 @@ final class Search {
         }
         List<Judged> sorted =
                 judged.stream().sorted(Comparator.comparingDouble(Judged::score)).toList();
-        return new Found(none, best, sorted, noise);
+        List<Judged> near =
+                best == none ? List.of() : Alternatives.competitors(best, sorted);
+        Judged decided = Arbitration.decided(best, near);
+        Screen beside = new Screen(following(decided.fit().hypothesis()), library, guesses, count);
+        return new Found(
+                none,
+                decided,
+                sorted,
+                decided == best ? near : Alternatives.competitors(decided, sorted),
+                beside.traces(),
+                noise);
     }
 
     private Judged searched(Judged none, List<Cause> causes) {

@@ -1,11 +1,12 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.Gain;
+import org.auvsim.diagnosis.result.HorizonGain;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
-import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -87,9 +88,8 @@ final class Trial {
         return gains;
     }
 
-    List<MeasuredRun> runs() {
-        List<MeasuredRun> runs = new ArrayList<>();
-        data.forEach(of -> runs.add(of.run()));
-        return runs;
+    /** The same by how far ahead is predicted. */
+    List<HorizonGain> horizons(Variant after) {
+        return new Horizons(model, noise).gains(data, after);
     }
 }

@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.model;
 
 import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.auvsml.document.TimeStep;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.Mount;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -83,6 +84,11 @@ public record BelievedModel(Scenario scenario, String body) {
     /** The body as it is believed. */
     public Variant variant() {
         return new Variant(definition(scenario, body), List.of(), Sensing.EXACT);
+    }
+
+    /** The same, in steps of at most so long (s). */
+    public BelievedModel stepping(double longestStep) {
+        return new BelievedModel(scenario.with(new TimeStep(longestStep)), body);
     }
 
     /** The scenario with a variant of the body and its currents: what a diagnosis has found. */

@@ -1,0 +1,98 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Quantity;
+import org.auvsim.diagnosis.result.Alternative;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Other sets of causes that explain the runs about as well as the best. */
+final class Alternatives {
+    /** Models whose motions differ by less (squared, in standard deviations) are the same here. */
+    private static final double SAME = 9;
+
+    private static final double MARGIN = 12;
+    private static final int MOST = 6;
+    private static final String FACTOR = "factor";
+
+    private Alternatives() {}
+
+    /** Those of the best, nearest first. */
+    static List<Judged> competitors(Judged best, List<Judged> judged) {
+        List<List<Cause>> taken = new ArrayList<>();
+        taken.add(best.fit().hypothesis().causes());
+        List<Judged> competitors = new ArrayList<>();
+        for (Judged other : judged) {
+            List<Cause> causes = other.fit().hypothesis().causes();
+            boolean isNear = other.score() < best.score() + MARGIN;
+            if (isNear && !contains(causes, best) && !taken.contains(causes)) {
+                taken.add(causes);
+                competitors.add(other);
+            }
+        }
+        return List.copyOf(competitors.subList(0, Math.min(MOST, competitors.size())));
+    }
+
+    /** One that has all causes of the best, and more, is no alternative to it. */
+    private static boolean contains(List<Cause> causes, Judged best) {
+        return causes.containsAll(best.fit().hypothesis().causes());
+    }
+
+    static Alternative alternative(Judged best, Judged other) {
+        boolean isSame = distance(best, other) < SAME;
+        return new Alternative(
+                other.fit().hypothesis().causes().stream().map(Cause::name).toList(),
+                isSame,
+                isSame ? determined(best.fit().hypothesis(), other.fit().hypothesis()) : "");
+    }
+
+    /** Squared difference of what two models predict of the runs, in standard deviations. */
+    static double distance(Judged a, Judged b) {
+        double sum = 0;
+        for (int r = 0; r < a.outcome().misses().size(); r++) {
+            double[] one = a.outcome().misses().get(r);
+            double[] other = b.outcome().misses().get(r);
+            for (int i = 0; i < one.length; i++) {
+                sum += (one[i] - other[i]) * (one[i] - other[i]);
+            }
+        }
+        return sum;
+    }
+
+    /** What both have in common, in words. */
+    private static String determined(Hypothesis best, Hypothesis other) {
+        List<String> parts = new ArrayList<>();
+        for (Quantity a : ofOthers(best, other)) {
+            for (Quantity b : ofOthers(other, best)) {
+                parts.add(relation(a, b));
+            }
+        }
+        return parts.size() == 1 ? parts.getFirst() : "";
+    }
+
+    /** Quantities of causes that the other hypothesis has not, under the names of the causes. */
+    private static List<Quantity> ofOthers(Hypothesis of, Hypothesis other) {
+        List<Quantity> quantities = new ArrayList<>();
+        for (int c = 0; c < of.causes().size(); c++) {
+            Cause cause = of.causes().get(c);
+            if (!other.causes().contains(cause)) {
+                for (Quantity q : cause.quantities(of.theta().get(c))) {
+                    quantities.add(
+                            new Quantity(cause.name() + " " + q.name(), q.unit(), q.value()));
+                }
+            }
+        }
+        return quantities;
+    }
+
+    private static String relation(Quantity a, Quantity b) {
+        if (a.name().endsWith(FACTOR) && b.name().endsWith(FACTOR)) {
+            boolean isRatio = (a.value() - 1) * (b.value() - 1) < 0;
+            return "%s %s %s = %.3g"
+                    .formatted(a.name(), isRatio ? "/" : "*", b.name(), a.value());
+        }
+        return "%s + %.3g %s = %.3g %s"
+                .formatted(a.name(), a.value() / b.value(), b.name(), a.value(), a.unit());
+    }
+}

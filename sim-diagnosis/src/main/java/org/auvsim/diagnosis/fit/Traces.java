@@ -1,0 +1,134 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.result.Identifiability;
+import org.auvsim.diagnosis.result.Identifiability.Confusion;
+
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.CholeskyDecomposition;
+import org.apache.commons.math3.linear.LUDecomposition;
+import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.SingularValueDecomposition;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/**
+ * How alike the traces are that causes leave in the data: the smallest angle between the subspaces
+ * of their columns (Bjorck &amp; Golub 1973), the starts projected out.
+ */
+final class Traces {
+    /** Traces at a larger angle (degrees) are not worth a word. */
+    private static final double ALIKE = 25;
+
+    private static final int MOST = 12;
+
+    /** A cause a hundred times its telling size that stays below noise leaves no trace. */
+    private static final double UNSEEN = 0.01;
+
+    private static final double RIDGE = 1e-9;
+
+    private final Gram gram;
+    private final List<Seed> seeds;
+
+    Traces(Gram gram, List<Seed> seeds) {
+        this.gram = gram;
+        this.seeds = seeds;
+    }
+
+    /** What is confused with the causes that were found, and what could not have been seen. */
+    Identifiability identifiability(List<Cause> found) {
+        List<Confusion> confusions = new ArrayList<>();
+        for (Seed seed : seeds) {
+            if (!found.isEmpty() && !found.contains(seed.cause())) {
+                continue;
+            }
+            for (Seed other : seeds) {
+                boolean isOnce = found.contains(other.cause()) || found.isEmpty();
+                if (other.cause() == seed.cause() || (isOnce && other.first() < seed.first())) {
+                    continue;
+                }
+                double angle = angle(seed, other);
+                if (angle < ALIKE) {
+                    confusions.add(
+                            new Confusion(seed.cause().name(), other.cause().name(), angle));
+                }
+            }
+        }
+        return new Identifiability(nearest(confusions), unseen());
+    }
+
+    private static List<Confusion> nearest(List<Confusion> all) {
+        List<Confusion> nearest = new ArrayList<>();
+        all.sort(Comparator.comparingDouble(Confusion::angle));
+        for (Confusion one : all) {
+            boolean isNew =
+                    nearest.stream()
+                            .noneMatch(
+                                    n ->
+                                            n.first().equals(one.first())
+                                                    && n.second().equals(one.second()));
+            if (isNew && nearest.size() < MOST) {
+                nearest.add(one);
+            }
+        }
+        return nearest;
+    }
+
+    private List<String> unseen() {
+        List<String> unseen = new ArrayList<>();
+        for (Seed seed : seeds) {
+            String name = seed.cause().name();
+            boolean isSeen = false;
+            for (int c = 0; c < seed.columns().length; c++) {
+                int p = seed.guess().columns().get(c);
+                double scale = seed.cause().parameters().get(p).scale();
+                isSeen |= gram.norm(seed.columns()[c]) * scale > UNSEEN;
+            }
+            if (!isSeen && !unseen.contains(name)) {
+                unseen.add(name);
+            } else if (isSeen) {
+                unseen.remove(name);
+            }
+        }
+        return unseen;
+    }
+
+    /** Degrees; 90 where one of them leaves no trace. */
+    private double angle(Seed a, Seed b) {
+        RealMatrix between = matrix(a.columns(), b.columns());
+        try {
+            RealMatrix one = root(a.columns());
+            RealMatrix other = root(b.columns());
+            RealMatrix cosines =
+                    new LUDecomposition(one)
+                            .getSolver()
+                            .solve(between)
+                            .multiply(
+                                    new LUDecomposition(other).getSolver().getInverse().transpose());
+            double cosine = new SingularValueDecomposition(cosines).getSingularValues()[0];
+            return Math.toDegrees(Math.acos(Math.min(1, cosine)));
+        } catch (org.apache.commons.math3.exception.MathIllegalArgumentException e) {
+            return 90; // no trace, so nothing to be confused with
+        }
+    }
+
+    private RealMatrix root(int[] columns) {
+        RealMatrix own = matrix(columns, columns);
+        for (int i = 0; i < columns.length; i++) {
+            own.addToEntry(i, i, RIDGE * own.getEntry(i, i));
+        }
+        return new CholeskyDecomposition(own).getL();
+    }
+
+    private RealMatrix matrix(int[] rows, int[] columns) {
+        RealMatrix matrix = new Array2DRowRealMatrix(rows.length, columns.length);
+        for (int i = 0; i < rows.length; i++) {
+            for (int j = 0; j < columns.length; j++) {
+                matrix.setEntry(i, j, gram.product(rows[i], columns[j]));
+            }
+        }
+        return matrix;
+    }
+}

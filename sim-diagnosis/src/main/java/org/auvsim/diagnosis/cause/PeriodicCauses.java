@@ -10,8 +10,8 @@ import java.util.List;
 /** Forces that come again and again. */
 final class PeriodicCauses {
     private static final double GRAVITY = 9.80665;
-    private static final int WAVES = 20;
-    private static final int DIRECTIONS = 6;
+    private static final int WAVES = 16;
+    private static final int DIRECTIONS = 4;
 
     private PeriodicCauses() {}
 

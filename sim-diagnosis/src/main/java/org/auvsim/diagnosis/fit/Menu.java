@@ -6,7 +6,6 @@ import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble;
 import org.auvsim.diagnosis.model.Ensemble.Entrant;
-import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.NextExperiment;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.KnownDifferences;
@@ -92,11 +91,10 @@ final class Menu {
     private double evidence(
             MeasuredRun run, List<Entrant> entrants, RigidMotion[][] motions, int other) {
         double sum = 0;
+        RigidMotion[] one = told(entrants.getFirst(), motions[0], run);
+        RigidMotion[] another = told(entrants.get(other), motions[other], run);
         for (int k = 0; k < run.size(); k++) {
-            double since = run.time(k) - run.time(0);
-            double[] off =
-                    told(entrants.getFirst().variant(), motions[0][k], since)
-                            .minus(told(entrants.get(other).variant(), motions[other][k], since));
+            double[] off = one[k].minus(another[k]);
             for (int i = 0; i < 6; i++) {
                 Channel channel = i < 3 ? Channel.POSITION : Channel.ORIENTATION;
                 if (noise.byChannel().containsKey(channel)) {
@@ -107,8 +105,8 @@ final class Menu {
         return sum / 2;
     }
 
-    private static RigidMotion told(Variant variant, RigidMotion motion, double since) {
-        return variant.sensing().of(motion, since);
+    private static RigidMotion[] told(Entrant entrant, RigidMotion[] motion, MeasuredRun run) {
+        return entrant.variant().sensing().of(motion, run, 0, run.size());
     }
 
     private List<Dish> dishes() {

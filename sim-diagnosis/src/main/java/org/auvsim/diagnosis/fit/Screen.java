@@ -28,7 +28,7 @@ final class Screen {
     private static final int MOST_THOROUGH = 16;
 
     /** Samples are taken together up to this time (s): what causes do is slower. */
-    private static final double TOGETHER = 0.2;
+    private static final double TOGETHER = 0.4;
 
     private final Fit base;
     private final List<Seed> seeds;

@@ -94,7 +94,8 @@ final class Search {
         List<Judged> near =
                 best == none ? List.of() : Alternatives.competitors(best, sorted);
         Judged decided = Arbitration.decided(best, near);
-        Screen beside = new Screen(following(decided.fit().hypothesis()), library, guesses, count);
+        List<Cause> plain = library.stream().filter(c -> !hasManyGuesses(c)).toList();
+        Screen beside = new Screen(following(decided.fit().hypothesis()), plain, guesses, count);
         return new Found(
                 none,
                 decided,
@@ -135,7 +136,7 @@ final class Search {
     }
 
     private boolean hasManyGuesses(Cause cause) {
-        return guesses.stream().anyMatch(g -> g.cause() == cause && g.guesses().size() > 1);
+        return guesses.stream().anyMatch(g -> g.cause() == cause && g.guesses().size() > 2);
     }
 
     /** Windows that follow the measurement under a hypothesis. */

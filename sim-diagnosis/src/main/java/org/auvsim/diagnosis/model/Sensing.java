@@ -68,6 +68,9 @@ public record Sensing(
     }
 
     private RigidMotion of(RigidMotion then, double since) {
+        if (Double.isNaN(then.position().x())) {
+            return then; // it got lost
+        }
         Quat axes = rotation(turn);
         Quat heading = rotation(new Vec3(0, 0, yaw + yawRate * since));
         Vec3 p = then.position();

@@ -5,6 +5,7 @@ import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.core.math.Quat;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
@@ -79,6 +80,13 @@ public record HiddenCase(
             }
         }
         return Math.sqrt(sum / of.size());
+    }
+
+    /** Whether a finding is a hidden effect: the same cause, of the same part of the body. */
+    public boolean isHit(HiddenEffect effect, Finding found) {
+        return effect.cause().equals(found.cause())
+                && (effect.subject().equals(found.subject())
+                        || scene.plant().thrusters().size() == 1);
     }
 
     /** How it can be made again. */

@@ -44,7 +44,7 @@ final class SensorEffects {
                     Vector3D scale = along.scalarMultiply(s);
                     return HiddenEffect.of(
                             "sensor_scale",
-                            Map.of("scale", of(scale)),
+                            Map.of("scale", of(new Vector3D(1, 1, 1).add(scale))),
                             r ->
                                     r.sensed(
                                             q ->

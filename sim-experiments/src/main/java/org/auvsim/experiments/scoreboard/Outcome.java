@@ -1,0 +1,58 @@
+package org.auvsim.experiments.scoreboard;
+
+import org.auvsim.diagnosis.result.Verdict;
+import org.auvsim.experiments.hidden.CaseKind;
+
+import java.util.List;
+
+/**
+ * What a diagnosis made of a case.
+ *
+ * @param hidden names of the effects
+ * @param said by the diagnosis
+ * @param first cause that it ranks highest of those selected is hidden, and it says explained
+ * @param exact it says explained, and names what is hidden and nothing else
+ * @param parameterErrors relative errors of the parameters of the hidden causes that it named
+ * @param covered of their numbers so many are within the 95 % intervals
+ * @param stated of their numbers so many have one
+ * @param errorLeft of the model on held-out runs against the truth: 0 perfect, 1 no gain; NaN if
+ *     nothing was hidden
+ * @param baseline causes that sparse regression selects
+ * @param isBaselineRight whether that is exact
+ * @param seconds that the diagnosis took
+ * @param repeat command that repeats it
+ */
+public record Outcome(
+        CaseKind kind,
+        double noise,
+        long seed,
+        String body,
+        List<String> hidden,
+        Answer said,
+        boolean first,
+        boolean exact,
+        List<Double> parameterErrors,
+        int covered,
+        int stated,
+        double errorLeft,
+        List<String> baseline,
+        boolean isBaselineRight,
+        double seconds,
+        String repeat) {
+    /** The lists cannot be changed. */
+    public Outcome {
+        hidden = List.copyOf(hidden);
+        parameterErrors = List.copyOf(parameterErrors);
+        baseline = List.copyOf(baseline);
+    }
+
+    /** Whether the diagnosis does what is wanted of it. */
+    public boolean isRight() {
+        return switch (kind) {
+            case NULL -> said.verdict() == Verdict.NONE;
+            case UNCOVERED -> said.verdict() == Verdict.UNEXPLAINED;
+            case PAIR -> exact;
+            case SINGLE, WEAK, ALIAS -> first;
+        };
+    }
+}

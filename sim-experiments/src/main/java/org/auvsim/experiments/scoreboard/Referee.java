@@ -1,0 +1,88 @@
+package org.auvsim.experiments.scoreboard;
+
+import org.auvsim.diagnosis.result.DiagnosedRun;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Finding;
+import org.auvsim.diagnosis.result.Verdict;
+import org.auvsim.experiments.hidden.HiddenCase;
+import org.auvsim.experiments.hidden.HiddenEffect;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Compares a diagnosis with what is hidden. */
+final class Referee {
+    private Referee() {}
+
+    static Outcome outcome(
+            HiddenCase of, Diagnosis diagnosis, List<String> baseline, double seconds) {
+        boolean explained = diagnosis.verdict() == Verdict.EXPLAINED;
+        List<Finding> selected = diagnosis.selected();
+        List<Double> errors = new ArrayList<>();
+        int covered = 0;
+        int stated = 0;
+        int hits = 0;
+        for (HiddenEffect effect : of.hidden()) {
+            for (Finding finding : selected) {
+                if (of.isHit(effect, finding)) {
+                    ParameterCheck check = ParameterCheck.of(effect, finding);
+                    errors.addAll(check.errors());
+                    covered += check.covered();
+                    stated += check.stated();
+                    hits++;
+                }
+            }
+        }
+        boolean first =
+                explained
+                        && of.hidden().stream().anyMatch(e -> of.isHit(e, strongest(selected)));
+        boolean exact =
+                explained && hits == of.hidden().size() && selected.size() == of.hidden().size();
+        return new Outcome(
+                of.kind(),
+                of.noise(),
+                of.seed(),
+                of.body(),
+                of.hidden().stream().map(HiddenEffect::name).toList(),
+                new Answer(
+                        diagnosis.verdict(), selected.stream().map(Finding::name).toList()),
+                first,
+                exact,
+                errors,
+                covered,
+                stated,
+                of.hidden().isEmpty() ? Double.NaN : errorLeft(of, diagnosis),
+                baseline,
+                isRight(of, baseline),
+                seconds,
+                of.repeat());
+    }
+
+    /** That without which the misfit grows most. */
+    private static Finding strongest(List<Finding> selected) {
+        Finding strongest = selected.getFirst();
+        for (Finding finding : selected) {
+            strongest = finding.share() > strongest.share() ? finding : strongest;
+        }
+        return strongest;
+    }
+
+    private static boolean isRight(HiddenCase of, List<String> causes) {
+        List<String> hidden = of.hidden().stream().map(HiddenEffect::name).toList();
+        return causes.size() == hidden.size() && causes.containsAll(hidden);
+    }
+
+    private static double errorLeft(HiddenCase of, Diagnosis diagnosis) {
+        double before = 0;
+        double after = 0;
+        int run = 0;
+        for (DiagnosedRun diagnosed : diagnosis.runs()) {
+            if (diagnosed.isHeldOut()) {
+                before += Math.pow(of.error(run, diagnosed.before()), 2);
+                after += Math.pow(of.error(run, diagnosed.after()), 2);
+                run++;
+            }
+        }
+        return Math.sqrt(after / before);
+    }
+}

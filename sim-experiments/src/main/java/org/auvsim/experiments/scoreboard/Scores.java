@@ -1,0 +1,93 @@
+package org.auvsim.experiments.scoreboard;
+
+import org.auvsim.diagnosis.result.Verdict;
+import org.auvsim.experiments.hidden.CaseKind;
+
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+
+import java.util.List;
+import java.util.function.Predicate;
+
+/**
+ * Figures of the outcomes at one noise.
+ *
+ * @param named of single effects: right cause first, and explained
+ * @param pairs both named and nothing else
+ * @param falseAlarms nulls that are not said to be none
+ * @param unexplained of what no cause covers: said to be unexplained
+ * @param giveUps library effects that are said to be unexplained
+ * @param weak effects at 0.3 of their strength that are named
+ * @param weakMissedAsNone of those that are not named: said to be none
+ * @param aliases cases built for it that are right
+ * @param parameterError median of relative errors; NaN of none
+ * @param coverage of 95 % intervals
+ * @param errorLeft median of model errors left on held-out runs; NaN of none
+ * @param baselineNamed single effects that sparse regression names, and nothing else
+ * @param baselinePairs pairs that it names
+ * @param baselineFalseAlarms nulls in which it names something
+ * @param seconds median of a diagnosis
+ */
+public record Scores(
+        double noise,
+        Share named,
+        Share pairs,
+        Share falseAlarms,
+        Share unexplained,
+        Share giveUps,
+        Share weak,
+        Share weakMissedAsNone,
+        Share aliases,
+        double parameterError,
+        Share coverage,
+        double errorLeft,
+        Share baselineNamed,
+        Share baselinePairs,
+        Share baselineFalseAlarms,
+        double seconds) {
+    /** Those at a noise among outcomes. */
+    public static Scores of(double noise, List<Outcome> all) {
+        List<Outcome> at = all.stream().filter(o -> o.noise() == noise).toList();
+        List<Outcome> singles = of(at, CaseKind.SINGLE);
+        List<Outcome> pairs = of(at, CaseKind.PAIR);
+        List<Outcome> nulls = of(at, CaseKind.NULL);
+        List<Outcome> weak = of(at, CaseKind.WEAK);
+        List<Outcome> known =
+                at.stream()
+                        .filter(o -> o.kind() == CaseKind.SINGLE || o.kind() == CaseKind.PAIR)
+                        .toList();
+        return new Scores(
+                noise,
+                share(singles, Outcome::isRight),
+                share(pairs, Outcome::isRight),
+                share(nulls, o -> !o.isRight()),
+                share(of(at, CaseKind.UNCOVERED), Outcome::isRight),
+                share(known, o -> o.said().verdict() == Verdict.UNEXPLAINED),
+                share(weak, Outcome::isRight),
+                share(
+                        weak.stream().filter(o -> !o.isRight()).toList(),
+                        o -> o.said().verdict() == Verdict.NONE),
+                share(of(at, CaseKind.ALIAS), Outcome::isRight),
+                median(known.stream().flatMap(o -> o.parameterErrors().stream()).toList()),
+                new Share(
+                        known.stream().mapToInt(Outcome::covered).sum(),
+                        known.stream().mapToInt(Outcome::stated).sum()),
+                median(known.stream().map(Outcome::errorLeft).toList()),
+                share(singles, Outcome::isBaselineRight),
+                share(pairs, Outcome::isBaselineRight),
+                share(nulls, o -> !o.isBaselineRight()),
+                median(at.stream().map(Outcome::seconds).toList()));
+    }
+
+    private static List<Outcome> of(List<Outcome> outcomes, CaseKind kind) {
+        return outcomes.stream().filter(o -> o.kind() == kind).toList();
+    }
+
+    private static Share share(List<Outcome> outcomes, Predicate<Outcome> hit) {
+        return new Share((int) outcomes.stream().filter(hit).count(), outcomes.size());
+    }
+
+    private static double median(List<Double> values) {
+        return new Median()
+                .evaluate(values.stream().mapToDouble(Double::doubleValue).toArray());
+    }
+}

@@ -60,6 +60,11 @@ public final class Scoreboard {
                 .diagnose();
     }
 
+    /** What a diagnosis of a case is worth. */
+    public static Outcome judged(HiddenCase of, Diagnosis diagnosis) {
+        return Referee.outcome(of, diagnosis, SparseRegression.causes(of), 0);
+    }
+
     /** The outcome of one case. */
     public static Outcome outcome(HiddenCase of) {
         return Referee.outcome(

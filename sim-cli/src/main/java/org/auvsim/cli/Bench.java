@@ -35,6 +35,7 @@ import java.util.stream.Stream;
 /** {@code auvsim bench}: how fast this machine runs the thesis' section 8.2. */
 @Command(
         name = "bench",
+        subcommands = BenchDiagnosis.class,
         description = {
             "Measures how fast worlds of colliding spheres go on (thesis, section 8.2).",
             "Prints a row for each number of bodies, and writes bench.csv and bench.png. A"

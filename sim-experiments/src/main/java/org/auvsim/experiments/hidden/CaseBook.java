@@ -24,9 +24,12 @@ public final class CaseBook {
     /** A case of a kind. */
     public static HiddenCase draw(CaseKind kind, double noise, long seed) {
         Draws draws = new Draws(seed * 31 + kind.ordinal());
-        Body body = draws.oneOf(Body.ALL);
+        Optional<Puzzle> puzzle =
+                kind == CaseKind.ALIAS ? Optional.of(Puzzle.draw(draws)) : Optional.empty();
+        Body body = puzzle.map(Puzzle::body).orElseGet(() -> draws.oneOf(Body.ALL));
         while (true) {
-            Optional<HiddenCase> drawn = attempt(kind, noise, seed, body, draws.split());
+            Optional<HiddenCase> drawn = 
+                    attempt(kind, noise, seed, body, puzzle, draws.split());
             if (drawn.isPresent()) {
                 return drawn.get();
             }
@@ -34,7 +37,12 @@ public final class CaseBook {
     }
 
     private static Optional<HiddenCase> attempt(
-            CaseKind kind, double noise, long seed, Body body, Draws draws) {
+            CaseKind kind,
+            double noise,
+            long seed,
+            Body body,
+            Optional<Puzzle> puzzle,
+            Draws draws) {
         Plant plant = body.plant(draws.split());
         boolean shows = body.showsOrientation(draws.split());
         List<Manoeuvre> manoeuvres = new ArrayList<>();
@@ -50,12 +58,26 @@ public final class CaseBook {
         }
         Scene scene = Scene.of(plant, shows, believed.get(), manoeuvres);
         List<HiddenEffect> hidden =
-                effects(kind, strength(scene, trial, believed.get()), draws.split());
+                puzzle.map(p -> List.of(p.hidden()))
+                        .orElseGet(
+                                () ->
+                                        effects(
+                                                kind,
+                                                strength(scene, trial, believed.get()),
+                                                draws.split()));
         if (hidden.size() < wanted(kind)) {
             return Optional.empty();
         }
         boolean isHeavyTailed = kind == CaseKind.NULL && draws.chance(HEAVY_TAILED);
-        return CaseRuns.measured(scene, trial, hidden, FIT, noise, isHeavyTailed, draws.split())
+        return CaseRuns.measured(
+                        scene,
+                        trial,
+                        hidden,
+                        FIT,
+                        noise,
+                        isHeavyTailed,
+                        puzzle.map(Puzzle::looseness).orElse(1.0),
+                        draws.split())
                 .map(
                         runs ->
                                 new HiddenCase(
@@ -64,6 +86,7 @@ public final class CaseBook {
                                         seed,
                                         body.name(),
                                         hidden,
+                                        puzzle.map(Puzzle::twins),
                                         ScenarioText.of(plant, body.timeStep()),
                                         runs.measured().subList(0, FIT),
                                         runs.measured().subList(FIT, RUNS),

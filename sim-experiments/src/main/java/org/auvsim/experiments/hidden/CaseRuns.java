@@ -26,6 +26,7 @@ record CaseRuns(List<MeasuredRun> measured, List<List<Pose>> truth) {
     /**
      * Makes and measures the runs with what is hidden.
      *
+     * @param looseness factor by which velocities at the start are less known than usual
      * @param fit so many of them begin elsewhere than stated
      * @return empty if they cannot be followed
      */
@@ -36,6 +37,7 @@ record CaseRuns(List<MeasuredRun> measured, List<List<Pose>> truth) {
             int fit,
             double noise,
             boolean isHeavyTailed,
+            double looseness,
             Draws draws) {
         Reality reality = Reality.of(scene.plant());
         for (HiddenEffect effect : hidden) {
@@ -45,7 +47,7 @@ record CaseRuns(List<MeasuredRun> measured, List<List<Pose>> truth) {
         List<KnownStart> starts = new ArrayList<>();
         for (int r = 0; r < believed.manoeuvres().size(); r++) {
             Manoeuvre stated = believed.manoeuvres().get(r);
-            Start start = new Start(scene, r < fit ? 1 : WELL_KNOWN);
+            Start start = new Start(scene, r < fit ? 1 : WELL_KNOWN, looseness);
             done.add(stated.from(start.drawn(stated.start(), draws)));
             starts.add(start.known(stated.start()));
         }
@@ -73,13 +75,13 @@ record CaseRuns(List<MeasuredRun> measured, List<List<Pose>> truth) {
     }
 
     /** How uncertain a start is. */
-    private record Start(Scene scene, double factor) {
+    private record Start(Scene scene, double factor, double looseness) {
         private double away() {
             return factor * 0.01 * scene.range();
         }
 
         private double faster() {
-            return factor * 0.05 * scene.speed();
+            return factor * looseness * 0.05 * scene.speed();
         }
 
         Instant drawn(Instant stated, Draws draws) {

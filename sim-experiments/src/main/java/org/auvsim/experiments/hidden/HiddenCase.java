@@ -14,6 +14,7 @@ import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /**
  * Runs of a body that is otherwise than the scenario has it: three to fit and two held out.
@@ -21,6 +22,7 @@ import java.util.Locale;
  * @param noise of measurements, as a share of the motion's range
  * @param body what kind of body it is
  * @param hidden what is otherwise; empty: nothing
+ * @param twins causes that the data may not tell apart
  * @param scenario the model as believed
  * @param truth of each held-out run: what sensors without noise would tell
  */
@@ -30,6 +32,7 @@ public record HiddenCase(
         long seed,
         String body,
         List<HiddenEffect> hidden,
+        Optional<Twins> twins,
         String scenario,
         List<MeasuredRun> fit,
         List<MeasuredRun> heldOut,

@@ -17,6 +17,7 @@ import java.util.List;
  * @param stated of their numbers so many have one
  * @param errorLeft of the model on held-out runs against the truth: 0 perfect, 1 no gain; NaN if
  *     nothing was hidden
+ * @param alias what was said of an alias
  * @param baseline causes that sparse regression selects
  * @param isBaselineRight whether that is exact
  * @param seconds that the diagnosis took
@@ -35,6 +36,7 @@ public record Outcome(
         int covered,
         int stated,
         double errorLeft,
+        AliasTold alias,
         List<String> baseline,
         boolean isBaselineRight,
         double seconds,
@@ -52,7 +54,8 @@ public record Outcome(
             case NULL -> said.verdict() == Verdict.NONE;
             case UNCOVERED -> said.verdict() == Verdict.UNEXPLAINED;
             case PAIR -> exact;
-            case SINGLE, WEAK, ALIAS -> first;
+            case ALIAS -> alias.told() == alias.so();
+            case SINGLE, WEAK -> first;
         };
     }
 }

@@ -1,11 +1,13 @@
 package org.auvsim.experiments.scoreboard;
 
+import org.auvsim.diagnosis.result.Alternative;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.experiments.hidden.HiddenCase;
 import org.auvsim.experiments.hidden.HiddenEffect;
+import org.auvsim.experiments.hidden.Twins;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -52,10 +54,34 @@ final class Referee {
                 covered,
                 stated,
                 of.hidden().isEmpty() ? Double.NaN : errorLeft(of, diagnosis),
+                alias(of, diagnosis),
                 baseline,
                 isRight(of, baseline),
                 seconds,
                 of.repeat());
+    }
+
+    private static AliasTold alias(HiddenCase of, Diagnosis diagnosis) {
+        return of.twins()
+                .map(twins -> new AliasTold(twins.areAlike(), isTold(twins, diagnosis)))
+                .orElse(AliasTold.NONE);
+    }
+
+    /** One is selected, and the other one told as what could not be told apart from it. */
+    private static boolean isTold(Twins twins, Diagnosis diagnosis) {
+        List<String> selected = diagnosis.selected().stream().map(Finding::cause).toList();
+        List<String> others =
+                diagnosis.alternatives().stream()
+                        .filter(Alternative::isIndistinguishable)
+                        .flatMap(a -> a.causes().stream())
+                        .toList();
+        return among(twins.first(), selected) && among(twins.second(), others)
+                || among(twins.second(), selected) && among(twins.first(), others);
+    }
+
+    /** Names begin with the cause's id. */
+    private static boolean among(String cause, List<String> names) {
+        return names.stream().anyMatch(n -> n.equals(cause) || n.startsWith(cause + " ("));
     }
 
     /** That without which the misfit grows most. */

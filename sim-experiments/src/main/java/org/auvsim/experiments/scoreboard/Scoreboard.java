@@ -54,7 +54,7 @@ public final class Scoreboard {
                         model,
                         of.fit(),
                         of.heldOut(),
-                        Library.of(model.variant().body()),
+                        Library.of(model, of.fit()),
                         of.seed(),
                         progress)
                 .diagnose();

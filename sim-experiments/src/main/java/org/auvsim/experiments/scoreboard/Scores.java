@@ -18,7 +18,8 @@ import java.util.function.Predicate;
  * @param giveUps library effects that are said to be unexplained
  * @param weak effects at 0.3 of their strength that are named
  * @param weakMissedAsNone of those that are not named: said to be none
- * @param aliases cases built for it that are right
+ * @param aliasPrecision of the aliases told, those that are so
+ * @param aliasRecall of the aliases that are so, those told
  * @param parameterError median of relative errors; NaN of none
  * @param coverage of 95 % intervals
  * @param errorLeft median of model errors left on held-out runs; NaN of none
@@ -36,7 +37,8 @@ public record Scores(
         Share giveUps,
         Share weak,
         Share weakMissedAsNone,
-        Share aliases,
+        Share aliasPrecision,
+        Share aliasRecall,
         double parameterError,
         Share coverage,
         double errorLeft,
@@ -66,7 +68,8 @@ public record Scores(
                 share(
                         weak.stream().filter(o -> !o.isRight()).toList(),
                         o -> o.said().verdict() == Verdict.NONE),
-                share(of(at, CaseKind.ALIAS), Outcome::isRight),
+                aliases(of(at, CaseKind.ALIAS), AliasTold::told),
+                aliases(of(at, CaseKind.ALIAS), AliasTold::so),
                 median(known.stream().flatMap(o -> o.parameterErrors().stream()).toList()),
                 new Share(
                         known.stream().mapToInt(Outcome::covered).sum(),
@@ -76,6 +79,17 @@ public record Scores(
                 share(pairs, Outcome::isBaselineRight),
                 share(nulls, o -> !o.isBaselineRight()),
                 median(at.stream().map(Outcome::seconds).toList()));
+    }
+
+    /** At each noise of a plan. */
+    public static List<Scores> of(Plan plan, List<Outcome> all) {
+        return plan.noises().stream().map(noise -> of(noise, all)).toList();
+    }
+
+    private static Share aliases(List<Outcome> outcomes, Predicate<AliasTold> among) {
+        List<AliasTold> of = outcomes.stream().map(Outcome::alias).filter(among).toList();
+        return new Share(
+                (int) of.stream().filter(a -> a.told() && a.so()).count(), of.size());
     }
 
     private static List<Outcome> of(List<Outcome> outcomes, CaseKind kind) {

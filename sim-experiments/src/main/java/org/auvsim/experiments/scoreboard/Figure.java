@@ -1,0 +1,91 @@
+package org.auvsim.experiments.scoreboard;
+
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Function;
+
+/** The figures of a scoreboard, with what is wanted of them at noises of 0.1, 1 and 5 %. */
+public enum Figure {
+    /** Single effects: the right cause first, and explained. */
+    NAMED("named", "99 / 97 / 95 %", Scores::named),
+    /** Pairs: both, and nothing else. */
+    PAIRS("pairs, both and nothing else", "98 / 98 / 95 %", Scores::pairs),
+    /** Nulls that are not told to be none. */
+    FALSE_ALARMS("false alarms", "at most 1 %", Scores::falseAlarms),
+    /** What no cause covers, told to be unexplained. */
+    UNEXPLAINED("unexplained, found", "100 / 98 / 95 %", Scores::unexplained),
+    /** Effects of the library that are told to be unexplained. */
+    GIVE_UPS("unexplained, said of a library effect", "", Scores::giveUps),
+    /** Effects at 0.3 of their strength that are named. */
+    WEAK("named at 0.3 of the strength", "85 % at 1 %", Scores::weak),
+    /** Of those that are not, those that are told to be none. */
+    WEAK_MISSED("of those missed: none", "all", Scores::weakMissedAsNone),
+    /** What an alias case can and cannot tell apart, told so: of what is told. */
+    ALIAS_PRECISION("aliases, precision", "95 %", Scores::aliasPrecision),
+    /** Of what is to be told. */
+    ALIAS_RECALL("aliases, recall", "95 %", Scores::aliasRecall),
+    /** Median of the parameters' relative errors. */
+    PARAMETER_ERROR("parameter error, median", "0.05 / 0.25 / 1.5 %", Scores::parameterError),
+    /** Parameters within their 95 % intervals. */
+    COVERAGE("coverage of 95 % intervals", "93-97 %", Scores::coverage),
+    /** Model error left on held-out runs. */
+    ERROR_LEFT("held-out error left, median", "0.001 / 0.004 / 0.015", Scores::errorLeft),
+    /** Single effects that sparse regression names, and nothing else. */
+    BASELINE_NAMED("sparse regression: named", "", Scores::baselineNamed),
+    /** Pairs that it names, and nothing else. */
+    BASELINE_PAIRS("sparse regression: pairs", "", Scores::baselinePairs),
+    /** Nulls in which it names something. */
+    BASELINE_FALSE_ALARMS(
+            "sparse regression: false alarms", "", Scores::baselineFalseAlarms),
+    /** Wall time of a diagnosis. */
+    SECONDS("seconds a diagnosis, median", "", Scores::seconds);
+
+    private final String title;
+    private final String target;
+    private final Function<Scores, Object> of;
+
+    Figure(String title, String target, Function<Scores, Object> of) {
+        this.title = title;
+        this.target = target;
+        this.of = of;
+    }
+
+    /** For people. */
+    public String title() {
+        return title;
+    }
+
+    /** What is wanted; empty if nothing is. */
+    public String target() {
+        return target;
+    }
+
+    String key() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** In words and digits. */
+    public String of(Scores scores) {
+        return switch (of.apply(scores)) {
+            case Double d when Double.isNaN(d) -> "-";
+            case Double d -> String.format(Locale.ROOT, "%.3g", d);
+            case Object share -> share.toString();
+        };
+    }
+
+    Map<String, Object> forMachines(Scores scores) {
+        Map<String, Object> parts = new LinkedHashMap<>();
+        switch (of.apply(scores)) {
+            case Share share when share.of() > 0 -> {
+                parts.put("value", share.value());
+                parts.put("low", share.low());
+                parts.put("high", share.high());
+                parts.put("of", share.of());
+            }
+            case Double d when !Double.isNaN(d) -> parts.put("value", d);
+            case Object _ -> parts.put("of", 0);
+        }
+        return parts;
+    }
+}

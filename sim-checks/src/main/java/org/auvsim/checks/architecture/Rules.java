@@ -20,6 +20,9 @@ final class Rules {
                     "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh",
                     "exp", "expm1", "log", "log10", "log1p", "pow", "cbrt", "hypot", "random");
 
+    /** In which measured runs are handed over. */
+    private static final Set<String> HANDED_OVER = Set.of("Vec3", "Quat", "NamedForce", "Frame");
+
     private final String base;
 
     Rules(String base) {
@@ -33,7 +36,8 @@ final class Rules {
                                 Set.of("core"),
                                 Set.of("auvsml", "plot"),
                                 Set.of("server"),
-                                Set.of("experiments", "junit"),
+                                Set.of("diagnosis", "junit"),
+                                Set.of("experiments"),
                                 Set.of("cli", "examples", "bench")))
                 .rule();
     }
@@ -104,6 +108,20 @@ final class Rules {
                 .dependOnClassesThat()
                 .haveNameMatching(
                         "java\\.lang\\.(Thread|Runtime|Process.*)|java\\.util\\.(Random|Timer)");
+    }
+
+    /** What judges the simulator must not be made of it. */
+    ArchRule hiddenEffectsHaveTheirOwnPhysics() {
+        return noClasses()
+                .that()
+                .resideInAPackage(base + ".experiments.hidden..")
+                .should()
+                .dependOnClassesThat(
+                        describe(
+                                "are the simulator's, but for what runs are handed over in",
+                                of ->
+                                        of.getPackageName().startsWith(base + ".core")
+                                                && !HANDED_OVER.contains(of.getSimpleName())));
     }
 
     /** What one JDOM2 SAXBuilder sets reaches the others: a hardened one can read files again. */

@@ -54,6 +54,11 @@ class ArchitectureTest {
     }
 
     @Test
+    void hiddenEffectsHaveTheirOwnPhysics() {
+        rules.hiddenEffectsHaveTheirOwnPhysics().check(MAIN);
+    }
+
+    @Test
     void nobodyParsesWithSax() {
         rules.nobodyParsesWithSax().check(MAIN);
         rules.nobodyParsesWithSax().check(TESTS);

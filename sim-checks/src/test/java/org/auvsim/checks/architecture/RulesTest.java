@@ -42,6 +42,13 @@ class RulesTest {
     }
 
     @Test
+    void aHiddenEffectIsMadeOfTheSimulatorsPhysics() {
+        assertThat(offences(rules.hiddenEffectsHaveTheirOwnPhysics()))
+                .isNotEmpty()
+                .allMatch(text -> text.contains("Borrows"));
+    }
+
+    @Test
     void theServerPrints() {
         assertThat(offences(rules.onlyTheCommandLinePrints()))
                 .anyMatch(text -> text.contains("Talks.toTheConsole()"))

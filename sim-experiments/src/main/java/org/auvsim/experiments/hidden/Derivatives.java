@@ -22,6 +22,9 @@ final class Derivatives {
     private static final double STRETCH_SECONDS = 0.8;
     private static final int LEAST_REACH = 4;
 
+    /** Stretches that a run has at least. */
+    private static final double SHORTEST_RUN = 10;
+
     private final MeasuredRun run;
     private final int reach;
     private final RealMatrix solver;
@@ -32,7 +35,8 @@ final class Derivatives {
     private Derivatives(MeasuredRun run) {
         this.run = run;
         double step = run.duration() / (run.size() - 1);
-        reach = Math.max(LEAST_REACH, (int) Math.round(STRETCH_SECONDS / step / 2));
+        double stretch = Math.min(STRETCH_SECONDS, run.duration() / SHORTEST_RUN);
+        reach = Math.max(LEAST_REACH, (int) Math.round(stretch / step / 2));
         RealMatrix powers = new Array2DRowRealMatrix(2 * reach + 1, DEGREE + 1);
         for (int i = -reach; i <= reach; i++) {
             for (int n = 0; n <= DEGREE; n++) {
@@ -42,13 +46,12 @@ final class Derivatives {
         solver = new QRDecomposition(powers).getSolver().getInverse();
     }
 
-    /** At so many samples at most, evenly over the run. */
-    static List<Smoothed> of(MeasuredRun run, int most) {
+    /** Twice for each stretch, so that what is told of two neighbours is not quite the same. */
+    static List<Smoothed> of(MeasuredRun run) {
         Derivatives derivatives = new Derivatives(run);
-        int inner = run.size() - 2 * derivatives.reach;
         List<Smoothed> all = new ArrayList<>();
-        for (int i = 0; i < Math.min(most, inner); i++) {
-            all.add(derivatives.at(derivatives.reach + (int) ((long) i * inner / most)));
+        for (int k = derivatives.reach; k < run.size() - derivatives.reach; k += derivatives.reach) {
+            all.add(derivatives.at(k));
         }
         return all;
     }

@@ -3,6 +3,7 @@ package org.auvsim.experiments.hidden;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
@@ -51,7 +52,7 @@ public record HiddenEffect(
                                         + String.join(
                                                 " ",
                                                 values.stream()
-                                                        .map(v -> String.format("%.4g", v))
+                                                        .map(v -> String.format(Locale.ROOT, "%.4g", v))
                                                         .toList())));
         return name() + numbers;
     }

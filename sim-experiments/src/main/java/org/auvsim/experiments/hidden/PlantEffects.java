@@ -58,6 +58,7 @@ final class PlantEffects {
         Vector3D share = draws.box(0.1, 1);
         return new Family(
                 0.3 * scene.plant().mass(),
+                0,
                 3 * scene.plant().mass(),
                 s -> {
                     Vector3D ma = share.scalarMultiply(s);
@@ -85,9 +86,11 @@ final class PlantEffects {
                 });
     }
 
+    /** What floats and is a little heavier has another weight: its inertia could not be seen. */
     static Family mass(Scene scene, Draws draws) {
         double sign = draws.sign();
-        return Family.upTo(
+        return Family.between(
+                0.05,
                 0.6,
                 s ->
                         HiddenEffect.of(

@@ -24,6 +24,9 @@ record Puzzle(Body body, HiddenEffect hidden, Twins twins, double looseness) {
     private static final double THRUST = 20;
     private static final double MASS = 15;
 
+    /** Off the centre by so much (m) that nothing turns of it. */
+    private static final double LEVER = 1e-6;
+
     /** Terminal speed (m/s) of a ball that is drawn evenly with what is hidden in it. */
     private static final double EVEN_SPEED = 0.6;
 
@@ -188,7 +191,7 @@ record Puzzle(Body body, HiddenEffect hidden, Twins twins, double looseness) {
                 DURATION,
                 RATE,
                 List.of(),
-                new Pushing(least, most, 0).draw(DURATION, draws));
+                new Pushing(least, most, LEVER).draw(DURATION, draws));
     }
 
     /** What sensors tell late and what a clock stamps late is the same. */

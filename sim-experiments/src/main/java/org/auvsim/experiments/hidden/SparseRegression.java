@@ -26,7 +26,6 @@ import java.util.stream.IntStream;
  * and Kutz, PNAS 113, 2016), the threshold by the information criterion of Schwarz.
  */
 public final class SparseRegression {
-    private static final int SAMPLES_A_RUN = 200;
     private static final int ROUNDS = 10;
     private static final double[] THRESHOLDS = {0.02, 0.05, 0.1, 0.2, 0.4, 0.8, 2};
 
@@ -49,7 +48,7 @@ public final class SparseRegression {
 
     private void add(MeasuredRun run) {
         List<double[]> changes = new ArrayList<>();
-        List<Smoothed> smoothed = Derivatives.of(run, SAMPLES_A_RUN);
+        List<Smoothed> smoothed = Derivatives.of(run);
         double[][] believed = accelerations(Reality.of(scene.plant()), run, smoothed);
         for (Term term : terms) {
             double[][] changed =

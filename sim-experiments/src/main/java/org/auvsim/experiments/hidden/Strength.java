@@ -18,6 +18,9 @@ record Strength(Scene scene, Trial trial, List<List<Pose>> believed) {
     /** Nothing that changes the motion less than this can be meant to be found. */
     private static final double LEAST = 0.03;
 
+    /** What an effect may change at the least strength at which it is what it is. */
+    private static final double MOST_AT_LEAST = 3;
+
     /**
      * The strength that gives the share that is wanted, or as near to it as it may be.
      *
@@ -34,14 +37,18 @@ record Strength(Scene scene, Trial trial, List<List<Pose>> believed) {
             }
             share = measured.get();
             double ratio = wanted / share;
-            boolean isAtEnd = ratio > 1 && strength >= family.most();
+            boolean isAtEnd =
+                    (ratio > 1 && strength >= family.most())
+                            || (ratio < 1 && strength <= family.least());
             if (isAtEnd || (ratio > 0.8 && ratio < 1.25)) {
                 break;
             }
             double factor = FastMath.max(0.05, FastMath.min(20, ratio));
-            strength = Math.min(family.most(), strength * factor);
+            strength =
+                    Math.max(family.least(), Math.min(family.most(), strength * factor));
         }
-        return share < LEAST || share > 2 * wanted + LEAST
+        double most = strength <= family.least() ? MOST_AT_LEAST : 2 * wanted + LEAST;
+        return share < LEAST || share > most
                 ? OptionalDouble.empty()
                 : OptionalDouble.of(strength);
     }

@@ -1,0 +1,77 @@
+package org.auvsim.experiments.scoreboard;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.auvsim.diagnosis.cause.Quantity;
+import org.auvsim.diagnosis.result.Finding;
+import org.auvsim.experiments.hidden.HiddenEffect;
+
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.UnaryOperator;
+
+class ParameterCheckTest {
+    private static HiddenEffect hidden(String cause, Map<String, List<Double>> parameters) {
+        return new HiddenEffect(
+                cause, Optional.empty(), new TreeMap<>(parameters), UnaryOperator.identity());
+    }
+
+    private static Finding found(String cause, List<Quantity> quantities, Double... deviations) {
+        return new Finding(cause, Optional.empty(), quantities, List.of(deviations), 1);
+    }
+
+    @Test
+    void aVectorCountsByItsLength() {
+        ParameterCheck check =
+                ParameterCheck.of(
+                        hidden("current_constant", Map.of("u", List.of(0.3, 0.4, 0.0))),
+                        found(
+                                "current_constant",
+                                List.of(
+                                        new Quantity("u.x", "m/s", 0.3),
+                                        new Quantity("u.y", "m/s", 0.45),
+                                        new Quantity("u.z", "m/s", 0.0)),
+                                0.01,
+                                0.01,
+                                0.01));
+
+        assertThat(check.errors()).singleElement().satisfies(e -> close(e, 0.1));
+        assertThat(check.stated()).isEqualTo(3);
+        assertThat(check.covered()).isEqualTo(2);
+    }
+
+    @Test
+    void aSwingToldTheOtherWayRoundIsTheSame() {
+        ParameterCheck check =
+                ParameterCheck.of(
+                        hidden(
+                                "periodic_force",
+                                Map.of(
+                                        "force",
+                                        List.of(1.0, 0.0, 2.0),
+                                        "omega",
+                                        List.of(0.5),
+                                        "phase",
+                                        List.of(0.2))),
+                        found(
+                                "periodic_force",
+                                List.of(
+                                        new Quantity("force.x", "N", -1),
+                                        new Quantity("force.y", "N", 0),
+                                        new Quantity("force.z", "N", -2),
+                                        new Quantity("omega", "rad/s", 0.5),
+                                        new Quantity("phase", "rad", 0.2 - Math.PI))));
+
+        assertThat(check.errors()).hasSize(3).allSatisfy(e -> close(e, 0));
+        assertThat(check.stated()).isZero();
+    }
+
+    private static void close(double error, double expected) {
+        assertThat(error).isCloseTo(expected, within(1e-12));
+    }
+}

@@ -34,6 +34,7 @@ import java.nio.file.Path;
             Feed.class,
             Export.class,
             Mirror.class,
+            Diagnose.class,
             Bench.class,
             Experiment.class,
             CommandLine.HelpCommand.class,

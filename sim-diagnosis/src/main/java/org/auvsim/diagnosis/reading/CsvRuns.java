@@ -37,13 +37,13 @@ final class CsvRuns {
      */
     List<MeasuredRun> read() throws DocumentException {
         Survey survey = survey();
+        tell(survey);
+        List<MeasuredRun> runs = runs(survey);
         if (survey.rows() < RunParts.FEWEST) {
             throw new DocumentException(
                     "%s: expected at least %d rows, but found %d; a shorter run tells nothing"
                             .formatted(file, RunParts.FEWEST, survey.rows()));
         }
-        tell(survey);
-        List<MeasuredRun> runs = runs(survey);
         if (runs.isEmpty()) {
             throw new DocumentException(
                     "%s: no %d rows follow each other without a long gap; a shorter run tells nothing"

@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.result;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.diagnosis.run.Channel;
 
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -61,5 +62,31 @@ public record Diagnosis(
         horizons = List.copyOf(horizons);
         runs = List.copyOf(runs);
         notices = List.copyOf(notices);
+    }
+
+    /** The same with notices before its own: what reading the runs had to say. */
+    public Diagnosis noticing(List<String> more) {
+        List<String> all = new ArrayList<>(more);
+        all.addAll(notices);
+        return new Diagnosis(
+                verdict,
+                sentence,
+                body,
+                selected,
+                ranked,
+                alternatives,
+                noise,
+                heldOut,
+                horizons,
+                usedHeldOut,
+                runs,
+                discrepancy,
+                proposal,
+                nextExperiment,
+                identifiability,
+                extended,
+                all,
+                seed,
+                isComplete);
     }
 }

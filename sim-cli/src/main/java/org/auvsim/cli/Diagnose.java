@@ -1,0 +1,203 @@
+package org.auvsim.cli;
+
+import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.cli.diagnose.Account;
+import org.auvsim.cli.diagnose.ProgressBar;
+import org.auvsim.cli.report.FileTrouble;
+import org.auvsim.cli.report.UserError;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.diagnosis.Investigation;
+import org.auvsim.diagnosis.cause.Library;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.reading.RunFiles;
+import org.auvsim.diagnosis.reading.RunReader;
+import org.auvsim.diagnosis.report.Report;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Verdict;
+
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+import java.io.Console;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+
+/** {@code auvsim diagnose}. */
+@Command(
+        name = "diagnose",
+        description = {
+            "Shows what a scenario gets wrong of measured runs, names the cause, writes the scenario"
+                    + " with it, and measures what that gains on runs that were held out.",
+            "Runs are CSV with a header (t in s; x, y, z in m; docs/measured-runs.md has the rest),"
+                    + " or recordings with feedback."
+        },
+        footer = {
+            "",
+            "Ends with 0 for any verdict, 2 for input that cannot be used; with"
+                + " --fail-on-discrepancy with 1 unless the verdict is that nothing is wrong.",
+            "Ctrl-C ends the search early; what it has found is reported.",
+            "",
+            "Example: auvsim diagnose --scenario examples/diagnosis/model.xml --fit"
+                    + " examples/diagnosis/run1.csv examples/diagnosis/run2.csv --holdout"
+                    + " examples/diagnosis/run3.csv --out report"
+        })
+final class Diagnose implements Callable<Integer> {
+    /** What --fail-on-discrepancy ends with if something is wrong. */
+    static final int DISCREPANCY = 1;
+
+    @Spec private CommandSpec spec;
+
+    @Option(
+            names = "--scenario",
+            required = true,
+            paramLabel = "FILE",
+            description = "The model as it is believed.")
+    private Path scenarioFile = Path.of("");
+
+    @Option(
+            names = "--fit",
+            required = true,
+            arity = "1..*",
+            paramLabel = "RUN",
+            description = "Measured runs in which the cause is looked for.")
+    private List<Path> fit = new ArrayList<>();
+
+    @Option(
+            names = "--holdout",
+            arity = "1..*",
+            paramLabel = "RUN",
+            description =
+                    "Measured runs that only judge; by default a third of the runs, or of the time"
+                            + " of the only one.")
+    private List<Path> heldOut = new ArrayList<>();
+
+    @Option(
+            names = "--out",
+            paramLabel = "FOLDER",
+            defaultValue = "auvsim-diagnosis",
+            description =
+                    "Where report.html, diagnosis.json and extended-scenario.xml go (default:"
+                            + " ${DEFAULT-VALUE}).")
+    private Path folder = Path.of("auvsim-diagnosis");
+
+    @Option(
+            names = "--body",
+            paramLabel = "NAME",
+            description = "The world object that was measured, if several can move.")
+    private Optional<String> body = Optional.empty();
+
+    @Mixin private final RunFormat format = new RunFormat();
+
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "Of what is drawn by lot; the same gives the same (default: 1).")
+    private long seed = 1;
+
+    @Option(
+            names = "--fail-on-discrepancy",
+            description = "Ends with 1 if the model is wrong, for use in CI.")
+    private boolean failOnDiscrepancy;
+
+    @Override
+    public Integer call() throws DocumentException {
+        PrintWriter err = spec.commandLine().getErr();
+        BelievedModel model = model(ScenarioFile.load(scenarioFile, err));
+        AuvsmlMapper mapper = AuvsmlMapper.load(Diagnose.class.getClassLoader());
+        RunReader reader = new RunReader(model, format.mapping(mapper), mapper);
+        RunFiles runs = RunFiles.read(reader, fit, heldOut);
+        runs.notices().forEach(notice -> err.println("notice: " + notice));
+        err.flush();
+        prepareFolder();
+        try (Interruption interruption = new Interruption(() -> {})) {
+            Diagnosis diagnosis = diagnosis(model, runs, interruption);
+            tell(diagnosis);
+            boolean isWrong = diagnosis.verdict() != Verdict.NONE;
+            return failOnDiscrepancy && isWrong ? DISCREPANCY : ExitCode.OK;
+        }
+    }
+
+    private Diagnosis diagnosis(BelievedModel model, RunFiles runs, Interruption interruption) {
+        try (ProgressBar bar =
+                new ProgressBar(
+                        spec.commandLine().getErr(),
+                        isAtTerminal(),
+                        System::nanoTime,
+                        interruption::isRequested)) {
+            return new Investigation(
+                            model,
+                            runs.fit(),
+                            runs.heldOut(),
+                            Library.of(model, runs.fit()),
+                            seed,
+                            bar)
+                    .diagnose()
+                    .noticing(runs.notices());
+        }
+    }
+
+    private static boolean isAtTerminal() {
+        Console console = System.console();
+        return console != null && console.isTerminal();
+    }
+
+    private BelievedModel model(Scenario scenario) {
+        String name = body.orElseGet(() -> theOnlyOneThatMoves(scenario));
+        try {
+            return new BelievedModel(scenario, name);
+        } catch (IllegalArgumentException e) {
+            throw new UserError("%s: %s".formatted(scenarioFile, e.getMessage()), e);
+        }
+    }
+
+    private String theOnlyOneThatMoves(Scenario scenario) {
+        List<String> names =
+                scenario.worldObject().stream()
+                        .filter(object -> !object.fixed())
+                        .map(WorldObjectDefinition::name)
+                        .toList();
+        if (names.size() == 1) {
+            return names.getFirst();
+        }
+        throw new UserError(
+                names.isEmpty()
+                        ? "%s: nothing in the scenario can move; the measured body is missing"
+                                .formatted(scenarioFile)
+                        : "%s: several objects can move (%s); say with --body which was measured"
+                                .formatted(scenarioFile, String.join(", ", names)));
+    }
+
+    private void prepareFolder() {
+        try {
+            Files.createDirectories(folder);
+        } catch (IOException e) {
+            throw FileTrouble.writing(folder, e);
+        }
+    }
+
+    private void tell(Diagnosis diagnosis) {
+        PrintWriter out = spec.commandLine().getOut();
+        try {
+            Path page = Report.write(diagnosis, folder);
+            Account.of(diagnosis).forEach(out::println);
+            out.println();
+            out.printf("The report: %s%n", page.toAbsolutePath().normalize());
+            out.flush();
+        } catch (IOException e) {
+            throw FileTrouble.writing(folder, e);
+        }
+    }
+}

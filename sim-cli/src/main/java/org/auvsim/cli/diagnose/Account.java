@@ -1,0 +1,55 @@
+package org.auvsim.cli.diagnose;
+
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Ranked;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/** What a diagnosis comes to, in lines for people. */
+public final class Account {
+    private static final int MOST_RANKED = 5;
+    private static final int WIDEST = 48;
+
+    private Account() {}
+
+    /** The verdict, then the sets of causes that were tried, the best first. */
+    public static List<String> of(Diagnosis diagnosis) {
+        List<String> lines = new ArrayList<>();
+        lines.add(diagnosis.sentence());
+        List<Ranked> ranked = diagnosis.ranked().stream().limit(MOST_RANKED).toList();
+        if (!ranked.isEmpty()) {
+            lines.add("");
+            addRanking(ranked, lines);
+        }
+        if (!diagnosis.isComplete()) {
+            lines.add("");
+            lines.add("It was stopped early: this is the best it had.");
+        }
+        return lines;
+    }
+
+    private static void addRanking(List<Ranked> ranked, List<String> lines) {
+        int width =
+                Math.min(
+                        WIDEST,
+                        ranked.stream().mapToInt(each -> name(each).length()).max().orElse(0));
+        String row = "%-" + Math.max(width, "causes".length()) + "s  %12s  %11s";
+        lines.add(row.formatted("causes", "log evidence", "probability"));
+        double best = ranked.getFirst().logEvidence();
+        for (Ranked each : ranked) {
+            lines.add(
+                    String.format(
+                            Locale.ROOT,
+                            row,
+                            name(each),
+                            String.format(Locale.ROOT, "%.1f", each.logEvidence() - best),
+                            String.format(Locale.ROOT, "%.1f %%", 100 * each.probability())));
+        }
+    }
+
+    private static String name(Ranked set) {
+        return set.causes().isEmpty() ? "none" : String.join(" + ", set.causes());
+    }
+}

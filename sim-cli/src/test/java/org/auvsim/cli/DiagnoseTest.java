@@ -1,0 +1,179 @@
+package org.auvsim.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Random;
+
+class DiagnoseTest {
+    private static final double GRAVITY = 9.81;
+
+    private static final String BALL =
+            """
+            <scenario>
+              <time-step delta="0.05"/>
+              <world-object name="Ball" mass="0.5"><sphere radius="0.1"/><gravity/></world-object>
+            </scenario>
+            """;
+
+    @TempDir private Path folder;
+    private CommandLineHarness auvsim;
+
+    @BeforeEach
+    void begin() {
+        auvsim = new CommandLineHarness(folder);
+    }
+
+    @Test
+    void aModelThatIsRightHasNothingMissing() throws IOException {
+        Path report = folder.resolve("report");
+
+        int code =
+                auvsim.run(
+                        "diagnose",
+                        "--scenario",
+                        auvsim.file("model.xml", BALL),
+                        "--fit",
+                        fall("one.csv", 0),
+                        fall("two.csv", 1),
+                        "--holdout",
+                        fall("three.csv", 2),
+                        "--out",
+                        report,
+                        "--fail-on-discrepancy");
+
+        assertThat(code).as(auvsim.err()).isZero();
+        assertThat(auvsim.out()).contains("log evidence").contains("none").contains("report.html");
+        assertThat(report.resolve("report.html")).isNotEmptyFile();
+        assertThat(report.resolve("diagnosis.json")).content().contains("\"verdict\" : \"none\"");
+        assertThat(auvsim.run("validate", report.resolve("extended-scenario.xml"))).isZero();
+    }
+
+    /** 2 s of a ball in vacuum that is thrown by lot, seen with 5 mm of noise. */
+    private Path fall(String name, long seed) throws IOException {
+        Random lot = new Random(seed);
+        double vx = lot.nextDouble(-3, 3);
+        double vy = lot.nextDouble(-3, 3);
+        double vz = lot.nextDouble(0, 5);
+        StringBuilder text = new StringBuilder("t,x,y,z\n");
+        for (int i = 0; i <= 60; i++) {
+            double t = i / 30.0;
+            text.append(
+                    String.format(
+                            Locale.ROOT,
+                            "%.6f,%.5f,%.5f,%.5f%n",
+                            t,
+                            vx * t + lot.nextGaussian(0, 0.005),
+                            vy * t + lot.nextGaussian(0, 0.005),
+                            20 + vz * t - GRAVITY * t * t / 2 + lot.nextGaussian(0, 0.005)));
+        }
+        return auvsim.file(name, text.toString());
+    }
+
+    @Test
+    void aWrongCellIsNamedWithItsPlace() throws IOException {
+        Path model = auvsim.file("model.xml", BALL);
+        Path run = auvsim.file("run.csv", "t,x\n0,1\n0.1,far\n");
+
+        assertThat(auvsim.run("diagnose", "--scenario", model, "--fit", run)).isEqualTo(2);
+        assertThat(auvsim.err())
+                .contains("run.csv:3: column 'x': expected a number, but found 'far'");
+    }
+
+    @Test
+    void theMeasuredBodyMustBeInTheScenario() throws IOException {
+        Path model = auvsim.file("model.xml", BALL);
+        Path run = fall("run.csv", 0);
+
+        assertThat(auvsim.run("diagnose", "--scenario", model, "--fit", run, "--body", "Box"))
+                .isEqualTo(2);
+        assertThat(auvsim.err())
+                .contains("model.xml: the scenario has no world object 'Box'; it has [Ball]");
+    }
+
+    @Test
+    void ofSeveralBodiesOneMustBeChosen() throws IOException {
+        Path model =
+                auvsim.file(
+                        "model.xml",
+                        BALL.replace(
+                                "</scenario>",
+                                "<world-object name=\"Box\" mass=\"1\"><sphere radius=\"1\"/>"
+                                        + "<position x=\"9\" y=\"0\" z=\"0\"/></world-object>"
+                                        + "</scenario>"));
+
+        assertThat(auvsim.run("diagnose", "--scenario", model, "--fit", fall("run.csv", 0)))
+                .isEqualTo(2);
+        assertThat(auvsim.err())
+                .contains(
+                        "several objects can move (Ball, Box); say with --body which was measured");
+    }
+
+    @Test
+    void aScenarioWithoutAnythingThatMovesHasNoMeasuredBody() throws IOException {
+        Path model = auvsim.file("model.xml", BALL.replace("mass=\"0.5\"", "fixed=\"1\""));
+
+        assertThat(auvsim.run("diagnose", "--scenario", model, "--fit", fall("run.csv", 0)))
+                .isEqualTo(2);
+        assertThat(auvsim.err()).contains("nothing in the scenario can move");
+    }
+
+    @Test
+    void whatIsFittedCannotBeHeldOut() throws IOException {
+        Path model = auvsim.file("model.xml", BALL);
+        Path run = fall("run.csv", 0);
+
+        assertThat(
+                        auvsim.run(
+                                "diagnose", "--scenario", model, "--fit", run, "--holdout", run))
+                .isEqualTo(2);
+        assertThat(auvsim.err()).contains("is given to fit and to hold out");
+    }
+
+    @Test
+    void optionsSayHowColumnsAreRead() throws IOException {
+        Path model = auvsim.file("model.xml", BALL);
+        Path run = auvsim.file("run.csv", "time,x,heading,volt\n0,1,2,3\n");
+
+        int code =
+                auvsim.run(
+                        "diagnose",
+                        "--scenario",
+                        model,
+                        "--fit",
+                        run,
+                        "--rename",
+                        "time=t,heading=yaw",
+                        "--ignore",
+                        "volt",
+                        "--ned",
+                        "--degrees");
+
+        assertThat(code).isEqualTo(2);
+        assertThat(auvsim.err()).contains("run.csv: expected at least 16 rows, but found 1");
+    }
+
+    @Test
+    void aMappingThatIsNoneIsTold() throws IOException {
+        Path model = auvsim.file("model.xml", BALL);
+        Path mapping = auvsim.file("mapping.xml", "<column-mapping><colum/></column-mapping>");
+
+        assertThat(
+                        auvsim.run(
+                                "diagnose",
+                                "--scenario",
+                                model,
+                                "--fit",
+                                fall("run.csv", 0),
+                                "--mapping",
+                                mapping))
+                .isEqualTo(2);
+        assertThat(auvsim.err()).contains("mapping.xml:1:17: ").contains("colum");
+    }
+}

@@ -98,8 +98,8 @@ final class RowReader {
             throw table.at(
                     row.getStartingLineNumber(),
                     column.name(),
-                    "'%s' cannot be told this: %s; map the column with a scale and an offset if it has another unit"
-                            .formatted(Cells.text(row, column), e.getMessage()));
+                    "%s (found '%s'); map the column with a scale and an offset if it has another unit"
+                            .formatted(e.getMessage(), Cells.text(row, column)));
         }
     }
 

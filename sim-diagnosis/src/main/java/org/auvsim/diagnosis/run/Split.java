@@ -1,5 +1,7 @@
 package org.auvsim.diagnosis.run;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -88,6 +90,13 @@ public record Split(List<MeasuredRun> fit, List<MeasuredRun> heldOut, String not
     }
 
     private static String times(MeasuredRun run) {
-        return "%.6g to %.6g s".formatted(run.time(0), run.time(run.size() - 1));
+        return "%s to %s s".formatted(shown(run.time(0)), shown(run.time(run.size() - 1)));
+    }
+
+    private static String shown(double time) {
+        return new BigDecimal(time)
+                .setScale(3, RoundingMode.HALF_EVEN)
+                .stripTrailingZeros()
+                .toPlainString();
     }
 }

@@ -1,0 +1,306 @@
+package org.auvsim.diagnosis.reading;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.run.CellForm;
+import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.auvsml.run.MappedColumn;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/** Each sentence has the file, the row as an editor counts it, and the column. */
+class BadRunsTest {
+    private static final int ENOUGH = 20;
+
+    @TempDir private Path folder;
+
+    private void refused(String text, String sentence) {
+        refused(ColumnMapping.USUAL, text, sentence);
+    }
+
+    private void refused(ColumnMapping mapping, String text, String sentence) {
+        assertThatThrownBy(() -> Rov.read(folder, mapping, text))
+                .isInstanceOf(DocumentException.class)
+                .hasMessage(folder.resolve("run.csv") + sentence);
+    }
+
+    private static String moving(String header, String cells) {
+        return Rov.rows("x," + header, ENOUGH, i -> i + "," + cells);
+    }
+
+    @Test
+    void anUnknownColumnHasItsNearestKnownNames() {
+        refused(
+                moving("yaww", "0"),
+                ":1: column 'yaww': nothing is known by the name 'yaww'; the nearest known name"
+                        + " is 'yaw'; rename it to what it has, ignore it, or name a"
+                        + " force or actuator of 'Rov' so");
+    }
+
+    @Test
+    void aTimeIsNeeded() {
+        refused(
+                moving("y", "0").replace("t,x", "time,x").replace("time", "depth"),
+                ":1: column 't': the header has no column with the time in s, only depth, x, y;"
+                        + " rename the one that has it");
+    }
+
+    @Test
+    void somethingMustHaveBeenMeasured() throws IOException {
+        assertThatThrownBy(
+                        () ->
+                                Rov.read(
+                                        folder,
+                                        ColumnMapping.USUAL,
+                                        Rov.rows("main", ENOUGH, i -> "0")))
+                .hasMessageContaining("run.csv: the header has nothing that was measured");
+    }
+
+    @Test
+    void aMappedColumnMustBeThere() {
+        refused(
+                ColumnMapping.USUAL.with(List.of(MappedColumn.renamed("hight", "z"))),
+                moving("height", "0"),
+                ":1: column 'hight': the mapping names this column, but the header has none of"
+                        + " this name; the nearest known name is 'height'");
+    }
+
+    @Test
+    void aNameStandsOnceInAHeader() {
+        refused(
+                moving("x", "0"),
+                ":1: column 'x': this name stands in the header twice; name each column otherwise");
+    }
+
+    @Test
+    void nothingIsStatedTwice() {
+        refused(
+                moving("z,depth", "0,0"),
+                ":1: column 'depth': column 'z' has the same already; ignore one of the two");
+        refused(
+                moving("qw,qx,qy,qz,yaw", "1,0,0,0,0"),
+                ":1: column 'yaw': the orientation is there as a quaternion already; ignore one of"
+                        + " the two");
+        refused(
+                moving("vx,v", "0,0"),
+                ":1: column 'vx': vx, vy, vz are in the world's axes and u, v, w in the body's;"
+                        + " ignore those of one kind");
+    }
+
+    @Test
+    void aQuaternionIsWhole() {
+        refused(
+                moving("qw,qz", "1,0"),
+                ":1: column 'qw': a quaternion needs all of qw, qx, qy and qz");
+        refused(
+                moving("qw,qx,qy,qz", "1,,0,0"),
+                ":2: column 'qw': expected four numbers of the quaternion, or none, but some are"
+                        + " missing");
+    }
+
+    @Test
+    void aQuaternionHasLengthOne() {
+        refused(
+                moving("qw,qx,qy,qz", "0.9,0,0,0"),
+                ":2: column 'qw': expected a quaternion of length 1 (within 0.01), but its length"
+                        + " is 0.9; are its columns in order and unscaled?");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"far,far", "1e999,1e999", "inf,inf"})
+    void aNumberIsFinite(String cell, String told) {
+        String text = moving("y", "0").replace("0.3,3,0", "0.3,3," + cell);
+        refused(text, ":5: column 'y': expected a number, but found '" + told + "'");
+    }
+
+    @Test
+    void aTimeIsThere() {
+        refused(
+                moving("y", "0").replace("0.3,3,0", ",3,0"),
+                ":5: column 't': expected a number, but found ''");
+    }
+
+    @Test
+    void timeIncreases() {
+        refused(
+                moving("y", "0").replace("0.3,3,0", "0.1,3,0"),
+                ":5: column 't': expected a time after 0.2 s, but found '0.1'");
+        refused(
+                moving("y", "0").replace("0.3,3,0", "0.2,3,0"),
+                ":5: column 't': expected a time after 0.2 s, but found '0.2'");
+    }
+
+    @Test
+    void timesOfDayAreNoSeconds() {
+        StringBuilder text = new StringBuilder("t,x\n");
+        for (int i = 0; i < ENOUGH; i++) {
+            int stamp = i < 10 ? 205255 + i / 2 : 205300 + i / 2;
+            text.append(stamp).append(',').append(i).append('\n');
+        }
+        refused(
+                text.toString().replace("205305", "205300"),
+                ":12: column 't': expected seconds, but 205300 follows 205259: these look like"
+                        + " hours, minutes and seconds; map the column with form=\"HHMMSS\"");
+    }
+
+    @Test
+    void aTimeOfDayHasSixDigits() {
+        ColumnMapping mapping =
+                ColumnMapping.USUAL.with(
+                        List.of(
+                                new MappedColumn(
+                                        "t", Optional.empty(), 1, 0, CellForm.HHMMSS, false)));
+        refused(
+                mapping,
+                moving("y", "0"),
+                ":2: column 't': expected a time of day as 205259, but found '0.0'");
+    }
+
+    @Test
+    void aRowHasAFieldForEachColumn() {
+        refused(
+                moving("y", "0").replace("0.3,3,0", "0.3,3"),
+                ":5: expected 3 fields as in the header, but found 2; complete the row, or take it"
+                        + " out if the file was cut off");
+    }
+
+    @Test
+    void aRunIsLongEnough() {
+        refused(
+                Rov.rows("x", 15, i -> "" + i),
+                ": expected at least 16 rows, but found 15; a shorter run tells nothing");
+    }
+
+    @Test
+    void betweenGapsARunIsLongEnough() {
+        String text = Rov.rows("x", 25, i -> "" + i).replaceAll("(?m)^1\\.(\\d),", "61.$1,");
+        String gaps = text.replaceAll("(?m)^2\\.(\\d),", "99.$1,");
+        refused(
+                gaps, ": no 16 rows follow each other without a long gap; a shorter run tells nothing");
+    }
+
+    @Test
+    void anEmptyFileIsNoRun() {
+        refused(
+                "",
+                " is empty: expected a header line with the columns' names and rows below it");
+    }
+
+    @Test
+    void aFileThatIsNotThereIsNoRun() {
+        Path missing = folder.resolve("missing.csv");
+        assertThatThrownBy(() -> Rov.reader(ColumnMapping.USUAL).read(missing))
+                .isInstanceOf(DocumentException.class)
+                .hasMessage(missing + ": there is no such file");
+    }
+
+    @Test
+    void aScenarioIsNoRun() throws IOException {
+        Path scenario = Rov.write(folder.resolve("model.xml"), Rov.SCENARIO);
+        assertThatThrownBy(() -> Rov.reader(ColumnMapping.USUAL).read(scenario))
+                .hasMessage(
+                        scenario + " is a scenario; expected a measured run, CSV or a recording");
+    }
+
+    @Test
+    void aCommandIsWhatItsActuatorCanDo() {
+        refused(
+                moving("main", "1500"),
+                ":2: column 'main': the level of propulsor 'main' must be -1 to 1, but is 1500.0"
+                        + " (found '1500'); map the column with a scale and an offset if it has"
+                        + " another unit");
+    }
+
+    @Test
+    void aCommandIsThereFromTheBeginning() {
+        refused(
+                moving("main", ""),
+                ":2: column 'main': expected what is commanded at the beginning, but found ''");
+    }
+
+    @Test
+    void aDeviationIsAboveZero() {
+        refused(
+                moving("sd_x", "0"),
+                ":2: column 'sd_x': expected a standard deviation above 0, but found '0'");
+    }
+
+    @Test
+    void nothingIsLearntFromARunThatNeverChanges() {
+        refused(
+                Rov.rows("x,yaw,main", ENOUGH, i -> "1,2,0." + i % 2),
+                ": every measured number of run 'run' is the same from its first row to its last;"
+                        + " nothing can be learnt from it");
+    }
+
+    @Test
+    void millimetresAreSuspected() throws Exception {
+        String text =
+                Rov.rows(
+                        "x,y,z,main,rudder",
+                        60,
+                        i -> "0," + 1000 * 0.5 * 20 / 30 * 0.01 * i * i + ",0,1,0");
+
+        assertThat(Rov.read(folder, ColumnMapping.USUAL, text).notices())
+                .anyMatch(notice -> notice.contains("times as far as the model from rest"))
+                .anyMatch(notice -> notice.contains("are positions in mm"));
+    }
+
+    @Test
+    void metresAreNotSuspected() throws Exception {
+        String text =
+                Rov.rows(
+                        "x,y,z,main,rudder",
+                        60,
+                        i -> "0," + 0.5 * 20 / 30 * 0.01 * i * i + ",0,1,0");
+
+        assertThat(Rov.read(folder, ColumnMapping.USUAL, text).notices()).isEmpty();
+    }
+
+    @Test
+    void velocitiesInAnotherUnitThanPositionsAreSuspected() throws Exception {
+        String text = Rov.rows("x,y,z,vx,vy,vz", ENOUGH, i -> i + ",0,0,10000,0,0");
+
+        assertThat(Rov.read(folder, ColumnMapping.USUAL, text).notices())
+                .anyMatch(
+                        notice ->
+                                notice.equals(
+                                        "run: positions go 0.001 times as far as velocities say: is"
+                                                + " one of them in another unit?"));
+    }
+
+    @Test
+    void millisecondsAreSuspected() throws Exception {
+        StringBuilder text = new StringBuilder("t,yaw\n");
+        for (int i = 0; i < ENOUGH; i++) {
+            text.append(50 * i).append(',').append(0.1 * i).append('\n');
+        }
+
+        assertThat(Rov.read(folder, ColumnMapping.USUAL, text.toString()).notices())
+                .contains(
+                        "run: rows are 50 s apart by whole numbers: are these milliseconds? If so,"
+                                + " map 't' with a scale of 0.001");
+    }
+
+    @Test
+    void degreesAreSuspected() throws Exception {
+        assertThat(
+                        Rov.read(
+                                        folder,
+                                        ColumnMapping.USUAL,
+                                        Rov.rows("yaw,r", ENOUGH, i -> 9 * i + "," + 3 * i))
+                                .notices())
+                .contains(
+                        "run: angles go up to 171 rad: are they in degrees (--degrees)?",
+                        "run: p, q, r differ by up to 57 rad/s: are they in degrees (--degrees)?");
+    }
+}

@@ -41,8 +41,8 @@ final class EffectCauses {
 
     private EffectCauses() {}
 
-    static List<Cause> of(Setting s) {
-        AuvsmlMapper mapper = AuvsmlMapper.load(EffectCauses.class.getClassLoader());
+    static List<Cause> of(Setting s, ClassLoader loader) {
+        AuvsmlMapper mapper = AuvsmlMapper.load(loader);
         List<Cause> causes = new ArrayList<>();
         for (Class<?> type : mapper.implementations(Effect.class).values()) {
             if (!COVERED.contains(type)) {

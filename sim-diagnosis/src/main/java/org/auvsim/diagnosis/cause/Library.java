@@ -34,11 +34,17 @@ public final class Library {
      * @param runs that are to be explained, one or more
      */
     public static List<Cause> of(BelievedModel model, List<MeasuredRun> runs) {
+        return of(model, runs, Library.class.getClassLoader());
+    }
+
+    /** The same, with effects and families of causes that another class path has. */
+    public static List<Cause> of(
+            BelievedModel model, List<MeasuredRun> runs, ClassLoader loader) {
         Setting setting = Setting.of(model, runs);
         List<Cause> causes = new ArrayList<>();
         FAMILIES.forEach(family -> causes.addAll(family.apply(setting)));
-        causes.addAll(EffectCauses.of(setting));
-        for (CauseFamily family : ServiceLoader.load(CauseFamily.class)) {
+        causes.addAll(EffectCauses.of(setting, loader));
+        for (CauseFamily family : ServiceLoader.load(CauseFamily.class, loader)) {
             causes.addAll(family.of(model, runs));
         }
         return List.copyOf(causes);

@@ -5,9 +5,6 @@ import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
-import org.auvsim.core.step.EndOfStepFinder;
-import org.auvsim.core.step.NoRestricter;
-import org.auvsim.core.step.SnapshotStepper;
 import org.auvsim.core.step.StepException;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldBuilder;
@@ -52,6 +49,7 @@ public final class Ensemble {
     private final World world;
     private final List<WorldObject> bodies = new ArrayList<>();
     private final double longestStep;
+    private final Ground ground;
 
     private Ensemble(BelievedModel model, MeasuredRun run, int from, List<Entrant> entrants) {
         this.run = run;
@@ -61,12 +59,9 @@ public final class Ensemble {
                 World.builder()
                         .startTime(run.time(from))
                         .timeStep(longestStep)
-                        .allowOverlaps()
-                        .stepper(
-                                new SnapshotStepper(
-                                        new NoRestricter(),
-                                        new NoCollisions(),
-                                        new EndOfStepFinder()));
+                        .allowOverlaps();
+        ground = Ground.under(model);
+        ground.addTo(builder);
         model.scenario().field().forEach(builder::add);
         run.differences().currents().forEach(builder::add);
         for (int i = 0; i < entrants.size(); i++) {
@@ -96,7 +91,7 @@ public final class Ensemble {
         if (known.mass() != 0) {
             body.mass(entrant.variant().body().mass().orElseThrow() + known.mass());
         }
-        return body
+        return ground.touching(body)
                 .id(FIRST_ID + i)
                 .renamed(name(i))
                 .position(start.position())
@@ -119,6 +114,9 @@ public final class Ensemble {
      */
     public static RigidMotion[][] simulate(
             BelievedModel model, MeasuredRun run, int from, int to, List<Entrant> entrants) {
+        if (entrants.size() > Ground.under(model).together(entrants.size())) {
+            return halves(model, run, from, to, entrants);
+        }
         try {
             return new Ensemble(model, run, from, entrants).simulate(from, to);
         } catch (StepException e) {
@@ -145,7 +143,7 @@ public final class Ensemble {
         return new RigidMotion[][] {motion};
     }
 
-    /** One that cannot be simulated takes none of the others with it. */
+    /** In two worlds: one that cannot be simulated takes none of the others with it. */
     private static RigidMotion[][] halves(
             BelievedModel model, MeasuredRun run, int from, int to, List<Entrant> entrants) {
         int half = entrants.size() / 2;

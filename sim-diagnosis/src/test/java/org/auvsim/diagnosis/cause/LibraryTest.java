@@ -8,6 +8,7 @@ import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.model.Ensemble;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
@@ -119,12 +120,16 @@ class LibraryTest {
     @ParameterizedTest(name = "{0}")
     @MethodSource("causes")
     void aStepOfAGuessCanBeSimulated(Cause cause, BelievedModel model) {
-        for (Guess guess : cause.guesses(List.of())) {
-            Variant moved = cause.in(model.variant(), moved(cause, guess));
-            RigidMotion[] motion = Tank.motion(model, moved, SAMPLES);
-            for (RigidMotion m : motion) {
-                assertThat(m.position().isFinite() && m.velocity().isFinite()).isTrue();
-            }
+        List<Ensemble.Entrant> moved =
+                cause.guesses(List.of()).stream()
+                        .map(guess -> cause.in(model.variant(), moved(cause, guess)))
+                        .map(variant -> new Ensemble.Entrant(variant, Tank.START))
+                        .toList();
+        RigidMotion[][] motions =
+                Ensemble.simulate(model, Tank.times(SAMPLES), 0, SAMPLES - 1, moved);
+        for (RigidMotion[] motion : motions) {
+            RigidMotion end = motion[SAMPLES - 1];
+            assertThat(end.position().isFinite() && end.velocity().isFinite()).isTrue();
         }
     }
 

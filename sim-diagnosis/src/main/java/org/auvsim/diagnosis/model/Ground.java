@@ -1,0 +1,79 @@
+package org.auvsim.diagnosis.model;
+
+import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.core.entity.IgnoredLayer;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.step.EndOfStepFinder;
+import org.auvsim.core.step.NoRestricter;
+import org.auvsim.core.step.SnapshotStepper;
+import org.auvsim.core.world.WorldBuilder;
+
+import java.util.List;
+
+/**
+ * The fixed objects of a scenario that the body may touch. Variants of it are in a layer of
+ * collisions of their own, which they ignore: they meet those objects, but not each other.
+ *
+ * @param layer of the variants
+ */
+record Ground(Scenario scenario, List<WorldObjectDefinition> objects, int layer) {
+    /** So many variants at most share a world in which they touch something. */
+    private static final int MOST_TOGETHER = 128;
+
+    static Ground under(BelievedModel model) {
+        WorldObjectDefinition body = model.variant().body();
+        List<WorldObjectDefinition> objects =
+                model.scenario().worldObject().stream()
+                        .filter(WorldObjectDefinition::fixed)
+                        .filter(object -> meet(object, body) && meet(body, object))
+                        .toList();
+        return new Ground(model.scenario(), objects, freeLayer(objects));
+    }
+
+    private static boolean meet(WorldObjectDefinition a, WorldObjectDefinition b) {
+        return a.ignores().stream().noneMatch(ignored -> ignored.layer() == b.layer());
+    }
+
+    /** One that none of the objects is in or ignores; the first if there is none. */
+    private static int freeLayer(List<WorldObjectDefinition> objects) {
+        for (int layer = IgnoredLayer.LAST; layer > 0; layer--) {
+            int it = layer;
+            boolean isFree =
+                    objects.stream()
+                            .noneMatch(
+                                    o ->
+                                            o.layer() == it
+                                                    || o.ignores()
+                                                            .contains(new IgnoredLayer(it)));
+            if (isFree) {
+                return layer;
+            }
+        }
+        return 0;
+    }
+
+    /** How many of so many variants may share a world: each looks at all others that are near. */
+    int together(int variants) {
+        return objects.isEmpty() ? Math.max(1, variants) : MOST_TOGETHER;
+    }
+
+    /** Puts the objects into a world, and lets it make steps as it needs for them. */
+    void addTo(WorldBuilder world) {
+        if (objects.isEmpty()) {
+            world.stepper(
+                    new SnapshotStepper(
+                            new NoRestricter(), new NoCollisions(), new EndOfStepFinder()));
+            return;
+        }
+        world.stepper(scenario.stepper());
+        if (scenario.boundingSpheres()) {
+            world.asBoundingSpheres();
+        }
+        objects.forEach(world::add);
+    }
+
+    /** A variant that touches the objects alone. */
+    WorldObjectDefinition.Builder touching(WorldObjectDefinition.Builder variant) {
+        return objects.isEmpty() ? variant : variant.layer(layer).ignores(layer);
+    }
+}

@@ -120,17 +120,20 @@ final class Inputs {
         }
     }
 
-    /** Begins and ends scheduled forces as they are at a time (s), for the time after it. */
+    /**
+     * Begins and ends scheduled forces as they are at a time (s), for the time after it. One that
+     * ends takes away what has its name, also a force of the scenario, unless another begins.
+     */
     void schedule(double time, double rounding, List<WorldObject> bodies) {
+        double now = time + rounding;
         for (ScheduledForce scheduled : run.forces()) {
-            boolean acts =
-                    scheduled.from() <= time + rounding && time + rounding < scheduled.until();
-            for (WorldObject body : bodies) {
-                if (acts) {
-                    body.applyForce(scheduled.force());
-                } else {
-                    body.removeForce(scheduled.force().name());
-                }
+            if (scheduled.until() <= now) {
+                bodies.forEach(body -> body.removeForce(scheduled.force().name()));
+            }
+        }
+        for (ScheduledForce scheduled : run.forces()) {
+            if (scheduled.from() <= now && now < scheduled.until()) {
+                bodies.forEach(body -> body.applyForce(scheduled.force()));
             }
         }
     }

@@ -7,11 +7,14 @@ import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.control.LoadScenarioCommand;
 import org.auvsim.auvsml.message.control.ResetCommand;
 import org.auvsim.auvsml.message.control.RestoreSnapshotCommand;
+import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.auvsml.recording.ClientSent;
 import org.auvsim.auvsml.recording.Entry;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 
 /** What clients sent in a recording, until the world was replaced by another. */
@@ -21,12 +24,17 @@ final class RecordedFeedback {
 
     /** Takes messages one by one. */
     interface Listener {
-        /** A message that the simulator took at a time (s). */
+        /** A message, and the time (s) from which on it acts. */
         void sent(double time, Message message);
     }
 
     /** When the world was replaced; empty: it was not. */
     private Optional<Double> replaced = Optional.empty();
+
+    /** Commands that came during a step, and that step. */
+    private final List<Message> waiting = new ArrayList<>();
+
+    private long stepOfWaiting;
 
     RecordedFeedback(Path file, AuvsmlMapper mapper) {
         this.file = file;
@@ -57,12 +65,11 @@ final class RecordedFeedback {
     /** Tells all of them, from the beginning. */
     void tell(Listener listener) throws DocumentException {
         replaced = Optional.empty();
+        waiting.clear();
         try (RecordingReader recording = RecordingReader.open(file, mapper)) {
             Optional<Entry> entry = recording.next();
             while (entry.isPresent() && replaced.isEmpty()) {
-                if (entry.get() instanceof ClientSent sent) {
-                    tell(sent, listener);
-                }
+                tell(entry.get(), listener);
                 entry = recording.next();
             }
         } catch (IOException e) {
@@ -70,15 +77,28 @@ final class RecordedFeedback {
         }
     }
 
-    private void tell(ClientSent sent, Listener listener) {
-        for (Message message : sent.message()) {
-            switch (message) {
-                case ResetCommand _, RestoreSnapshotCommand _, LoadScenarioCommand _ ->
-                        replaced = Optional.of(sent.timestamp());
-                default -> {
-                    if (replaced.isEmpty()) {
-                        listener.sent(sent.timestamp(), message);
-                    }
+    /** What came while a step waited for feedback acts from the step's end on. */
+    private void tell(Entry entry, Listener listener) {
+        if (!waiting.isEmpty() && entry.step() > stepOfWaiting) {
+            waiting.forEach(message -> listener.sent(entry.timestamp(), message));
+            waiting.clear();
+        }
+        if (entry instanceof ClientSent sent) {
+            sent.message().forEach(message -> tell(sent, message, listener));
+        }
+    }
+
+    private void tell(ClientSent sent, Message message, Listener listener) {
+        switch (message) {
+            case ResetCommand _, RestoreSnapshotCommand _, LoadScenarioCommand _ ->
+                    replaced = Optional.of(sent.timestamp());
+            case FeedbackMessage feedback -> listener.sent(sent.timestamp(), feedback);
+            default -> {
+                if (sent.duringStep()) {
+                    waiting.add(message);
+                    stepOfWaiting = sent.step();
+                } else {
+                    listener.sent(sent.timestamp(), message);
                 }
             }
         }

@@ -5,6 +5,9 @@ import org.auvsim.auvsml.document.DocumentKind;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.auvsml.run.ColumnMapping;
 import org.auvsim.auvsml.run.Run;
+import org.auvsim.auvsml.run.RunDifferences;
+import org.auvsim.core.entity.Current;
+import org.auvsim.core.entity.Field;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
@@ -122,6 +125,27 @@ public final class RunReader {
             notices.add("%s: %s is a scenario, and says nothing of the run".formatted(name, beside));
             return Run.NOTHING_KNOWN;
         }
-        return documents.read(Run.class, beside);
+        Run document = documents.read(Run.class, beside);
+        for (RunDifferences own : document.differences().stream().toList()) {
+            requireNew(own, beside);
+        }
+        return document;
+    }
+
+    private void requireNew(RunDifferences own, Path file) throws DocumentException {
+        for (Current current : own.currents()) {
+            for (Field<?> other : model.scenario().field()) {
+                if (current.id() == other.id() || current.name().equals(other.name())) {
+                    throw new DocumentException(
+                            "%s: the current '%s' (id %d) has the id or the name of the scenario's '%s' (id %d); give it others"
+                                    .formatted(
+                                            file,
+                                            current.name(),
+                                            current.id(),
+                                            other.name(),
+                                            other.id()));
+                }
+            }
+        }
     }
 }

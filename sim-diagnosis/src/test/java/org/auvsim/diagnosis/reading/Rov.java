@@ -25,7 +25,8 @@ final class Rov {
             """
             <scenario>
               <time-step delta="0.1"/>
-              <world-object name="Rov" mass="30">
+              <uniform-current id="70" name="Tide"><velocity x="0" y="0" z="0"/></uniform-current>
+              <world-object id="1" name="Rov" mass="30">
                 <box><size x="0.6" y="0.4" z="0.3"/></box>
                 <orientation w="0.7071067811865476" x="0" y="0" z="0.7071067811865476"/>
                 <force name="push"><vector x="0" y="3" z="4"/></force>

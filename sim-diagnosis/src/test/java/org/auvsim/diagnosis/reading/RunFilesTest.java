@@ -1,0 +1,264 @@
+package org.auvsim.diagnosis.reading;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.core.effect.Gravity;
+import org.auvsim.core.entity.Frame;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.KnownStart;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.ScheduledForce;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+/** Several files, and the documents beside them. */
+class RunFilesTest {
+    @TempDir private Path folder;
+    private final RunReader reader = Rov.reader(ColumnMapping.USUAL);
+
+    /** A run whose numbers differ from those of every other one. */
+    private Path run(String name, int seed) throws IOException {
+        return Rov.write(
+                folder.resolve(name + ".csv"),
+                Rov.rows("x,main,rudder", 60, i -> seed + i + ",0,0"));
+    }
+
+    private void document(String name, String text) throws IOException {
+        Rov.write(folder.resolve(name + ".xml"), text);
+    }
+
+    @Test
+    void theDocumentBesideARunSaysWhatItsRowsDoNot() throws Exception {
+        Path file = run("dive", 0);
+        document(
+                "dive",
+                """
+                <run>
+                  <start>
+                    <position x="1" y="2" z="3" deviation="0.1"/>
+                    <orientation w="2" x="0" y="0" z="0" deviation="0.2"/>
+                    <angular-velocity x="4" y="5" z="6" deviation="0.3"/>
+                  </start>
+                  <scheduled-force name="tow" from="1" until="2.5" frame="BODY">
+                    <vector x="7" y="0" z="0"/><point x="0" y="0.1" z="0"/>
+                  </scheduled-force>
+                  <differences mass="-0.5">
+                    <gravity/>
+                    <uniform-current id="7" name="ebb"><velocity x="0.3" y="0" z="0"/></uniform-current>
+                  </differences>
+                </run>
+                """);
+
+        MeasuredRun run = reader.read(file).runs().getFirst();
+
+        KnownStart start = run.start().orElseThrow();
+        assertThat(start.motion().position()).isEqualTo(new Vec3(1, 2, 3));
+        assertThat(start.motion().orientation().w()).isEqualTo(1);
+        double never = Double.POSITIVE_INFINITY;
+        assertThat(start.deviations())
+                .containsExactly(
+                        0.1, 0.1, 0.1, 0.2, 0.2, 0.2, never, never, never, 0.3, 0.3, 0.3);
+        ScheduledForce tow = run.forces().getFirst();
+        assertThat(tow.from()).isEqualTo(1);
+        assertThat(tow.until()).isEqualTo(2.5);
+        assertThat(tow.force().frame()).isEqualTo(Frame.BODY);
+        assertThat(tow.force().point()).isEqualTo(new Vec3(0, 0.1, 0));
+        assertThat(run.differences().mass()).isEqualTo(-0.5);
+        assertThat(run.differences().effects()).hasOnlyElementsOfType(Gravity.class);
+        assertThat(run.differences().currents()).extracting(c -> c.name()).containsExactly("ebb");
+    }
+
+    @Test
+    void aWrongDocumentIsToldWithItsPlace() throws Exception {
+        Path file = run("dive", 0);
+        document("dive", "<run>\n  <start><position x=\"1\" y=\"0\" z=\"0\"/></start>\n</run>");
+
+        assertThatThrownBy(() -> reader.read(file))
+                .isInstanceOf(DocumentException.class)
+                .hasMessageStartingWith(folder.resolve("dive.xml") + ":2:")
+                .hasMessageContaining("deviation");
+    }
+
+    @Test
+    void aRunsOwnFieldsAreCurrents() throws Exception {
+        Path file = run("dive", 0);
+        document(
+                "dive",
+                """
+                <run><differences>
+                  <uniform-magnetic-field id="7" name="earth"><flux-density x="0" y="2e-5" z="-4e-5"/>
+                  </uniform-magnetic-field>
+                </differences></run>
+                """);
+
+        assertThatThrownBy(() -> reader.read(file))
+                .isInstanceOf(DocumentException.class)
+                .hasMessageContaining("a run's own fields must be currents, but 'earth' is none");
+    }
+
+    @Test
+    void aRunsOwnCurrentIsAnotherThanThoseOfTheScenario() throws Exception {
+        Path file = run("dive", 0);
+        document(
+                "dive",
+                """
+                <run><differences>
+                  <uniform-current id="70" name="ebb"><velocity x="1" y="0" z="0"/></uniform-current>
+                </differences></run>
+                """);
+
+        assertThatThrownBy(() -> reader.read(file))
+                .hasMessage(
+                        folder.resolve("dive.xml")
+                                + ": the current 'ebb' (id 70) has the id or the name of the"
+                                + " scenario's 'Tide' (id 70); give it others");
+    }
+
+    @Test
+    void aScenarioBesideARunSaysNothingOfIt() throws Exception {
+        Path file = run("dive", 0);
+        document("dive", Rov.SCENARIO);
+
+        assertThat(reader.read(file).notices())
+                .containsExactly(
+                        "dive: %s is a scenario, and says nothing of the run"
+                                .formatted(folder.resolve("dive.xml")));
+    }
+
+    @Test
+    void runsAreToldApartAsAsked() throws Exception {
+        RunFiles files =
+                RunFiles.read(
+                        reader,
+                        List.of(run("one", 0), run("two", 1)),
+                        List.of(run("three", 2)));
+
+        assertThat(files.fit()).extracting(MeasuredRun::name).containsExactly("one", "two");
+        assertThat(files.heldOut()).extracting(MeasuredRun::name).containsExactly("three");
+        assertThat(files.notices()).isEmpty();
+    }
+
+    @Test
+    void theDocumentMayGiveTheRole() throws Exception {
+        document("two", "<run role=\"HOLDOUT\"/>");
+
+        RunFiles files =
+                RunFiles.read(reader, List.of(run("one", 0), run("two", 1)), List.of());
+
+        assertThat(files.heldOut()).extracting(MeasuredRun::name).containsExactly("two");
+        assertThat(files.notices())
+                .containsExactly("two: the document beside it says that it is held out");
+    }
+
+    @Test
+    void withoutARunToHoldOutSomeAre() throws Exception {
+        RunFiles files =
+                RunFiles.read(
+                        reader,
+                        List.of(run("one", 0), run("two", 1), run("three", 2)),
+                        List.of());
+
+        assertThat(files.fit()).extracting(MeasuredRun::name).containsExactly("one", "two");
+        assertThat(files.heldOut()).extracting(MeasuredRun::name).containsExactly("three");
+        assertThat(files.notices())
+                .containsExactly(
+                        "no run was said to be held out: three is, and 2 are fitted");
+    }
+
+    @Test
+    void oneRunThatIsTooShortCannotBeSplit() throws Exception {
+        Path file =
+                Rov.write(
+                        folder.resolve("short.csv"),
+                        Rov.rows("x,main,rudder", 20, i -> i + ",0,0"));
+
+        assertThatThrownBy(() -> RunFiles.read(reader, List.of(file), List.of()))
+                .isInstanceOf(DocumentException.class)
+                .hasMessageStartingWith(file + ": run 'short' has 20 samples; expected 48");
+    }
+
+    @Test
+    void aFileIsGivenOnce() throws Exception {
+        Path one = run("one", 0);
+        Path same = folder.resolve(".").resolve("one.csv");
+
+        assertThatThrownBy(() -> RunFiles.read(reader, List.of(one, same), List.of()))
+                .hasMessage(one + " is given twice to fit; give each run once");
+        assertThatThrownBy(() -> RunFiles.read(reader, List.of(one), List.of(same)))
+                .hasMessage(
+                        same
+                                + " is given to fit and to hold out; what is fitted cannot judge:"
+                                + " give another run");
+    }
+
+    @Test
+    void copiesAreTold() throws Exception {
+        Path one = run("one", 0);
+        Path copy = run("copy", 0);
+
+        assertThatThrownBy(() -> RunFiles.read(reader, List.of(one), List.of(copy)))
+                .hasMessage(
+                        copy
+                                + " has the same numbers as "
+                                + one
+                                + "; a copy neither tells nor judges anything: leave one of them"
+                                + " out");
+    }
+
+    @Test
+    void somethingIsLeftToFit() throws Exception {
+        document("one", "<run role=\"HOLDOUT\"/>");
+        Path one = run("one", 0);
+
+        assertThatThrownBy(() -> RunFiles.read(reader, List.of(one), List.of()))
+                .hasMessageContaining("are to be held out; expected one to fit at least");
+    }
+
+    @Test
+    void filesOfOneNameAreToldApart() throws Exception {
+        Path other = Files.createDirectory(folder.resolve("other")).resolve("one.csv");
+        Rov.write(other, Rov.rows("x,main,rudder", 60, i -> 5 * i + ",0,0"));
+
+        RunFiles files = RunFiles.read(reader, List.of(run("one", 0)), List.of(other));
+
+        assertThat(files.heldOut()).extracting(MeasuredRun::name).containsExactly("one_2");
+        assertThat(files.heldOut().getFirst().value(Channel.POSITION, 3, 0)).isEqualTo(15);
+    }
+
+    @Test
+    void aMappingIsADocumentOfItsOwn() throws Exception {
+        Path mapping =
+                Rov.write(
+                        folder.resolve("mapping.xml"),
+                        """
+                        <column-mapping axes="NED" degrees="1">
+                          <column name="psi" means="yaw"/>
+                          <column name="pwm" means="main" scale="0.0025" offset="-3.75"/>
+                          <column name="clock" means="t" form="HHMMSS"/>
+                          <column name="volt" ignored="1"/>
+                        </column-mapping>
+                        """);
+        StringBuilder text = new StringBuilder("clock,psi,pwm,volt\n");
+        for (int i = 0; i < 20; i++) {
+            text.append(100000 + i).append(',').append(i).append(",1900,12\n");
+        }
+        Path file = Rov.write(folder.resolve("run.csv"), text.toString());
+
+        MeasuredRun run =
+                Rov.reader(RunReader.mapping(mapping, Rov.MAPPER)).read(file).runs().getFirst();
+
+        assertThat(run.time(1) - run.time(0)).isEqualTo(1);
+        assertThat(run.commands().getFirst().level(3)).isEqualTo(1);
+        assertThat(run.orientation(0).orElseThrow().rotate(new Vec3(1, 0, 0)).y())
+                .isGreaterThan(0.999);
+    }
+}

@@ -85,12 +85,18 @@ record CaseRuns(List<MeasuredRun> measured, List<List<Pose>> truth) {
         }
 
         Instant drawn(Instant stated, Draws draws) {
+            Attitude attitude =
+                    Attitude.turned(draws.normals(factor * START_TURNED))
+                            .after(stated.attitude());
+            // Stated in world axes, so that it is not off by the attitude's error as well.
+            Vector3D turning =
+                    stated.turningInWorld().add(draws.normals(factor * START_TURNING));
             return new Instant(
                     0,
                     stated.position().add(draws.normals(away())),
-                    Attitude.turned(draws.normals(factor * START_TURNED)).after(stated.attitude()),
+                    attitude,
                     stated.velocity().add(draws.normals(faster())),
-                    stated.turning().add(draws.normals(factor * START_TURNING)),
+                    attitude.toBody(turning),
                     Vector3D.ZERO);
         }
 

@@ -178,7 +178,7 @@ final class ForceEffects {
                     Vector3D force = along.scalarMultiply(s);
                     return HiddenEffect.of(
                             "step_force",
-                            Map.of("force", of(force), "t", of(from)),
+                            Map.of("force", of(force), "from", of(from)),
                             r ->
                                     r.edge(from)
                                             .pushed(
@@ -198,7 +198,7 @@ final class ForceEffects {
                     Vector3D impulse = along.scalarMultiply(s);
                     return HiddenEffect.of(
                             "impulse",
-                            Map.of("impulse", of(impulse), "t", of(at)),
+                            Map.of("impulse", of(impulse), "at", of(at)),
                             r -> r.accompanied(random -> once(new Kick(at, impulse))));
                 });
     }

@@ -85,7 +85,7 @@ final class ThrusterEffects {
                     double from = (1 - s) * scene.duration();
                     return HiddenEffect.of(
                                     "thruster_loss",
-                                    Map.of("t", of(from)),
+                                    Map.of("from", of(from)),
                                     r -> one(name, t -> t.lostFrom(from)).apply(r.edge(from)))
                             .about(name);
                 });

@@ -24,7 +24,10 @@ final class OptionValues {
     static CommandLine readBy(CommandLine line) {
         ITypeConverter<Integer> whole = text -> number(text, Integer::valueOf, "a whole number");
         ITypeConverter<Double> real = text -> number(text, Double::valueOf, "a number");
-        return line.registerConverter(int.class, whole)
+        ITypeConverter<Long> wide = text -> number(text, Long::valueOf, "a whole number");
+        return line.registerConverter(long.class, wide)
+                .registerConverter(Long.class, wide)
+                .registerConverter(int.class, whole)
                 .registerConverter(Integer.class, whole)
                 .registerConverter(double.class, real)
                 .registerConverter(Double.class, real);

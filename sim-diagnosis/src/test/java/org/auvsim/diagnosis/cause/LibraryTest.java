@@ -17,6 +17,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
@@ -93,6 +95,24 @@ class LibraryTest {
                                 .filter(c -> c.id().equals("thruster_gain"))
                                 .map(c -> c.subject().orElse("all")))
                 .containsExactly("all", "port", "starboard");
+    }
+
+    /** Its section has the parameters by the names that reports use, and a picture that is there. */
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("causes")
+    void thePageOfCausesHasIt(Cause cause, BelievedModel model) throws Exception {
+        Path docs = Path.of("..", "docs");
+        String page = Files.readString(docs.resolve("causes.md"), StandardCharsets.UTF_8);
+        int from = page.indexOf("\n## " + cause.id() + "\n");
+        assertThat(from).as("a section of docs/causes.md").isPositive();
+        String section = page.substring(from + 1).split("\n##? ", 2)[0];
+        double[] theta = numbers(cause.guesses(List.of()).getFirst());
+        for (Quantity quantity : cause.quantities(theta)) {
+            assertThat(section).contains("`" + quantity.name().replaceAll("[.][yz]", ".x"));
+            assertThat(section.contains(quantity.unit()) || quantity.unit().equals("1")).isTrue();
+        }
+        assertThat(section).contains("(images/causes/" + cause.id() + ".svg)");
+        assertThat(docs.resolve("images/causes/" + cause.id() + ".svg")).exists();
     }
 
     @ParameterizedTest(name = "{0}")

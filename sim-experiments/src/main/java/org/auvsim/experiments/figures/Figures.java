@@ -5,14 +5,24 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 
-/** All figures of the documentation of effects, actuators and fields. */
+/** All figures of the documentation that are drawn by the simulator. */
 public final class Figures {
     private Figures() {}
 
-    /** SVG pictures by the names of their files. */
-    public static Map<String, String> all() {
+    /** Of effects, actuators and fields: SVG pictures by the names of their files. */
+    public static Map<String, String> ofEffects() {
+        return pictures(EffectFigures.all(), ActuatorFigures.all(), FieldFigures.all());
+    }
+
+    /** Of causes of discrepancies, likewise. */
+    public static Map<String, String> ofCauses() {
+        return pictures(CauseFigures.all());
+    }
+
+    @SafeVarargs
+    private static Map<String, String> pictures(List<Figure>... figures) {
         Map<String, String> pictures = new TreeMap<>();
-        Stream.of(EffectFigures.all(), ActuatorFigures.all(), FieldFigures.all())
+        Stream.of(figures)
                 .flatMap(List::stream)
                 .forEach(figure -> pictures.put(figure.name() + ".svg", figure.svg()));
         return pictures;

@@ -12,28 +12,38 @@ import java.util.stream.Stream;
 
 /** The figures of the documentation are what the simulator draws today. */
 class FiguresTest {
-    private static final Path FOLDER = Path.of("..", "docs", "images", "effects");
+    private static final Path IMAGES = Path.of("..", "docs", "images");
     private static final String COMMAND =
             "mvn -q test -pl sim-experiments -am -Dtest=FiguresTest -Dauvsim.generate"
                     + " -Dsurefire.failIfNoSpecifiedTests=false";
 
     /** With {@code -Dauvsim.generate} they are written instead. */
     @Test
-    void theDocumentationShowsWhatTheSimulatorDoes() throws IOException {
-        Map<String, String> pictures = Figures.all();
+    void theDocumentationOfEffectsShowsWhatTheSimulatorDoes() throws IOException {
+        assertDrawn(IMAGES.resolve("effects"), Figures.ofEffects());
+    }
+
+    /** Likewise. */
+    @Test
+    void theDocumentationOfCausesShowsWhatTheyLeaveInResiduals() throws IOException {
+        assertDrawn(IMAGES.resolve("causes"), Figures.ofCauses());
+    }
+
+    private static void assertDrawn(Path folder, Map<String, String> pictures)
+            throws IOException {
         if (System.getProperty("auvsim.generate") != null) {
-            Files.createDirectories(FOLDER);
+            Files.createDirectories(folder);
             for (Map.Entry<String, String> picture : pictures.entrySet()) {
-                Files.writeString(FOLDER.resolve(picture.getKey()), picture.getValue());
+                Files.writeString(folder.resolve(picture.getKey()), picture.getValue());
             }
         }
-        try (Stream<Path> files = Files.list(FOLDER)) {
+        try (Stream<Path> files = Files.list(folder)) {
             assertThat(files.map(file -> file.getFileName().toString()))
                     .as("generate them with: %s", COMMAND)
                     .containsExactlyInAnyOrderElementsOf(pictures.keySet());
         }
         for (Map.Entry<String, String> picture : pictures.entrySet()) {
-            assertThat(Files.readString(FOLDER.resolve(picture.getKey())))
+            assertThat(Files.readString(folder.resolve(picture.getKey())))
                     .as("%s; generate it with: %s", picture.getKey(), COMMAND)
                     .isEqualTo(picture.getValue());
         }

@@ -9,9 +9,9 @@ import org.auvsim.experiments.Conduct;
 import org.auvsim.experiments.ThesisExperiment;
 import org.auvsim.experiments.cfs.CfsExperiment;
 import org.auvsim.experiments.distributed.DistributedExperiment;
+import org.auvsim.experiments.runtime.RuntimeExperiment;
 import org.auvsim.plot.page.Report;
 import org.auvsim.plot.page.ReportPage;
-import org.auvsim.experiments.runtime.RuntimeExperiment;
 import org.slf4j.LoggerFactory;
 
 import picocli.CommandLine.Command;

@@ -21,19 +21,15 @@ class FoulingTest {
         String scenario =
                 """
                 <scenario><world-object name="Buoy" mass="30"><sphere radius="0.2"/></world-object>
-                </scenario>""";
+                </scenario>\
+                """;
         BelievedModel model =
                 new BelievedModel(
                         ScenarioLoader.load(FoulingTest.class.getClassLoader())
                                 .parse(scenario.getBytes(UTF_8)),
                         "Buoy");
         MeasuredRun run =
-                MeasuredRun.named("run")
-                        .at(0)
-                        .position(0, 0, 0)
-                        .at(1)
-                        .position(1, 0, 0)
-                        .build();
+                MeasuredRun.named("run").at(0).position(0, 0, 0).at(1).position(1, 0, 0).build();
 
         Cause fouling =
                 Library.of(model, List.of(run)).stream()

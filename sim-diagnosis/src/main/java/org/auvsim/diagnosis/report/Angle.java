@@ -30,8 +30,7 @@ enum Angle {
                     Math.atan2(
                             2 * (q.w() * q.x() + q.y() * q.z()),
                             1 - 2 * (q.x() * q.x() + q.y() * q.y()));
-            case PITCH ->
-                    Math.asin(Math.clamp(2 * (q.w() * q.y() - q.z() * q.x()), -1, 1));
+            case PITCH -> Math.asin(Math.clamp(2 * (q.w() * q.y() - q.z() * q.x()), -1, 1));
             case YAW ->
                     Math.atan2(
                             2 * (q.w() * q.z() + q.x() * q.y()),

@@ -83,7 +83,9 @@ final class DiagnosisJson {
                         .map(
                                 a ->
                                         new AlternativePart(
-                                                a.causes(), a.isIndistinguishable(), a.determined()))
+                                                a.causes(),
+                                                a.isIndistinguishable(),
+                                                a.determined()))
                         .toList(),
                 byName(of.noise(), Function.identity()),
                 position.map(Gain::before),

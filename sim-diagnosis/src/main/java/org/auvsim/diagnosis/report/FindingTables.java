@@ -118,7 +118,9 @@ final class FindingTables {
                         rows,
                         "Natural logarithm of the evidence, less that of the best: below about -5 a"
                                 + " set can be ruled out."
-                                + (more > 0 ? " diagnosis.json has %d more.".formatted(more) : "")));
+                                + (more > 0
+                                        ? " diagnosis.json has %d more.".formatted(more)
+                                        : "")));
     }
 
     private static String probability(double value) {

@@ -60,7 +60,8 @@ final class IdentifiabilityTables {
         }
         List<List<String>> rows = new ArrayList<>();
         for (Confusion pair : pairs) {
-            rows.add(List.of(pair.first(), pair.second(), Numbers.rounded(pair.angle()) + "\u00b0"));
+            rows.add(
+                    List.of(pair.first(), pair.second(), Numbers.rounded(pair.angle()) + "\u00b0"));
         }
         int more = of.identifiability().pairs().size() - pairs.size();
         return List.of(
@@ -69,7 +70,9 @@ final class IdentifiabilityTables {
                         rows,
                         "Angles between the traces that causes leave in this data: 90\u00b0 can be"
                                 + " told apart best, 0\u00b0 not at all."
-                                + (more > 0 ? " diagnosis.json has %d more.".formatted(more) : "")));
+                                + (more > 0
+                                        ? " diagnosis.json has %d more.".formatted(more)
+                                        : "")));
     }
 
     List<Block> unseen() {

@@ -92,8 +92,7 @@ final class Page {
 
     /** Of one run that people see at once: a held-out one, if there is one. */
     private List<Section> paths() {
-        return Stream.concat(
-                        of.runs().stream().filter(DiagnosedRun::isHeldOut), of.runs().stream())
+        return Stream.concat(of.runs().stream().filter(DiagnosedRun::isHeldOut), of.runs().stream())
                 .findFirst()
                 .map(
                         run ->

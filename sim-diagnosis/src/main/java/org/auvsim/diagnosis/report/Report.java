@@ -20,8 +20,8 @@ public final class Report {
     /**
      * Writes {@code report.html}, {@code diagnosis.json}, {@code extended-scenario.xml}, for each
      * held-out run {@code predictions/RUN.csv}, and for each run {@code residuals/RUN.csv}. Each
-     * file appears whole or not at all, those of an earlier report are replaced, and
-     * {@code diagnosis.json} comes last.
+     * file appears whole or not at all, those of an earlier report are replaced, and {@code
+     * diagnosis.json} comes last.
      *
      * @return the path of {@code report.html}
      * @throws IOException if a file cannot be written

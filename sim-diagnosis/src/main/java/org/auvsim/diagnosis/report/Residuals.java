@@ -54,10 +54,7 @@ record Residuals(MeasuredRun run, List<RigidMotion> told) {
 
     private Vec3 inFrame(Channel channel, int sample, Vec3 world, Quat orientation) {
         return measured(channel, sample)
-                .minus(
-                        run.frame(channel) == Frame.BODY
-                                ? orientation.rotateInverse(world)
-                                : world);
+                .minus(run.frame(channel) == Frame.BODY ? orientation.rotateInverse(world) : world);
     }
 
     /** One number of three. */
@@ -70,8 +67,8 @@ record Residuals(MeasuredRun run, List<RigidMotion> told) {
     }
 
     /**
-     * Root mean square of all numbers that were measured of a channel, to be compared with the noise
-     * of one; NaN if none was.
+     * Root mean square of all numbers that were measured of a channel, to be compared with the
+     * noise of one; NaN if none was.
      */
     double rootMeanSquare(Channel channel) {
         double sum = 0;

@@ -164,8 +164,7 @@ final class RunCharts {
                     curve(
                             model.name(),
                             model.mark(),
-                            angle.course(
-                                    size(model), k -> model.told().get(k).orientation())));
+                            angle.course(size(model), k -> model.told().get(k).orientation())));
         }
         curves.add(
                 curve(
@@ -197,7 +196,8 @@ final class RunCharts {
                                 k ->
                                         new Point(
                                                 run.time(k),
-                                                Residuals.component(residuals.of(channel, k), of))));
+                                                Residuals.component(
+                                                        residuals.of(channel, k), of))));
             }
         }
         String unit = Sentence.unit(channel);

@@ -16,8 +16,7 @@ final class Travelled {
         length = new double[Math.min(run.size(), motion.size())];
         for (int k = 1; k < length.length; k++) {
             length[k] =
-                    length[k - 1]
-                            + motion.get(k).position().distance(motion.get(k - 1).position());
+                    length[k - 1] + motion.get(k).position().distance(motion.get(k - 1).position());
         }
     }
 

@@ -21,8 +21,8 @@ import java.util.TreeMap;
  * @param noise standard deviation of each channel that was measured
  * @param heldOut error on held-out runs by channel
  * @param horizons the same, by how far ahead is predicted
- * @param usedHeldOut whether held-out runs had to be used for the search, too: the gain is then that
- *     of leaving each run out in turn
+ * @param usedHeldOut whether held-out runs had to be used for the search, too: the gain is then
+ *     that of leaving each run out in turn
  * @param runs fitted and held-out, with the model's motion before and after
  * @param discrepancy what is known of a misfit that was not explained
  * @param proposal a formula or field that imitates it

@@ -3,8 +3,8 @@ package org.auvsim.diagnosis.result;
 import org.auvsim.core.math.Vec3;
 
 /**
- * The force that a model lacks at a time of a run, by how the measured motion departs from it over a
- * short while.
+ * The force that a model lacks at a time of a run, by how the measured motion departs from it over
+ * a short while.
  *
  * @param time in the middle of that while (s)
  * @param before as the model was believed (N, world)

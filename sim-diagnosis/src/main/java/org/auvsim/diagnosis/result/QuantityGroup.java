@@ -8,7 +8,8 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * A number of a cause, or a vector of numbers whose names end with {@code .x}, {@code .y} and so on.
+ * A number of a cause, or a vector of numbers whose names end with {@code .x}, {@code .y} and so
+ * on.
  *
  * @param name of the number or of the vector
  * @param unit 1 for pure numbers

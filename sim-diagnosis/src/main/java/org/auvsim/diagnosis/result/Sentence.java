@@ -83,7 +83,9 @@ public final class Sentence {
                         .collect(Collectors.joining(", "));
         return "; this data cannot tell apart: %s, or %s%s"
                 .formatted(
-                        chosen, others, determined.isEmpty() ? "" : "; it determines " + determined);
+                        chosen,
+                        others,
+                        determined.isEmpty() ? "" : "; it determines " + determined);
     }
 
     private static final java.util.stream.Collector<CharSequence, ?, String> AND =
@@ -113,7 +115,8 @@ public final class Sentence {
     private static String known(Discrepancy of) {
         String frequency =
                 of.frequency().isPresent()
-                        ? ", mostly at %s Hz".formatted(Numbers.rounded(of.frequency().getAsDouble()))
+                        ? ", mostly at %s Hz"
+                                .formatted(Numbers.rounded(of.frequency().getAsDouble()))
                         : "";
         return "; it shows most in the %s %s %s, at %s s of %s%s; the best known causes take %s of it away"
                 .formatted(

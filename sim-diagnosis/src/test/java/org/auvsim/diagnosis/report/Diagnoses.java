@@ -35,7 +35,9 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
 
-/** Diagnoses made by hand: a sledge that turns and sinks, slowed by quadratic drag or by nothing. */
+/**
+ * Diagnoses made by hand: a sledge that turns and sinks, slowed by quadratic drag or by nothing.
+ */
 final class Diagnoses {
     static final double NOISE = 0.01;
     static final double TURN_NOISE = 0.004;
@@ -88,16 +90,14 @@ final class Diagnoses {
                                         ? ""
                                         : "<isotropic-drag quadratic=\"%s\"/>".formatted(drag));
         try {
-            return ScenarioLoader.load(Diagnoses.class.getClassLoader())
-                    .parse(xml.getBytes(UTF_8));
+            return ScenarioLoader.load(Diagnoses.class.getClassLoader()).parse(xml.getBytes(UTF_8));
         } catch (AuvsmlException e) {
             throw new IllegalStateException(e);
         }
     }
 
     private static RigidMotion motion(double time, double drag) {
-        double way =
-                drag == 0 ? SPEED * time : Math.log1p(drag * SPEED * time) / drag;
+        double way = drag == 0 ? SPEED * time : Math.log1p(drag * SPEED * time) / drag;
         double speed = SPEED / (1 + drag * SPEED * time);
         double turn = 0.1 * time;
         return new RigidMotion(
@@ -133,7 +133,12 @@ final class Diagnoses {
                                 TURN_NOISE * noise.nextGaussian(),
                                 TURN_NOISE * noise.nextGaussian(),
                                 TURN_NOISE * noise.nextGaussian(),
-                                0, 0, 0, 0, 0, 0
+                                0,
+                                0,
+                                0,
+                                0,
+                                0,
+                                0
                             });
             Vec3 p = told.position();
             run.at(time(k++, samples))
@@ -142,7 +147,6 @@ final class Diagnoses {
         }
         return run.build();
     }
-
 
     private static DiagnosedRun diagnosed(
             String name, int samples, double drag, boolean isHeldOut) {
@@ -177,8 +181,7 @@ final class Diagnoses {
         return explained(List.of(QUADRATIC_DRAG), samples, alternatives);
     }
 
-    static Diagnosis explained(
-            List<Finding> found, int samples, List<Alternative> alternatives) {
+    static Diagnosis explained(List<Finding> found, int samples, List<Alternative> alternatives) {
         Map<Channel, Gain> heldOut =
                 Map.of(
                         Channel.POSITION, new Gain(0.834, 0.0112, NOISE),
@@ -216,8 +219,7 @@ final class Diagnoses {
     static Diagnosis unexplained() {
         Map<Channel, Gain> heldOut = Map.of(Channel.POSITION, new Gain(0.834, 0.61, NOISE));
         Discrepancy seen =
-                new Discrepancy(
-                        Channel.POSITION, 'y', "run2", 12.4, OptionalDouble.of(0.31), 0.41);
+                new Discrepancy(Channel.POSITION, 'y', "run2", 12.4, OptionalDouble.of(0.31), 0.41);
         return diagnosis(
                 Verdict.UNEXPLAINED,
                 new Sentence(heldOut, false).unexplained(Optional.of(seen)),
@@ -227,7 +229,8 @@ final class Diagnoses {
                 runs(601, DRAG),
                 Optional.of(seen),
                 Optional.of(
-                        new Proposal("formula", "F.x = -1.2 v.x |v| < 0", new Gain(0.8, 0.4, 0.01))),
+                        new Proposal(
+                                "formula", "F.x = -1.2 v.x |v| < 0", new Gain(0.8, 0.4, 0.01))),
                 scenario(0),
                 List.of());
     }

@@ -42,7 +42,8 @@ class ExtendedScenarioTest {
                                                         Diagnoses.CURRENT),
                                                 100,
                                                 List.of()))))
-                .startsWith("<!--\n  A diagnosis of 'sledge' (seed 42).\n  Quadratic drag is missing")
+                .startsWith(
+                        "<!--\n  A diagnosis of 'sledge' (seed 42).\n  Quadratic drag is missing")
                 .contains(
                         """
                           What was added to the model as it was believed:
@@ -50,7 +51,8 @@ class ExtendedScenarioTest {
                           - thruster_gain (port): factor = 0.800 +- 0.004 times; the thrust of 'port' is wrong
                           - current_constant: u = (0.200 +- 0.004, -0.100 +- 0.003, 0.000 +- 0.002) m/s; a constant current is missing
                         -->
-                        <scenario""");
+                        <scenario\
+                        """);
     }
 
     @Test

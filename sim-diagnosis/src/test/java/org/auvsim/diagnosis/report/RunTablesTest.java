@@ -83,10 +83,7 @@ class RunTablesTest {
     void predictionsEndWhereTheModelBreaksOff() throws IOException {
         StringWriter out = new StringWriter();
         RunTables.prediction(run(), out);
-        assertThat(out.toString().lines())
-                .hasSize(2)
-                .first()
-                .isEqualTo("t,x,y,z,qw,qx,qy,qz");
+        assertThat(out.toString().lines()).hasSize(2).first().isEqualTo("t,x,y,z,qw,qx,qy,qz");
         assertThat(out.toString().lines().toList().get(1)).startsWith("0.0,4.0,0.0,0.0,0.");
     }
 
@@ -94,8 +91,7 @@ class RunTablesTest {
     void tablesHaveNamesThatDifferAndThatAnySystemTakes() {
         MeasuredRun any = run().run();
         List<DiagnosedRun> runs =
-                List.of("a/b c.csv", "Run", "run.CSV", "../x", "")
-                        .stream()
+                List.of("a/b c.csv", "Run", "run.CSV", "../x", "").stream()
                         .map(
                                 name ->
                                         new DiagnosedRun(

@@ -29,8 +29,7 @@ class SentenceTest {
                             Channel.ORIENTATION, new Gain(0.1, 0.1, 0.1)),
                     false);
 
-    private static Finding found(
-            String cause, List<Quantity> quantities, List<Double> deviations) {
+    private static Finding found(String cause, List<Quantity> quantities, List<Double> deviations) {
         return new Finding(cause, Optional.empty(), quantities, deviations, 0.99);
     }
 
@@ -117,8 +116,7 @@ class SentenceTest {
 
     @Test
     void whatThereIsTooMuchOfAndWhoseItIs() {
-        Finding less =
-                found("linear_drag", List.of(new Quantity("c", "N s/m", -3)), List.of(0.1));
+        Finding less = found("linear_drag", List.of(new Quantity("c", "N s/m", -3)), List.of(0.1));
         assertThat(sentence.explained(List.of(less), 0.9, List.of()))
                 .startsWith("There is too much linear drag: -3.00 +- 0.10 N s/m; ");
         assertThat(Phrases.of("thruster_gain (port)")).isEqualTo("The thrust of 'port' is wrong");

@@ -3,9 +3,9 @@ package org.auvsim.experiments.runtime;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.world.World;
-import org.auvsim.plot.page.Curve.Point;
 import org.auvsim.experiments.workload.Targets;
 import org.auvsim.experiments.workload.Workload;
+import org.auvsim.plot.page.Curve.Point;
 
 import java.util.ArrayList;
 import java.util.List;

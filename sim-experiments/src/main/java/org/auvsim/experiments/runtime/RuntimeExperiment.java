@@ -2,10 +2,10 @@ package org.auvsim.experiments.runtime;
 
 import org.auvsim.experiments.Conduct;
 import org.auvsim.experiments.ThesisExperiment;
-import org.auvsim.plot.page.Report;
 import org.auvsim.experiments.thesis.StageCost;
 import org.auvsim.experiments.workload.Targets;
 import org.auvsim.experiments.workload.Workload;
+import org.auvsim.plot.page.Report;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,5 +1,8 @@
 package org.auvsim.experiments.runtime;
 
+import org.auvsim.experiments.thesis.PolynomialFit;
+import org.auvsim.experiments.thesis.StageCost;
+import org.auvsim.experiments.thesis.Trend;
 import org.auvsim.plot.page.Block;
 import org.auvsim.plot.page.Block.Chart;
 import org.auvsim.plot.page.Block.Table;
@@ -9,9 +12,6 @@ import org.auvsim.plot.page.Curve.Mark;
 import org.auvsim.plot.page.Curve.Point;
 import org.auvsim.plot.page.Report;
 import org.auvsim.plot.page.Report.Section;
-import org.auvsim.experiments.thesis.PolynomialFit;
-import org.auvsim.experiments.thesis.StageCost;
-import org.auvsim.experiments.thesis.Trend;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -165,9 +165,7 @@ public final class ReportPage {
     }
 
     private static String caption(String reading) {
-        return reading.isEmpty()
-                ? ""
-                : "<figcaption>%s</figcaption>\n".formatted(escaped(reading));
+        return reading.isEmpty() ? "" : "<figcaption>%s</figcaption>\n".formatted(escaped(reading));
     }
 
     private static String escaped(String text) {

@@ -15,6 +15,15 @@ enum Angle {
     /** About z. */
     YAW;
 
+    /** About which it turns, 0 to 2. */
+    int axis() {
+        return switch (this) {
+            case ROLL -> 0;
+            case PITCH -> 1;
+            case YAW -> 2;
+        };
+    }
+
     String words() {
         return switch (this) {
             case ROLL -> "Roll";

@@ -150,7 +150,7 @@ final class RunCharts {
         }
         List<Block> charts = new ArrayList<>();
         for (Angle angle : Angle.values()) {
-            if (run.measures(Channel.ORIENTATION, angle.ordinal())) {
+            if (run.measures(Channel.ORIENTATION, angle.axis())) {
                 charts.add(angles(angle));
             }
         }

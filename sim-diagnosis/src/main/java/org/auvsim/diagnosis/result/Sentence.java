@@ -6,10 +6,13 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collector;
 import java.util.stream.Collectors;
 
 /** Says a verdict in one sentence for people, in ASCII and without a full stop. */
 public final class Sentence {
+    private static final Collector<CharSequence, ?, String> AND = Collectors.joining(" and ");
+
     private final Optional<Map.Entry<Channel, Gain>> error;
     private final String runs;
 
@@ -87,9 +90,6 @@ public final class Sentence {
                         others,
                         determined.isEmpty() ? "" : "; it determines " + determined);
     }
-
-    private static final java.util.stream.Collector<CharSequence, ?, String> AND =
-            Collectors.joining(" and ");
 
     /** Nothing is wrong that shows. */
     public String none() {

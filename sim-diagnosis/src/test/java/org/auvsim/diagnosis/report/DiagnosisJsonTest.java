@@ -65,7 +65,7 @@ class DiagnosisJsonTest {
                 "\"heldout\" : true -> \"held_out\" : true",
             })
     void theSchemaRefusesAnotherForm(String change) throws IOException {
-        String[] parts = change.split(" -> ");
+        String[] parts = change.split(" -> ", -1);
         String json = json(Diagnoses.none());
         assertThat(json).contains(parts[0]);
         assertThat(faults(json.replace(parts[0], parts[1]))).isNotEmpty();

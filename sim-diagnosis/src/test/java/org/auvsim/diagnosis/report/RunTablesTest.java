@@ -55,7 +55,7 @@ class RunTablesTest {
     void residualsAreMeasuredLessSimulated() throws IOException {
         StringWriter out = new StringWriter();
         RunTables.residuals(run(), out);
-        String[] lines = out.toString().split("\r?\n");
+        String[] lines = out.toString().split("\r?\n", -1);
         assertThat(lines[0])
                 .isEqualTo(
                         "t,position.x.before,position.x.after,position.y.before,position.y.after,"

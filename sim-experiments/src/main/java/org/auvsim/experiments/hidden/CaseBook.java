@@ -9,7 +9,6 @@ import java.util.OptionalDouble;
 
 /** Draws cases: the same seed gives the same case, at another noise the same but for the noise. */
 public final class CaseBook {
-    private static final int FIT = 3;
     private static final int RUNS = 5;
     private static final double WEAK = 0.3;
 
@@ -73,7 +72,6 @@ public final class CaseBook {
                         scene,
                         trial,
                         hidden,
-                        FIT,
                         noise,
                         isHeavyTailed,
                         puzzle.map(Puzzle::looseness).orElse(1.0),
@@ -81,25 +79,20 @@ public final class CaseBook {
                 .map(
                         runs ->
                                 new HiddenCase(
-                                        kind,
-                                        noise,
-                                        seed,
-                                        body.name(),
+                                        new HiddenCase.Drawn(kind, noise, seed, body.name()),
                                         hidden,
                                         puzzle.map(Puzzle::twins),
                                         ScenarioText.of(plant, body.timeStep()),
-                                        runs.measured().subList(0, FIT),
-                                        runs.measured().subList(FIT, RUNS),
-                                        scene,
-                                        runs.truth().subList(FIT, RUNS)));
+                                        runs,
+                                        scene));
     }
 
     /** Told by the fit runs alone. */
     private static Strength strength(Scene scene, Trial trial, List<List<Pose>> believed) {
         return new Strength(
                 scene,
-                new Trial(trial.manoeuvres().subList(0, FIT), trial.seeds().subList(0, FIT)),
-                believed.subList(0, FIT));
+                new Trial(trial.manoeuvres().subList(0, CaseRuns.FIT), trial.seeds().subList(0, CaseRuns.FIT)),
+                believed.subList(0, CaseRuns.FIT));
     }
 
     private static int wanted(CaseKind kind) {

@@ -17,6 +17,9 @@ import java.util.Optional;
  * @param truth without
  */
 record CaseRuns(List<MeasuredRun> measured, List<List<Pose>> truth) {
+    /** So many runs are to fit; the others are held out. */
+    static final int FIT = 3;
+
     /** How well starts of held-out runs are known against those of fit runs. */
     private static final double WELL_KNOWN = 1e-3;
 
@@ -27,14 +30,12 @@ record CaseRuns(List<MeasuredRun> measured, List<List<Pose>> truth) {
      * Makes and measures the runs with what is hidden.
      *
      * @param looseness factor by which velocities at the start are less known than usual
-     * @param fit so many of them begin elsewhere than stated
      * @return empty if they cannot be followed
      */
     static Optional<CaseRuns> measured(
             Scene scene,
             Trial believed,
             List<HiddenEffect> hidden,
-            int fit,
             double noise,
             boolean isHeavyTailed,
             double looseness,
@@ -47,7 +48,7 @@ record CaseRuns(List<MeasuredRun> measured, List<List<Pose>> truth) {
         List<KnownStart> starts = new ArrayList<>();
         for (int r = 0; r < believed.manoeuvres().size(); r++) {
             Manoeuvre stated = believed.manoeuvres().get(r);
-            Start start = new Start(scene, r < fit ? 1 : WELL_KNOWN, looseness);
+            Start start = new Start(scene, r < FIT ? 1 : WELL_KNOWN, looseness);
             done.add(stated.from(start.drawn(stated.start(), draws)));
             starts.add(start.known(stated.start()));
         }
@@ -64,7 +65,7 @@ record CaseRuns(List<MeasuredRun> measured, List<List<Pose>> truth) {
                             for (int r = 0; r < poses.size(); r++) {
                                 runs.add(
                                         measurement.of(
-                                                (r < fit ? "fit " : "held out ") + (r + 1),
+                                                (r < FIT ? "fit " : "held out ") + (r + 1),
                                                 poses.get(r),
                                                 done.get(r),
                                                 starts.get(r),

@@ -18,32 +18,82 @@ import java.util.Optional;
 
 /**
  * Runs of a body that is otherwise than the scenario has it: three to fit and two held out.
- *
- * @param noise of measurements, as a share of the motion's range
- * @param body what kind of body it is
- * @param hidden what is otherwise; empty: nothing
- * @param twins causes that the data may not tell apart
- * @param scenario the model as believed
- * @param truth of each held-out run: what sensors without noise would tell
+ * Immutable.
  */
-public record HiddenCase(
-        CaseKind kind,
-        double noise,
-        long seed,
-        String body,
-        List<HiddenEffect> hidden,
-        Optional<Twins> twins,
-        String scenario,
-        List<MeasuredRun> fit,
-        List<MeasuredRun> heldOut,
-        Scene scene,
-        List<List<Pose>> truth) {
-    /** The lists cannot be changed. */
-    public HiddenCase {
-        hidden = List.copyOf(hidden);
-        fit = List.copyOf(fit);
-        heldOut = List.copyOf(heldOut);
-        truth = List.copyOf(truth);
+public final class HiddenCase {
+    private final Drawn drawn;
+    private final List<HiddenEffect> hidden;
+    private final Optional<Twins> twins;
+    private final String scenario;
+    private final CaseRuns runs;
+    private final Scene scene;
+
+    /** What was asked for, and the kind of body that came of it. */
+    record Drawn(CaseKind kind, double noise, long seed, String body) {}
+
+    HiddenCase(
+            Drawn drawn,
+            List<HiddenEffect> hidden,
+            Optional<Twins> twins,
+            String scenario,
+            CaseRuns runs,
+            Scene scene) {
+        this.drawn = drawn;
+        this.hidden = List.copyOf(hidden);
+        this.twins = twins;
+        this.scenario = scenario;
+        this.runs = runs;
+        this.scene = scene;
+    }
+
+    /** What is hidden. */
+    public CaseKind kind() {
+        return drawn.kind();
+    }
+
+    /** Noise of measurements, as a share of the motion's range. */
+    public double noise() {
+        return drawn.noise();
+    }
+
+    /** From which it is drawn. */
+    public long seed() {
+        return drawn.seed();
+    }
+
+    /** What kind of body it is. */
+    public String body() {
+        return drawn.body();
+    }
+
+    /** What is otherwise; empty: nothing. */
+    public List<HiddenEffect> hidden() {
+        return hidden;
+    }
+
+    /** Causes that the data may not tell apart. */
+    public Optional<Twins> twins() {
+        return twins;
+    }
+
+    /** Runs to search with. */
+    public List<MeasuredRun> fit() {
+        return runs.measured().subList(0, CaseRuns.FIT);
+    }
+
+    /** Runs that only judge. */
+    public List<MeasuredRun> heldOut() {
+        return runs.measured().subList(CaseRuns.FIT, runs.measured().size());
+    }
+
+    /** Of each held-out run: what sensors without noise would tell. */
+    List<List<Pose>> truth() {
+        return runs.truth().subList(CaseRuns.FIT, runs.truth().size());
+    }
+
+    /** What the body does as believed. */
+    Scene scene() {
+        return scene;
     }
 
     /** The model as it is believed. */
@@ -65,7 +115,7 @@ public record HiddenCase(
      * (root mean square of positions, and of attitudes where they are measured).
      */
     public double error(int run, List<RigidMotion> predicted) {
-        List<Pose> of = truth.get(run);
+        List<Pose> of = truth().get(run);
         double sum = 0;
         for (int k = 0; k < of.size(); k++) {
             RigidMotion told = predicted.get(k);
@@ -97,13 +147,13 @@ public record HiddenCase(
         return String.format(
                 Locale.ROOT,
                 "auvsim bench diagnosis --kind %s --noise %s --seed %d --cases 1",
-                kind,
-                noise,
-                seed);
+                kind(),
+                noise(),
+                seed());
     }
 
     @Override
     public String toString() {
-        return "%s at noise %s, seed %d: %s, hidden %s".formatted(kind, noise, seed, body, hidden);
+        return "%s at noise %s, seed %d: %s, hidden %s".formatted(kind(), noise(), seed(), body(), hidden);
     }
 }

@@ -10,21 +10,22 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.UnaryOperator;
 
-/**
- * Something that is otherwise than the model has it.
- *
- * @param cause its id in the library of causes, or what it is if no cause covers it
- * @param subject the part of the body that it is about
- * @param parameters its numbers by name, as one number or as the coordinates of a vector
- */
-public record HiddenEffect(
-        String cause,
-        Optional<String> subject,
-        SortedMap<String, List<Double>> parameters,
-        UnaryOperator<Reality> change) {
-    /** The numbers cannot be changed. */
-    public HiddenEffect {
-        parameters = Collections.unmodifiableSortedMap(new TreeMap<>(parameters));
+/** Something that is otherwise than the model has it. Immutable. */
+public final class HiddenEffect {
+    private final String cause;
+    private final Optional<String> subject;
+    private final SortedMap<String, List<Double>> parameters;
+    private final UnaryOperator<Reality> change;
+
+    private HiddenEffect(
+            String cause,
+            Optional<String> subject,
+            SortedMap<String, List<Double>> parameters,
+            UnaryOperator<Reality> change) {
+        this.cause = cause;
+        this.subject = subject;
+        this.parameters = Collections.unmodifiableSortedMap(parameters);
+        this.change = change;
     }
 
     static HiddenEffect of(
@@ -34,6 +35,26 @@ public record HiddenEffect(
 
     HiddenEffect about(String part) {
         return new HiddenEffect(cause, Optional.of(part), parameters, change);
+    }
+
+    /** Its id in the library of causes, or what it is if no cause covers it. */
+    public String cause() {
+        return cause;
+    }
+
+    /** The part of the body that it is about. */
+    public Optional<String> subject() {
+        return subject;
+    }
+
+    /** Its numbers by name, each as one number or as the coordinates of a vector. */
+    public SortedMap<String, List<Double>> parameters() {
+        return parameters;
+    }
+
+    /** What it makes of reality. */
+    UnaryOperator<Reality> change() {
+        return change;
     }
 
     /** Its id and what it is about: {@code thruster_gain (port)}. */

@@ -2,7 +2,6 @@ package org.auvsim.experiments.scoreboard;
 
 import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.result.Finding;
-import org.auvsim.experiments.hidden.HiddenEffect;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -26,12 +25,12 @@ final class ParameterCheck {
 
     private ParameterCheck() {}
 
-    static ParameterCheck of(HiddenEffect truth, Finding found) {
-        ParameterCheck straight = compared(truth.parameters(), found);
-        if (!truth.parameters().containsKey("phase")) {
+    static ParameterCheck of(Map<String, List<Double>> truth, Finding found) {
+        ParameterCheck straight = compared(truth, found);
+        if (!truth.containsKey("phase")) {
             return straight;
         }
-        ParameterCheck opposite = compared(Opposite.of(truth.parameters()), found);
+        ParameterCheck opposite = compared(Opposite.of(truth), found);
         return opposite.sum() < straight.sum() ? opposite : straight;
     }
 

@@ -27,7 +27,7 @@ final class Referee {
         for (HiddenEffect effect : of.hidden()) {
             for (Finding finding : selected) {
                 if (of.isHit(effect, finding)) {
-                    ParameterCheck check = ParameterCheck.of(effect, finding);
+                    ParameterCheck check = ParameterCheck.of(effect.parameters(), finding);
                     errors.addAll(check.errors());
                     covered += check.covered();
                     stated += check.stated();

@@ -5,22 +5,14 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.result.Finding;
-import org.auvsim.experiments.hidden.HiddenEffect;
 
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
-import java.util.function.UnaryOperator;
 
 class ParameterCheckTest {
-    private static HiddenEffect hidden(String cause, Map<String, List<Double>> parameters) {
-        return new HiddenEffect(
-                cause, Optional.empty(), new TreeMap<>(parameters), UnaryOperator.identity());
-    }
-
     private static Finding found(String cause, List<Quantity> quantities, Double... deviations) {
         return new Finding(cause, Optional.empty(), quantities, List.of(deviations), 1);
     }
@@ -29,7 +21,7 @@ class ParameterCheckTest {
     void aVectorCountsByItsLength() {
         ParameterCheck check =
                 ParameterCheck.of(
-                        hidden("current_constant", Map.of("u", List.of(0.3, 0.4, 0.0))),
+                        Map.of("u", List.of(0.3, 0.4, 0.0)),
                         found(
                                 "current_constant",
                                 List.of(
@@ -49,15 +41,13 @@ class ParameterCheckTest {
     void aSwingToldTheOtherWayRoundIsTheSame() {
         ParameterCheck check =
                 ParameterCheck.of(
-                        hidden(
-                                "periodic_force",
-                                Map.of(
-                                        "force",
-                                        List.of(1.0, 0.0, 2.0),
-                                        "omega",
-                                        List.of(0.5),
-                                        "phase",
-                                        List.of(0.2))),
+                        Map.of(
+                                "force",
+                                List.of(1.0, 0.0, 2.0),
+                                "omega",
+                                List.of(0.5),
+                                "phase",
+                                List.of(0.2)),
                         found(
                                 "periodic_force",
                                 List.of(

@@ -38,14 +38,29 @@ public record PeriodicForce(
 
     @Override
     public BlockEffect layOut(List<List<Effect>> bySlot, Surroundings around) {
-        return OneByOne.mild(bySlot, (effect, b, i) -> ((PeriodicForce) effect).add(b, i));
+        PeriodicForce[][] forces = new PeriodicForce[bySlot.size()][];
+        for (int slot = 0; slot < forces.length; slot++) {
+            forces[slot] = bySlot.get(slot).toArray(PeriodicForce[]::new);
+        }
+        return (PlainForce) block -> add(block, forces);
     }
 
-    private void add(Block b, int i) {
-        double s = StrictMath.sin(angularFrequency * b.time);
-        double c = StrictMath.cos(angularFrequency * b.time);
-        b.fx[i] += sine.x() * s + cosine.x() * c;
-        b.fy[i] += sine.y() * s + cosine.y() * c;
-        b.fz[i] += sine.z() * s + cosine.z() * c;
+    /** Bodies that follow each other often have the same frequency: that is worked out once. */
+    private static void add(Block b, PeriodicForce[][] forces) {
+        double omega = 0;
+        double s = 0;
+        double c = 1;
+        for (int i = 0; i < b.count; i++) {
+            for (PeriodicForce force : forces[b.slot(i)]) {
+                if (force.angularFrequency != omega) {
+                    omega = force.angularFrequency;
+                    s = StrictMath.sin(omega * b.time);
+                    c = StrictMath.cos(omega * b.time);
+                }
+                b.fx[i] += force.sine.x() * s + force.cosine.x() * c;
+                b.fy[i] += force.sine.y() * s + force.cosine.y() * c;
+                b.fz[i] += force.sine.z() * s + force.cosine.z() * c;
+            }
+        }
     }
 }

@@ -21,6 +21,9 @@ final class CurrentCauses {
 
     private static final int VORTICES = 4;
 
+    /** Frequencies at which a search for an oscillating current begins. */
+    private static final int OSCILLATIONS = 24;
+
     private CurrentCauses() {}
 
     static List<Cause> of(Setting s) {
@@ -49,7 +52,7 @@ final class CurrentCauses {
 
     /** Of a sine and a cosine, as both are linear. */
     private static Cause oscillating(Setting s, double scale) {
-        Swing swing = new Swing(s, "u", "m/s", scale);
+        Swing swing = new Swing(s, "u", "m/s", scale, new Frequencies(s).spread(OSCILLATIONS));
         return Change.of(
                         "current_oscillating",
                         swing.parameters(),

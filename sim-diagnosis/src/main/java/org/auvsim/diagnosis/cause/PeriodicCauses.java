@@ -10,7 +10,7 @@ import java.util.List;
 /** Forces that come again and again. */
 final class PeriodicCauses {
     private static final double GRAVITY = 9.80665;
-    private static final int WAVES = 16;
+    private static final int WAVES = 12;
     private static final int DIRECTIONS = 4;
 
     private PeriodicCauses() {}
@@ -20,7 +20,7 @@ final class PeriodicCauses {
     }
 
     private static Cause force(Setting s) {
-        Swing swing = new Swing(s, "force", "N", s.force());
+        Swing swing = new Swing(s, "force", "N", s.force(), new Frequencies(s).all());
         return Change.of(
                         "periodic_force",
                         swing.parameters(),

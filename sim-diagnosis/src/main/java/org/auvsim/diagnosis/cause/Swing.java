@@ -17,16 +17,16 @@ final class Swing {
     private final String name;
     private final String unit;
     private final List<Parameter> parameters;
-    private final Frequencies frequencies;
+    private final double[] frequencies;
 
-    /** With this name for people; {@code scale} in its unit. */
-    Swing(Setting s, String name, String unit, double scale) {
+    /** With this name for people; {@code scale} in its unit, begun at these frequencies (rad/s). */
+    Swing(Setting s, String name, String unit, double scale, double[] frequencies) {
         this.name = name;
         this.unit = unit;
-        frequencies = new Frequencies(s);
+        this.frequencies = frequencies;
         parameters = new ArrayList<>(Parameter.vector("sine", unit, scale));
         parameters.addAll(Parameter.vector("cosine", unit, scale));
-        parameters.add(frequencies.parameter());
+        parameters.add(new Frequencies(s).parameter());
     }
 
     List<Parameter> parameters() {
@@ -36,7 +36,7 @@ final class Swing {
     /** One for each frequency of the grid. */
     List<Guess> guesses() {
         List<Guess> guesses = new ArrayList<>();
-        for (double omega : frequencies.all()) {
+        for (double omega : frequencies) {
             guesses.add(
                     Change.guess(
                             parameters, new double[] {0, 0, 0, 0, 0, 0, omega}, 0, 1, 2, 3, 4, 5));

@@ -16,6 +16,7 @@ import org.auvsim.cli.report.FileTrouble;
 import org.auvsim.cli.report.UserError;
 
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -52,14 +53,7 @@ final class Feed implements Callable<Integer> {
             description = "CSV with a header line; times in seconds, positions in metres.")
     private Path file;
 
-    @Parameters(
-            index = "1",
-            arity = "0..1",
-            paramLabel = "HOST:PORT",
-            defaultValue = Address.STANDARD,
-            converter = Address.Converter.class,
-            description = "Where the simulator listens; by default ${DEFAULT-VALUE}.")
-    private Address address;
+    @Mixin private final Connection connection = new Connection();
 
     @Option(
             names = "--object",
@@ -118,7 +112,7 @@ final class Feed implements Callable<Integer> {
             throw new UserError("--every must be 0 or more, but is %d.".formatted(every));
         }
         MeasuredLog log = read();
-        try (AuvsmlClient client = AuvsmlClient.connect(address.host(), address.port());
+        try (AuvsmlClient client = connection.open();
                 Interruption _ = new Interruption(client::close)) {
             ServedObject fed = ServedObject.named(ServedObject.all(client), object);
             double start = begin(client, log);

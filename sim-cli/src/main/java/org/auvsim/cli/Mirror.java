@@ -27,6 +27,7 @@ import org.auvsim.core.math.Vec3;
 import org.auvsim.core.world.World;
 
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -67,14 +68,7 @@ final class Mirror implements Callable<Integer> {
     @Parameters(index = "0", paramLabel = "SCENARIO", description = "The mirror's own world.")
     private Path file;
 
-    @Parameters(
-            index = "1",
-            arity = "0..1",
-            paramLabel = "HOST:PORT",
-            defaultValue = Address.STANDARD,
-            converter = Address.Converter.class,
-            description = "Where the simulator listens; by default ${DEFAULT-VALUE}.")
-    private Address address;
+    @Mixin private final Connection connection = new Connection();
 
     @Option(names = "--observe", description = "Compares only, and corrects nothing.")
     private boolean observe;
@@ -102,7 +96,7 @@ final class Mirror implements Callable<Integer> {
     @Override
     public Integer call() throws DocumentException, ConnectionException {
         Scenario scenario = ScenarioFile.load(file, spec.commandLine().getErr());
-        try (AuvsmlClient client = AuvsmlClient.connect(address.host(), address.port());
+        try (AuvsmlClient client = connection.open();
                 Interruption _ = new Interruption(client::close)) {
             MirrorWorld mirror = mirror(scenario, ServedObject.all(client));
             if (!resume) {

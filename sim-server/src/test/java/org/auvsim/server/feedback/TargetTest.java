@@ -3,6 +3,7 @@ package org.auvsim.server.feedback;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.apache.commons.math3.linear.RealMatrix;
 import org.auvsim.auvsml.message.feedback.Covariance;
 import org.auvsim.auvsml.message.feedback.Measurement;
 import org.auvsim.auvsml.message.feedback.MeasurementFrame;
@@ -158,12 +159,12 @@ class TargetTest {
                         Vec3.ZERO,
                         Vec3.ZERO,
                         Optional.of(Covariance.diagonal(variances)));
-        Matrix covariance = target.covariance().orElseThrow();
+        RealMatrix covariance = target.covariance().orElseThrow();
         double[] expected = {2, 9, 3, 5, 4, 6, 8, 7, 9, 11, 10, 12};
         for (int i = 0; i < 12; i++) {
             for (int j = 0; j < 12; j++) {
                 double element = i == j ? expected[i] : 0;
-                assertThat(covariance.at(i, j)).isCloseTo(element, within(1e-13));
+                assertThat(covariance.getEntry(i, j)).isCloseTo(element, within(1e-13));
             }
         }
     }

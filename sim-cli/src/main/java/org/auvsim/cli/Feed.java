@@ -6,6 +6,7 @@ import org.auvsim.auvsml.message.command.EventType;
 import org.auvsim.auvsml.message.control.GetSimulatorStateRequest;
 import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
 import org.auvsim.auvsml.message.control.SimulatorStateResponse;
+import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 import org.auvsim.cli.feed.FeedTally;
 import org.auvsim.cli.feed.LogException;
 import org.auvsim.cli.feed.LogFrame;
@@ -177,7 +178,7 @@ final class Feed implements Callable<Integer> {
     private void prepare(AuvsmlClient client, ServedObject fed) throws ConnectionException {
         Question.ask(
                 client,
-                Registration.of(
+                ListenerRegistrationRequestCommand.of(
                         Long.toString(fed.id()),
                         List.of(
                                 EventType.PROJECTED_MOVEMENT,

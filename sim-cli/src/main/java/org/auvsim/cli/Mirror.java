@@ -11,10 +11,12 @@ import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.EventType;
+import org.auvsim.auvsml.message.command.ListenedObject;
 import org.auvsim.auvsml.message.control.GetSimulatorStateRequest;
 import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
 import org.auvsim.auvsml.message.control.SimulatorStateResponse;
 import org.auvsim.auvsml.message.control.TakeControlCommand;
+import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 import org.auvsim.auvsml.message.lockstep.HelloCommand;
 import org.auvsim.auvsml.message.lockstep.HelloResponse;
 import org.auvsim.cli.mirror.MirrorTally;
@@ -164,7 +166,7 @@ final class Mirror implements Callable<Integer> {
         if (!observe) {
             events.add(EventType.FEEDBACK_APPLIED);
         }
-        Question.ask(client, Registration.of(Registration.EVERY_OBJECT, events));
+        Question.ask(client, ListenerRegistrationRequestCommand.of(ListenedObject.EVERY, events));
     }
 
     /**

@@ -5,6 +5,8 @@ import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.client.Received;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.EventType;
+import org.auvsim.auvsml.message.command.ListenedObject;
+import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -70,12 +72,12 @@ final class Watch implements Callable<Integer> {
             List<ServedObject> objects = ServedObject.all(client);
             String watched =
                     object.map(name -> Long.toString(ServedObject.named(objects, name).id()))
-                            .orElse(Registration.EVERY_OBJECT);
+                            .orElse(ListenedObject.EVERY);
             if (xml) {
-                client.send(Registration.ofAll(watched));
+                client.send(ListenerRegistrationRequestCommand.ofAll(watched));
                 printText(client);
             } else {
-                client.send(Registration.of(watched, shown()));
+                client.send(ListenerRegistrationRequestCommand.of(watched, shown()));
                 printLines(client, new EventLines(objects));
             }
         }

@@ -8,7 +8,6 @@ import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.Received;
 import org.auvsim.auvsml.document.recording.SmallDisk;
 import org.auvsim.auvsml.message.command.ListenedObject;
-import org.auvsim.auvsml.message.command.Listener;
 import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 import org.auvsim.auvsml.message.movement.TimestepAdvancedNotification;
 import org.junit.jupiter.api.BeforeEach;
@@ -337,9 +336,7 @@ class ReplayTest {
 
     /** Listens until the world's time is beyond this one (s), and returns it. */
     private static double timeHeard(AuvsmlClient client, double after) throws Exception {
-        client.send(
-                new ListenerRegistrationRequestCommand(
-                        true, List.of(new ListenedObject("*", List.of(Listener.to("*ALL*"))))));
+        client.send(ListenerRegistrationRequestCommand.ofAll(ListenedObject.EVERY));
         for (Optional<Received> next = client.next(); next.isPresent(); next = client.next()) {
             for (var message : next.get().messages()) {
                 if (message instanceof TimestepAdvancedNotification step

@@ -10,8 +10,8 @@ import org.jline.terminal.Terminal;
 import org.jline.terminal.TerminalBuilder;
 
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 import java.io.BufferedReader;
@@ -39,19 +39,12 @@ final class Admin implements Callable<Integer> {
 
     @Spec private CommandSpec spec;
 
-    @Parameters(
-            arity = "0..1",
-            paramLabel = "HOST:PORT",
-            defaultValue = Address.STANDARD,
-            converter = Address.Converter.class,
-            description = "Where the simulator listens; by default ${DEFAULT-VALUE}.")
-    private Address address;
+    @Mixin private final Connection connection = new Connection();
 
     @Override
     public Integer call() throws ConnectionException, IOException, InterruptedException {
         MessageCatalogue catalogue = MessageCatalogue.load(Admin.class.getClassLoader());
-        try (AuvsmlClient client =
-                AuvsmlClient.connect(address.host(), address.port(), catalogue)) {
+        try (AuvsmlClient client = connection.open(catalogue)) {
             Administration administration = new Administration(client, catalogue);
             if (isAtTerminal()) {
                 try (Terminal terminal = TerminalBuilder.terminal()) {

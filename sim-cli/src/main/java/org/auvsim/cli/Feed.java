@@ -6,6 +6,7 @@ import org.auvsim.auvsml.message.command.EventType;
 import org.auvsim.auvsml.message.control.GetSimulatorStateRequest;
 import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
 import org.auvsim.auvsml.message.control.SimulatorStateResponse;
+import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 import org.auvsim.cli.feed.FeedTally;
 import org.auvsim.cli.feed.LogException;
 import org.auvsim.cli.feed.LogFrame;
@@ -16,6 +17,7 @@ import org.auvsim.cli.report.FileTrouble;
 import org.auvsim.cli.report.UserError;
 
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -52,14 +54,7 @@ final class Feed implements Callable<Integer> {
             description = "CSV with a header line; times in seconds, positions in metres.")
     private Path file;
 
-    @Parameters(
-            index = "1",
-            arity = "0..1",
-            paramLabel = "HOST:PORT",
-            defaultValue = Address.STANDARD,
-            converter = Address.Converter.class,
-            description = "Where the simulator listens; by default ${DEFAULT-VALUE}.")
-    private Address address;
+    @Mixin private final Connection connection = new Connection();
 
     @Option(
             names = "--object",
@@ -118,7 +113,7 @@ final class Feed implements Callable<Integer> {
             throw new UserError("--every must be 0 or more, but is %d.".formatted(every));
         }
         MeasuredLog log = read();
-        try (AuvsmlClient client = AuvsmlClient.connect(address.host(), address.port());
+        try (AuvsmlClient client = connection.open();
                 Interruption _ = new Interruption(client::close)) {
             ServedObject fed = ServedObject.named(ServedObject.all(client), object);
             double start = begin(client, log);
@@ -183,7 +178,7 @@ final class Feed implements Callable<Integer> {
     private void prepare(AuvsmlClient client, ServedObject fed) throws ConnectionException {
         Question.ask(
                 client,
-                Registration.of(
+                ListenerRegistrationRequestCommand.of(
                         Long.toString(fed.id()),
                         List.of(
                                 EventType.PROJECTED_MOVEMENT,

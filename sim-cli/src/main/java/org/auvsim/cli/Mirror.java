@@ -11,10 +11,12 @@ import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.EventType;
+import org.auvsim.auvsml.message.command.ListenedObject;
 import org.auvsim.auvsml.message.control.GetSimulatorStateRequest;
 import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
 import org.auvsim.auvsml.message.control.SimulatorStateResponse;
 import org.auvsim.auvsml.message.control.TakeControlCommand;
+import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 import org.auvsim.auvsml.message.lockstep.HelloCommand;
 import org.auvsim.auvsml.message.lockstep.HelloResponse;
 import org.auvsim.cli.mirror.MirrorTally;
@@ -27,6 +29,7 @@ import org.auvsim.core.math.Vec3;
 import org.auvsim.core.world.World;
 
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -67,14 +70,7 @@ final class Mirror implements Callable<Integer> {
     @Parameters(index = "0", paramLabel = "SCENARIO", description = "The mirror's own world.")
     private Path file;
 
-    @Parameters(
-            index = "1",
-            arity = "0..1",
-            paramLabel = "HOST:PORT",
-            defaultValue = Address.STANDARD,
-            converter = Address.Converter.class,
-            description = "Where the simulator listens; by default ${DEFAULT-VALUE}.")
-    private Address address;
+    @Mixin private final Connection connection = new Connection();
 
     @Option(names = "--observe", description = "Compares only, and corrects nothing.")
     private boolean observe;
@@ -102,7 +98,7 @@ final class Mirror implements Callable<Integer> {
     @Override
     public Integer call() throws DocumentException, ConnectionException {
         Scenario scenario = ScenarioFile.load(file, spec.commandLine().getErr());
-        try (AuvsmlClient client = AuvsmlClient.connect(address.host(), address.port());
+        try (AuvsmlClient client = connection.open();
                 Interruption _ = new Interruption(client::close)) {
             MirrorWorld mirror = mirror(scenario, ServedObject.all(client));
             if (!resume) {
@@ -170,7 +166,7 @@ final class Mirror implements Callable<Integer> {
         if (!observe) {
             events.add(EventType.FEEDBACK_APPLIED);
         }
-        Question.ask(client, Registration.of(Registration.EVERY_OBJECT, events));
+        Question.ask(client, ListenerRegistrationRequestCommand.of(ListenedObject.EVERY, events));
     }
 
     /**

@@ -41,6 +41,21 @@ final class RecordingOptions {
     @Option(names = "--force", description = "Overwrites a recording that is there already.")
     private boolean force;
 
+    private final Disk disk;
+
+    /** Where recordings are written. */
+    interface Disk {
+        OutputStream open(Path file, OpenOption... options) throws IOException;
+    }
+
+    RecordingOptions() {
+        this(Files::newOutputStream);
+    }
+
+    RecordingOptions(Disk disk) {
+        this.disk = disk;
+    }
+
     /**
      * Begins the recording of a scenario, if one is wanted.
      *
@@ -89,7 +104,6 @@ final class RecordingOptions {
     private OutputStream open(Path target) throws IOException {
         OpenOption ifThere =
                 force ? StandardOpenOption.TRUNCATE_EXISTING : StandardOpenOption.CREATE_NEW;
-        return Files.newOutputStream(
-                target, StandardOpenOption.CREATE, StandardOpenOption.WRITE, ifThere);
+        return disk.open(target, StandardOpenOption.CREATE, StandardOpenOption.WRITE, ifThere);
     }
 }

@@ -67,9 +67,17 @@ final class Serve implements Callable<Integer> {
             description = "Stands still until a client sends resume-simulator-command.")
     private boolean paused;
 
-    @Mixin private final RecordingOptions recordingOptions = new RecordingOptions();
+    @Mixin private final RecordingOptions recordingOptions;
 
     @Mixin private final LaneCount laneCount = new LaneCount();
+
+    Serve() {
+        this(new RecordingOptions());
+    }
+
+    Serve(RecordingOptions recordingOptions) {
+        this.recordingOptions = recordingOptions;
+    }
 
     @Override
     public Integer call() throws DocumentException, IOException {

@@ -5,11 +5,13 @@ import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.client.Received;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.EventType;
+import org.auvsim.auvsml.message.command.ListenedObject;
+import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 import java.io.PrintWriter;
@@ -44,13 +46,7 @@ final class Watch implements Callable<Integer> {
 
     @Spec private CommandSpec spec;
 
-    @Parameters(
-            arity = "0..1",
-            paramLabel = "HOST:PORT",
-            defaultValue = Address.STANDARD,
-            converter = Address.Converter.class,
-            description = "Where the simulator listens; by default ${DEFAULT-VALUE}.")
-    private Address address;
+    @Mixin private final Connection connection = new Connection();
 
     @Option(names = "--xml", description = "Prints every message as it came.")
     private boolean xml;
@@ -71,17 +67,17 @@ final class Watch implements Callable<Integer> {
 
     @Override
     public Integer call() throws ConnectionException {
-        try (AuvsmlClient client = AuvsmlClient.connect(address.host(), address.port());
+        try (AuvsmlClient client = connection.open();
                 Interruption _ = new Interruption(client::close)) {
             List<ServedObject> objects = ServedObject.all(client);
             String watched =
                     object.map(name -> Long.toString(ServedObject.named(objects, name).id()))
-                            .orElse(Registration.EVERY_OBJECT);
+                            .orElse(ListenedObject.EVERY);
             if (xml) {
-                client.send(Registration.ofAll(watched));
+                client.send(ListenerRegistrationRequestCommand.ofAll(watched));
                 printText(client);
             } else {
-                client.send(Registration.of(watched, shown()));
+                client.send(ListenerRegistrationRequestCommand.of(watched, shown()));
                 printLines(client, new EventLines(objects));
             }
         }

@@ -6,6 +6,7 @@ import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.Received;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
+import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 import org.auvsim.auvsml.message.movement.StateType;
 import org.auvsim.auvsml.message.movement.TimestepAdvancedNotification;
 import org.auvsim.auvsml.message.session.DisconnectedNotification;
@@ -42,7 +43,8 @@ class ServeTest {
         try (ServerProcess server =
                         new ServerProcess(TANK, "--paused", "--rate", "max", "--until", "0.5");
                 AuvsmlClient client = AuvsmlClient.connect("127.0.0.1", server.port())) {
-            client.send(Registration.ofAll("1"), new ResumeSimulatorCommand());
+            client.send(
+                    ListenerRegistrationRequestCommand.ofAll("1"), new ResumeSimulatorCommand());
             Optional<Received> received = client.next();
             while (received.isPresent()) {
                 heard.addAll(received.get().messages());

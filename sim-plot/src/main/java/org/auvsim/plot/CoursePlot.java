@@ -1,14 +1,10 @@
 package org.auvsim.plot;
 
-import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.XYChart;
-import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
-import org.knowm.xchart.style.Styler;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
 import java.awt.Color;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.Collection;
@@ -19,12 +15,6 @@ import java.util.stream.IntStream;
 
 /** Courses as charts below one another: the paths from above, heights and speeds by time. */
 public final class CoursePlot {
-    private static final int WIDTH = 900;
-    private static final int HEIGHT = 420;
-
-    /** Breadth by height of the area that a chart leaves for its curves. */
-    private static final double ASPECT = 1.9;
-
     private static final Color OF_MARKS = new Color(0xD1495B);
 
     private final List<Course> courses;
@@ -41,25 +31,23 @@ public final class CoursePlot {
 
     /** The charts as a PNG. */
     public byte[] png() throws IOException {
-        List<XYChart> charts =
+        return Charts.png(
                 List.of(
                         fromAbove(),
                         byTime("Height", "z (m)", s -> s.position().z()),
-                        byTime("Speed", "speed (m/s)", Course.Sample::speed));
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        BitmapEncoder.saveBitmap(charts, charts.size(), 1, out, BitmapEncoder.BitmapFormat.PNG);
-        return out.toByteArray();
+                        byTime("Speed", "speed (m/s)", Course.Sample::speed)));
     }
 
     private XYChart fromAbove() {
-        XYChart chart = chart("The paths from above", "x (m)", "y (m)");
+        XYChart chart = Charts.empty("The paths from above", "x (m)", "y (m)");
         draw(chart, s -> s.position().x(), s -> s.position().y());
-        scaleEqually(chart);
+        Charts.scaleEqually(
+                chart, all(sample -> sample.position().x()), all(sample -> sample.position().y()));
         return chart;
     }
 
     private XYChart byTime(String title, String unit, ToDoubleFunction<Course.Sample> of) {
-        XYChart chart = chart(title, "time (s)", unit);
+        XYChart chart = Charts.empty(title, "time (s)", unit);
         draw(chart, Course.Sample::time, of);
         return chart;
     }
@@ -107,40 +95,10 @@ public final class CoursePlot {
         mark.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
     }
 
-    private void scaleEqually(XYChart chart) {
-        DoubleSummaryStatistics x = all(s -> s.position().x());
-        DoubleSummaryStatistics y = all(s -> s.position().y());
-        double broad = x.getMax() - x.getMin();
-        double high = Math.max(Math.max(y.getMax() - y.getMin(), broad / ASPECT), 1) * 0.55;
-        double middleX = (x.getMin() + x.getMax()) / 2;
-        double middleY = (y.getMin() + y.getMax()) / 2;
-        chart.getStyler()
-                .setXAxisMin(middleX - ASPECT * high)
-                .setXAxisMax(middleX + ASPECT * high)
-                .setYAxisMin(middleY - high)
-                .setYAxisMax(middleY + high);
-    }
-
     private DoubleSummaryStatistics all(ToDoubleFunction<Course.Sample> of) {
         DoubleSummaryStatistics all = new DoubleSummaryStatistics();
         courses.forEach(course -> Arrays.stream(course.values(of)).forEach(all));
         marks.forEach(mark -> all.accept(of.applyAsDouble(mark.at())));
         return all;
-    }
-
-    private static XYChart chart(String title, String x, String y) {
-        XYChart chart =
-                new XYChartBuilder()
-                        .width(WIDTH)
-                        .height(HEIGHT)
-                        .title(title)
-                        .xAxisTitle(x)
-                        .yAxisTitle(y)
-                        .build();
-        chart.getStyler()
-                .setLegendPosition(Styler.LegendPosition.OutsideE)
-                .setChartBackgroundColor(Color.WHITE);
-        chart.getStyler().setXAxisDecimalPattern("0.##").setYAxisDecimalPattern("0.##");
-        return chart;
     }
 }

@@ -4,8 +4,7 @@ import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.client.Received;
 import org.auvsim.auvsml.message.Message;
-import org.auvsim.auvsml.message.command.ListenedObject;
-import org.auvsim.auvsml.message.command.Listener;
+import org.auvsim.auvsml.message.command.EventType;
 import org.auvsim.auvsml.message.control.SetControlSurfaceCommand;
 import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 import org.auvsim.auvsml.message.movement.KinematicStateMessage;
@@ -72,11 +71,8 @@ public final class Autopilot {
      */
     public boolean fly(AuvsmlClient client) throws ConnectionException {
         client.send(
-                new ListenerRegistrationRequestCommand(
-                        true,
-                        List.of(
-                                new ListenedObject(
-                                        "" + VEHICLE, List.of(Listener.to("KinematicState"))))));
+                ListenerRegistrationRequestCommand.of(
+                        "" + VEHICLE, List.of(EventType.KINEMATIC_STATE)));
         Optional<Received> received = client.next();
         while (received.isPresent() && !left.isEmpty()) {
             for (Message message : received.get().messages()) {

@@ -37,25 +37,9 @@ public final class Names {
         };
     }
 
-    /** 0 if one holds the other, else Levenshtein's edit distance. */
+    /** 0 if the known one holds what was written, else their edit distance. */
     private static int distance(String unknown, String name) {
         String a = unknown.substring(0, Math.min(unknown.length(), LONGEST_COMPARED));
-        if (a.length() > 2 && name.contains(a)) {
-            return 0;
-        }
-        int[] row = new int[name.length() + 1];
-        for (int j = 0; j < row.length; j++) {
-            row[j] = j;
-        }
-        for (int i = 1; i <= a.length(); i++) {
-            int diagonal = row[0];
-            row[0] = i;
-            for (int j = 1; j < row.length; j++) {
-                int replaced = diagonal + (a.charAt(i - 1) == name.charAt(j - 1) ? 0 : 1);
-                diagonal = row[j];
-                row[j] = Math.min(replaced, 1 + Math.min(row[j], row[j - 1]));
-            }
-        }
-        return row[name.length()];
+        return a.length() > 2 && name.contains(a) ? 0 : EditDistance.between(a, name);
     }
 }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.document.FeedbackTimestepping;
 import org.auvsim.auvsml.message.command.Command;
+import org.auvsim.auvsml.message.command.EventType;
 import org.auvsim.auvsml.message.command.ListedWorldObject;
 import org.auvsim.auvsml.message.command.ListenedObject;
 import org.auvsim.auvsml.message.command.Listener;
@@ -99,7 +100,7 @@ class CommandsTest {
     void sessionCommands() {
         List<ListenedObject> objects =
                 List.of(new ListenedObject("47", List.of(Listener.to(Listener.ALL))));
-        silent(SessionControl.class, new ListenerRegistrationRequestCommand(true, objects));
+        silent(SessionControl.class, ListenerRegistrationRequestCommand.ofAll("47"));
         silent(SessionControl.class, new ListenerRegistrationRequestCommand(false, objects));
         silent(SessionControl.class, new TakeControlCommand(47));
         silent(SessionControl.class, new ReleaseControlCommand(47));
@@ -112,6 +113,21 @@ class CommandsTest {
                         "takeControl[47]",
                         "releaseControl[47]",
                         "disconnect[]");
+    }
+
+    @Test
+    void aRegistrationHasItsEventsByName() {
+        List<EventType> events = List.of(EventType.COLLISION, EventType.RADIO);
+        assertThat(ListenerRegistrationRequestCommand.of(ListenedObject.EVERY, events))
+                .isEqualTo(
+                        new ListenerRegistrationRequestCommand(
+                                true,
+                                List.of(
+                                        new ListenedObject(
+                                                "*",
+                                                List.of(
+                                                        Listener.to("Collision"),
+                                                        Listener.to("Radio"))))));
     }
 
     @Test

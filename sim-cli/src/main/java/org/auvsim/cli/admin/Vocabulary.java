@@ -1,5 +1,6 @@
 package org.auvsim.cli.admin;
 
+import org.auvsim.auvsml.mapping.EditDistance;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.command.Command;
 

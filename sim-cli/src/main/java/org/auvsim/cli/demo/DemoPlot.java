@@ -1,19 +1,17 @@
 package org.auvsim.cli.demo;
 
-import org.knowm.xchart.BitmapEncoder;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.plot.Charts;
 import org.knowm.xchart.XYChart;
-import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
-import org.knowm.xchart.style.Styler;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
 import java.awt.Color;
-import java.awt.Font;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 
 /** The picture: the true path and the simulated ones, from above, along y, and how far apart. */
 final class DemoPlot {
@@ -25,53 +23,34 @@ final class DemoPlot {
     /** What lies below another one is broader, so that it can still be seen. */
     private static final float[] BREADTH = {1.6f, 3.6f, 1.4f};
 
-    private static final int WIDTH = 900;
-    private static final int HEIGHT = 420;
-
     private DemoPlot() {}
 
     /** The three charts below one another, as a PNG. */
     static byte[] png(List<Track> tracks) throws IOException {
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        List<XYChart> charts = List.of(fromAbove(tracks), alongY(tracks), error(tracks));
-        BitmapEncoder.saveBitmap(charts, charts.size(), 1, out, BitmapEncoder.BitmapFormat.PNG);
-        return out.toByteArray();
+        return Charts.png(List.of(fromAbove(tracks), alongY(tracks), error(tracks)));
     }
 
     private static XYChart fromAbove(List<Track> tracks) {
-        XYChart chart = chart("The paths from above", "x (m)", "y (m)");
+        XYChart chart = Charts.empty("The paths from above", "x (m)", "y (m)");
         addTruth(chart, tracks.getFirst(), s -> s.truth().x(), s -> s.truth().y());
         for (int i = 0; i < tracks.size(); i++) {
             add(chart, tracks.get(i), i, s -> s.simulated().x(), s -> s.simulated().y());
         }
-        scaleEqually(chart, tracks);
+        Charts.scaleEqually(chart, all(tracks, Vec3::x), all(tracks, Vec3::y));
         return chart;
     }
 
-    /** Gives both axes the same scale: the area for the plot is about twice as wide as high. */
-    private static void scaleEqually(XYChart chart, List<Track> tracks) {
-        DoubleSummaryStatistics x = new DoubleSummaryStatistics();
-        DoubleSummaryStatistics y = new DoubleSummaryStatistics();
-        for (Track track : tracks) {
-            for (Track.Sample sample : track.samples()) {
-                x.accept(sample.truth().x());
-                x.accept(sample.simulated().x());
-                y.accept(sample.truth().y());
-                y.accept(sample.simulated().y());
-            }
-        }
-        double height = 1.1 * Math.max(y.getMax() - y.getMin(), (x.getMax() - x.getMin()) / 2);
-        double middleX = (x.getMin() + x.getMax()) / 2;
-        double middleY = (y.getMin() + y.getMax()) / 2;
-        chart.getStyler()
-                .setXAxisMin(middleX - height)
-                .setXAxisMax(middleX + height)
-                .setYAxisMin(middleY - height / 2)
-                .setYAxisMax(middleY + height / 2);
+    private static DoubleSummaryStatistics all(
+            List<Track> tracks, ToDoubleFunction<Vec3> coordinate) {
+        return tracks.stream()
+                .flatMap(track -> track.samples().stream())
+                .flatMap(sample -> Stream.of(sample.truth(), sample.simulated()))
+                .mapToDouble(coordinate)
+                .summaryStatistics();
     }
 
     private static XYChart alongY(List<Track> tracks) {
-        XYChart chart = chart("Position along the y-axis", "time (s)", "y (m)");
+        XYChart chart = Charts.empty("Position along the y-axis", "time (s)", "y (m)");
         addTruth(chart, tracks.getFirst(), Track.Sample::time, s -> s.truth().y());
         for (int i = 0; i < tracks.size(); i++) {
             add(chart, tracks.get(i), i, Track.Sample::time, s -> s.simulated().y());
@@ -81,27 +60,11 @@ final class DemoPlot {
 
     private static XYChart error(List<Track> tracks) {
         XYChart chart =
-                chart("Distance of the simulated from the true robot", "time (s)", "error (m)");
+                Charts.empty(
+                        "Distance of the simulated from the true robot", "time (s)", "error (m)");
         for (int i = 0; i < tracks.size(); i++) {
             add(chart, tracks.get(i), i, Track.Sample::time, Track.Sample::error);
         }
-        return chart;
-    }
-
-    private static XYChart chart(String title, String x, String y) {
-        XYChart chart =
-                new XYChartBuilder()
-                        .width(WIDTH)
-                        .height(HEIGHT)
-                        .title(title)
-                        .xAxisTitle(x)
-                        .yAxisTitle(y)
-                        .build();
-        chart.getStyler()
-                .setLegendPosition(Styler.LegendPosition.OutsideE)
-                .setChartBackgroundColor(Color.WHITE)
-                .setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 15));
-        chart.getStyler().setXAxisDecimalPattern("0.##").setYAxisDecimalPattern("0.##");
         return chart;
     }
 

@@ -3,10 +3,6 @@ package org.auvsim.cli.demo;
 import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
-import org.auvsim.auvsml.message.command.EventType;
-import org.auvsim.auvsml.message.command.ListenedObject;
-import org.auvsim.auvsml.message.command.Listener;
-import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 import org.auvsim.server.net.TransportException;
 
 import java.io.IOException;
@@ -15,7 +11,6 @@ import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -87,13 +82,5 @@ public final class Demonstration {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-    }
-
-    /** A request to hear these events of the robot. */
-    static ListenerRegistrationRequestCommand register(EventType... types) {
-        List<Listener> listeners =
-                Arrays.stream(types).map(type -> Listener.to(type.eventName())).toList();
-        return new ListenerRegistrationRequestCommand(
-                true, List.of(new ListenedObject(Long.toString(ROBOT_ID), listeners)));
     }
 }

@@ -7,6 +7,7 @@ import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.EventType;
 import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
 import org.auvsim.auvsml.message.feedback.FeedbackAppliedNotification;
+import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 import org.auvsim.auvsml.message.movement.MovementStateChangeMessage;
 import org.auvsim.auvsml.message.movement.StateType;
 import org.auvsim.auvsml.message.movement.TimestepAdvancedNotification;
@@ -15,6 +16,7 @@ import org.auvsim.core.math.Vec3;
 
 import java.io.EOFException;
 import java.io.IOException;
+import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 
@@ -63,11 +65,13 @@ final class PhysicalRobot {
     /** Asks to be told of everything. */
     void prepare() throws ConnectionException {
         link.send(
-                Demonstration.register(
-                        EventType.MOVEMENT_STATE_CHANGE,
-                        EventType.PROJECTED_MOVEMENT,
-                        EventType.TIMESTEP_ADVANCED,
-                        EventType.FEEDBACK_APPLIED));
+                ListenerRegistrationRequestCommand.of(
+                        Long.toString(Demonstration.ROBOT_ID),
+                        List.of(
+                                EventType.MOVEMENT_STATE_CHANGE,
+                                EventType.PROJECTED_MOVEMENT,
+                                EventType.TIMESTEP_ADVANCED,
+                                EventType.FEEDBACK_APPLIED)));
     }
 
     /** Moves and answers until a world time (s). */

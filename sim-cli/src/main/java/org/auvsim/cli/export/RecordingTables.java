@@ -20,6 +20,7 @@ import org.auvsim.auvsml.recording.Entry;
 import org.auvsim.auvsml.recording.Happened;
 import org.auvsim.auvsml.recording.RecordedInput;
 import org.auvsim.core.description.ElementName;
+import org.auvsim.core.math.Quat;
 
 import java.io.IOException;
 import java.util.EnumMap;
@@ -100,7 +101,7 @@ final class RecordingTables {
                             Table.MOVEMENTS,
                             body(moment(place, moved.timestamp()), moved.worldObjectId())
                                     .add(moved.position())
-                                    .add(Orientation.of(moved.orientation()))
+                                    .add(Quat.of(moved.orientation()))
                                     .add(moved.linearMomentum())
                                     .add(moved.angularMomentum()));
             case CollisionNotification met ->

@@ -7,6 +7,7 @@ import static org.auvsim.core.math.Near.assertNear;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class QuatTest {
@@ -70,6 +71,29 @@ class QuatTest {
                         .plus(n.cross(v).times(Math.sin(angle)))
                         .plus(n.times(n.dot(v) * (1 - Math.cos(angle))));
         assertNear(Quat.ofAxisAngle(n.times(3), angle).rotate(v), expected, 1e-13);
+    }
+
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = {1, 2, 3})
+    void itIsFoundInTheMatrixThatItMakes(long seed) {
+        Draws draws = new Draws(seed);
+        for (int i = 0; i < 200; i++) {
+            assertFoundInItsMatrix(draws.orientation());
+        }
+    }
+
+    /** Half turns, where one of the four squares alone is not small. */
+    @ParameterizedTest
+    @CsvSource({"1, 0, 0, 0", "0, 1, 0, 0", "0, 0, 1, 0", "0, 0, 0, 1", "1e-9, 0.6, 0, -0.8"})
+    void halfTurnsAreFoundInTheirMatrices(double w, double x, double y, double z) {
+        assertFoundInItsMatrix(new Quat(w, x, y, z).normalized());
+    }
+
+    private static void assertFoundInItsMatrix(Quat expected) {
+        Quat found = Quat.of(expected.toMatrix());
+        Quat difference = found.times(expected.conjugate());
+        assertThat(found.w()).isNotNegative();
+        assertThat(Math.abs(difference.w())).isCloseTo(1, within(1e-14));
     }
 
     @Test

@@ -70,7 +70,7 @@ final class Gram {
     /** The change of these parameters that explains most. */
     double[] solve(int[] columns) {
         int n = columns.length;
-        double[] matrix = new double[n * n];
+        double[][] matrix = new double[n][n];
         double[] right = new double[n];
         double[] scale = new double[n];
         for (int a = 0; a < n; a++) {
@@ -79,12 +79,12 @@ final class Gram {
         }
         for (int a = 0; a < n; a++) {
             for (int b = 0; b < a; b++) {
-                matrix[n * a + b] = products[columns[a]][columns[b]] / scale[a] / scale[b];
+                matrix[a][b] = products[columns[a]][columns[b]] / scale[a] / scale[b];
             }
-            matrix[n * a + a] = 1 + RIDGE;
+            matrix[a][a] = 1 + RIDGE;
             right[a] = -products[columns[a]][misses] / scale[a];
         }
-        double[] solution = new Cholesky(matrix, n).solve(right);
+        double[] solution = new Cholesky(matrix).solve(right);
         for (int a = 0; a < n; a++) {
             solution[a] /= scale[a];
         }

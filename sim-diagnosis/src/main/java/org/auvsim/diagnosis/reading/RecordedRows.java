@@ -125,8 +125,7 @@ final class RecordedRows implements RecordedFeedback.Listener {
         if (m.covariance().isEmpty()) {
             return;
         }
-        double[] elements = m.covariance().get().elements();
-        int size = m.covariance().get().size();
+        double[][] elements = m.covariance().get().elements();
         List<Optional<?>> parts =
                 List.of(m.position(), m.orientation(), m.velocity(), m.angularVelocity());
         int first = 0;
@@ -134,9 +133,9 @@ final class RecordedRows implements RecordedFeedback.Listener {
             if (parts.get(channel.ordinal()).isPresent()) {
                 Vec3 stated =
                         new Vec3(
-                                Math.sqrt(elements[(size + 1) * first]),
-                                Math.sqrt(elements[(size + 1) * (first + 1)]),
-                                Math.sqrt(elements[(size + 1) * (first + 2)]));
+                                Math.sqrt(elements[first][first]),
+                                Math.sqrt(elements[first + 1][first + 1]),
+                                Math.sqrt(elements[first + 2][first + 2]));
                 put(axes.sizes(stated), row, Slots.DEVIATIONS + 3 * channel.ordinal());
                 first += 3;
             }

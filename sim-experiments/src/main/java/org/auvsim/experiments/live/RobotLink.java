@@ -5,8 +5,6 @@ import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.client.Received;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.EventType;
-import org.auvsim.auvsml.message.command.ListenedObject;
-import org.auvsim.auvsml.message.command.Listener;
 import org.auvsim.auvsml.message.control.GetSimulatorStateRequest;
 import org.auvsim.auvsml.message.control.SimulatorStateResponse;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
@@ -57,13 +55,9 @@ final class RobotLink implements AutoCloseable {
     private ListenerRegistrationRequestCommand registration() {
         EventType movement =
                 isLockstep ? EventType.PROJECTED_MOVEMENT : EventType.MOVEMENT_STATE_CHANGE;
-        List<Listener> events =
-                List.of(
-                        Listener.to(movement.eventName()),
-                        Listener.to(EventType.TIMESTEP_ADVANCED.eventName()));
-        String id = Long.toString(participant.objectId());
-        return new ListenerRegistrationRequestCommand(
-                true, List.of(new ListenedObject(id, events)));
+        return ListenerRegistrationRequestCommand.of(
+                Long.toString(participant.objectId()),
+                List.of(movement, EventType.TIMESTEP_ADVANCED));
     }
 
     private <M extends Message> M await(Class<M> type) throws ConnectionException {

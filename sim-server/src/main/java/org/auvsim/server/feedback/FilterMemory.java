@@ -1,5 +1,7 @@
 package org.auvsim.server.feedback;
 
+import org.apache.commons.math3.linear.RealMatrix;
+
 /**
  * What a Kalman filter knows of an object beside the object itself.
  *
@@ -10,4 +12,4 @@ package org.auvsim.server.feedback;
  *     it is on average how many numbers were measured (Bar-Shalom, Li &amp; Kirubarajan 2001,
  *     section 5.4)
  */
-record FilterMemory(double time, Matrix covariance, double surprise) {}
+record FilterMemory(double time, RealMatrix covariance, double surprise) {}

@@ -1,5 +1,7 @@
 package org.auvsim.server.feedback;
 
+import org.apache.commons.math3.linear.MatrixUtils;
+import org.apache.commons.math3.linear.RealMatrix;
 import org.auvsim.auvsml.document.Deviations;
 import org.auvsim.core.entity.Domain;
 
@@ -52,7 +54,7 @@ public record KalmanFilterFeedbackHandler(
     @Override
     public void process(Correction correction) {
         Target target = correction.target();
-        Matrix noise =
+        RealMatrix noise =
                 target.covariance()
                         .orElseGet(() -> KalmanUpdate.measured(target, covariance(measurement)));
         KalmanUpdate update =
@@ -64,24 +66,24 @@ public record KalmanFilterFeedbackHandler(
     }
 
     /** The covariance of the object's errors now, before the measurement. */
-    private Matrix predicted(Correction correction) {
+    private RealMatrix predicted(Correction correction) {
         return correction
                 .memory(FilterMemory.class)
                 .filter(memory -> memory.time() <= correction.time())
                 .map(memory -> carried(memory, correction))
-                .filter(Matrix::isFinite)
+                .filter(Covariances::isFinite)
                 .orElseGet(() -> covariance(initial));
     }
 
     /** The variances on the diagonal, three of each. */
-    private static Matrix covariance(Deviations of) {
+    private static RealMatrix covariance(Deviations of) {
         double[] deviations = {of.position(), of.angle(), of.velocity(), of.angularVelocity()};
         double[] variances = new double[RigidMotion.SIZE];
         Arrays.setAll(variances, i -> deviations[i / 3] * deviations[i / 3]);
-        return Matrix.diagonal(variances);
+        return MatrixUtils.createRealDiagonalMatrix(variances);
     }
 
-    private Matrix carried(FilterMemory memory, Correction correction) {
+    private RealMatrix carried(FilterMemory memory, Correction correction) {
         double gap = correction.time() - memory.time();
         if (gap <= CorrectiveFeedbackSystem.SAME_TIME) {
             return memory.covariance();
@@ -89,7 +91,7 @@ public record KalmanFilterFeedbackHandler(
         double duration = correction.duration();
         boolean isStep = duration > CorrectiveFeedbackSystem.SAME_TIME; // else a collision alone
         long steps = isStep ? Math.max(1, Math.round(gap / duration)) : 1;
-        Matrix noise = StepTransition.noise(gap / steps, acceleration, angularAcceleration);
+        RealMatrix noise = StepTransition.noise(gap / steps, acceleration, angularAcceleration);
         return StepTransition.of(correction, noise).repeated(steps).carry(memory.covariance());
     }
 }

@@ -1,9 +1,12 @@
 package org.auvsim.server.feedback;
 
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.MatrixUtils;
+import org.apache.commons.math3.linear.RealMatrix;
 import org.auvsim.core.math.Cholesky;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * One measurement in an extended Kalman filter on the error of a rigid body's motion.
@@ -12,7 +15,7 @@ import java.util.List;
  * @param covariance of that estimate's error
  * @param surprise the innovation squared, in units of its covariance
  */
-record KalmanUpdate(RigidMotion motion, Matrix covariance, double surprise) {
+record KalmanUpdate(RigidMotion motion, RealMatrix covariance, double surprise) {
     /**
      * Uses a measurement, with the covariance in Joseph's form (Bucy &amp; Joseph 1968), which
      * stays positive definite whatever is rounded; what the correction of the orientation changes
@@ -23,23 +26,26 @@ record KalmanUpdate(RigidMotion motion, Matrix covariance, double surprise) {
      * @param noise covariance of what was measured
      * @throws IllegalArgumentException if the two are so far apart that they cannot be weighed
      */
-    static KalmanUpdate of(RigidMotion model, Matrix predicted, Target measured, Matrix noise) {
-        int[] rows = rows(measured);
-        double[] innovation = picked(measured.replacing(model).minus(model), rows);
-        Matrix pick = pick(rows);
-        Matrix carried = predicted.times(pick.transposed());
-        Cholesky size = factor(pick.times(carried).plus(noise));
-        Matrix gain = gain(carried, size);
-        Matrix left = Matrix.identity(RigidMotion.SIZE).minus(gain.times(pick));
+    static KalmanUpdate of(
+            RigidMotion model, RealMatrix predicted, Target measured, RealMatrix noise) {
+        RealMatrix pick = pick(measured);
+        double[] innovation = pick.operate(measured.replacing(model).minus(model));
+        RealMatrix carried = predicted.multiply(pick.transpose());
+        Cholesky size = factor(pick.multiply(carried).add(noise));
+        RealMatrix gain = gain(carried, size);
+        RealMatrix left =
+                MatrixUtils.createRealIdentityMatrix(RigidMotion.SIZE)
+                        .subtract(gain.multiply(pick));
         return new KalmanUpdate(
-                model.plus(gain.times(innovation)),
-                predicted.within(left).plus(noise.within(gain)),
-                dot(innovation, size.solve(innovation)));
+                model.plus(gain.operate(innovation)),
+                Covariances.through(left, predicted).add(Covariances.through(gain, noise)),
+                new ArrayRealVector(innovation)
+                        .dotProduct(new ArrayRealVector(size.solve(innovation))));
     }
 
-    private static Cholesky factor(Matrix expected) {
+    private static Cholesky factor(RealMatrix expected) {
         try {
-            return new Cholesky(expected.elements(), expected.rows());
+            return new Cholesky(expected.getData());
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException(
                     "the errors of model and measurement cannot be weighed against each other,"
@@ -52,62 +58,29 @@ record KalmanUpdate(RigidMotion motion, Matrix covariance, double surprise) {
     }
 
     /** The rows of a 12 x 12 covariance that belong to what was measured. */
-    static Matrix measured(Target target, Matrix covariance) {
-        return covariance.within(pick(rows(target)));
+    static RealMatrix measured(Target target, RealMatrix covariance) {
+        return Covariances.through(pick(target), covariance);
     }
 
     /** P H^T S^-1, by the factor of S. */
-    private static Matrix gain(Matrix carried, Cholesky size) {
-        int columns = carried.columns();
-        double[] gain = new double[carried.rows() * columns];
-        for (int i = 0; i < carried.rows(); i++) {
-            double[] row = new double[columns];
-            for (int j = 0; j < columns; j++) {
-                row[j] = carried.at(i, j);
-            }
-            System.arraycopy(size.solve(row), 0, gain, columns * i, columns);
+    private static RealMatrix gain(RealMatrix carried, Cholesky size) {
+        RealMatrix gain = carried.copy();
+        for (int i = 0; i < gain.getRowDimension(); i++) {
+            gain.setRow(i, size.solve(carried.getRow(i)));
         }
-        return Matrix.of(gain, carried.rows());
+        return gain;
     }
 
-    private static int[] rows(Target target) {
+    /** H: ones where a row belongs to a number of the motion's error that was measured. */
+    private static RealMatrix pick(Target target) {
         List<Boolean> there =
                 List.of(
                         target.position().isPresent(),
                         target.orientation().isPresent(),
                         target.velocity().isPresent(),
                         target.angularVelocity().isPresent());
-        List<Integer> rows = new ArrayList<>();
-        for (int i = 0; i < RigidMotion.SIZE; i++) {
-            if (there.get(i / 3)) {
-                rows.add(i);
-            }
-        }
-        return rows.stream().mapToInt(i -> i).toArray();
-    }
-
-    /** H: ones where a row belongs to a number of the motion's error. */
-    private static Matrix pick(int[] rows) {
-        double[] pick = new double[rows.length * RigidMotion.SIZE];
-        for (int i = 0; i < rows.length; i++) {
-            pick[RigidMotion.SIZE * i + rows[i]] = 1;
-        }
-        return Matrix.of(pick, rows.length);
-    }
-
-    private static double[] picked(double[] numbers, int[] rows) {
-        double[] picked = new double[rows.length];
-        for (int i = 0; i < rows.length; i++) {
-            picked[i] = numbers[rows[i]];
-        }
-        return picked;
-    }
-
-    private static double dot(double[] a, double[] b) {
-        double sum = 0;
-        for (int i = 0; i < a.length; i++) {
-            sum += a[i] * b[i];
-        }
-        return sum;
+        int[] all = IntStream.range(0, RigidMotion.SIZE).toArray();
+        int[] measured = IntStream.of(all).filter(i -> there.get(i / 3)).toArray();
+        return MatrixUtils.createRealIdentityMatrix(RigidMotion.SIZE).getSubMatrix(measured, all);
     }
 }

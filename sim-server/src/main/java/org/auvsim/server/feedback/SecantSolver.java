@@ -1,5 +1,12 @@
 package org.auvsim.server.feedback;
 
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.DecompositionSolver;
+import org.apache.commons.math3.linear.LUDecomposition;
+import org.apache.commons.math3.linear.MatrixUtils;
+import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.RealVector;
+
 import java.util.Optional;
 import java.util.function.Function;
 
@@ -19,17 +26,27 @@ final class SecantSolver {
     /** By how much an unknown is changed to measure what it does. */
     private static final double DIFFERENCE = 1e-6;
 
+    /** A pivot below this counts as zero. */
+    private static final double SINGULAR = 1e-12;
+
     private final Function<double[], Optional<double[]>> residual;
-    private Matrix inverse;
+    private RealMatrix inverse;
     private boolean isMeasured;
-    private double[] at;
-    private double[] missed;
+    private RealVector at;
+    private RealVector missed;
 
     private SecantSolver(Function<double[], Optional<double[]>> residual, int n) {
         this.residual = residual;
-        inverse = Matrix.identity(n);
-        at = new double[n];
-        missed = residual.apply(at).orElseGet(() -> new double[] {Double.POSITIVE_INFINITY});
+        inverse = MatrixUtils.createRealIdentityMatrix(n);
+        at = new ArrayRealVector(n);
+        missed = residual(at).orElseGet(() -> new ArrayRealVector(1, Double.POSITIVE_INFINITY));
+    }
+
+    /** What is missed with these unknowns; empty where that is no number. */
+    private Optional<RealVector> residual(RealVector unknowns) {
+        return residual.apply(unknowns.toArray())
+                .<RealVector>map(ArrayRealVector::new)
+                .filter(numbers -> !numbers.isNaN());
     }
 
     /**
@@ -50,12 +67,12 @@ final class SecantSolver {
 
     /** The unknowns that were found. */
     double[] found() {
-        return at.clone();
+        return at.toArray();
     }
 
     /** The size of the residual there; infinite if nothing could be tried. */
     double missed() {
-        return norm(missed);
+        return missed.getNorm();
     }
 
     /** Whether nothing is left of the residual. */
@@ -64,21 +81,20 @@ final class SecantSolver {
     }
 
     private boolean isBeside() {
-        double norm = norm(missed);
-        return norm > TOLERANCE && norm < Double.POSITIVE_INFINITY;
+        return missed() > TOLERANCE && missed() < Double.POSITIVE_INFINITY;
     }
 
     /** One step; false if none in this direction brings anything. */
     private boolean step() {
-        double[] full = inverse.times(missed);
+        RealVector full = inverse.operate(missed);
         double share = 1;
         for (int halvings = 0; halvings <= MOST_HALVINGS; halvings++) {
-            double[] change = scaled(full, -share);
-            double[] to = sum(at, change);
-            Optional<double[]> there = residual.apply(to);
+            RealVector change = full.mapMultiply(-share);
+            RealVector to = at.add(change);
+            Optional<RealVector> there = residual(to);
             if (there.isPresent()) {
-                learn(change, sum(there.get(), scaled(missed, -1)));
-                if (norm(there.get()) < norm(missed)) {
+                learn(change, there.get().subtract(missed));
+                if (there.get().getNorm() < missed()) {
                     at = to;
                     missed = there.get();
                     isMeasured = false;
@@ -91,15 +107,14 @@ final class SecantSolver {
     }
 
     /** Broyden's update of the inverse Jacobian, in Sherman and Morrison's form. */
-    private void learn(double[] change, double[] answer) {
-        double[] predicted = inverse.times(answer);
-        double scale = dot(change, predicted);
-        if (Math.abs(scale) < 0.1 * dot(change, change)) {
+    private void learn(RealVector change, RealVector answer) {
+        RealVector predicted = inverse.operate(answer);
+        double scale = change.dotProduct(predicted);
+        if (Math.abs(scale) < 0.1 * change.dotProduct(change)) {
             return; // an answer that says too little, as a jump at a collision
         }
-        double[] wrong = scaled(sum(change, scaled(predicted, -1)), 1 / scale);
-        Matrix row = Matrix.of(change, 1).times(inverse);
-        inverse = inverse.plus(Matrix.of(wrong, wrong.length).times(row));
+        RealVector wrong = change.subtract(predicted).mapMultiply(1 / scale);
+        inverse = inverse.add(wrong.outerProduct(inverse.preMultiply(change)));
     }
 
     /** Measures the Jacobian here; false if it was just measured here or cannot be inverted. */
@@ -108,49 +123,21 @@ final class SecantSolver {
             return false;
         }
         isMeasured = true;
-        int n = at.length;
-        double[] jacobian = new double[n * n];
+        int n = at.getDimension();
+        RealMatrix jacobian = MatrixUtils.createRealMatrix(n, n);
         for (int j = 0; j < n; j++) {
-            double[] to = at.clone();
-            to[j] += DIFFERENCE;
-            Optional<double[]> there = residual.apply(to);
+            RealVector to = at.copy();
+            to.addToEntry(j, DIFFERENCE);
+            Optional<RealVector> there = residual(to);
             if (there.isEmpty()) {
                 return false;
             }
-            for (int i = 0; i < n; i++) {
-                jacobian[n * i + j] = (there.get()[i] - missed[i]) / DIFFERENCE;
-            }
+            jacobian.setColumnVector(j, there.get().subtract(missed).mapDivide(DIFFERENCE));
         }
-        Optional<Matrix> inverted = Matrix.of(jacobian, n).inverse();
-        inverted.ifPresent(m -> inverse = m);
-        return inverted.isPresent();
-    }
-
-    private static double dot(double[] a, double[] b) {
-        double sum = 0;
-        for (int i = 0; i < a.length; i++) {
-            sum += a[i] * b[i];
+        DecompositionSolver solver = new LUDecomposition(jacobian, SINGULAR).getSolver();
+        if (solver.isNonSingular()) {
+            inverse = solver.getInverse();
         }
-        return sum;
-    }
-
-    private static double norm(double[] v) {
-        return Math.sqrt(dot(v, v));
-    }
-
-    private static double[] scaled(double[] v, double factor) {
-        double[] scaled = new double[v.length];
-        for (int i = 0; i < v.length; i++) {
-            scaled[i] = v[i] * factor;
-        }
-        return scaled;
-    }
-
-    private static double[] sum(double[] a, double[] b) {
-        double[] sum = new double[a.length];
-        for (int i = 0; i < a.length; i++) {
-            sum[i] = a[i] + b[i];
-        }
-        return sum;
+        return solver.isNonSingular();
     }
 }

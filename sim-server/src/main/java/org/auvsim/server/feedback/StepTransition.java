@@ -1,5 +1,8 @@
 package org.auvsim.server.feedback;
 
+import org.apache.commons.math3.linear.MatrixUtils;
+import org.apache.commons.math3.linear.RealMatrix;
+
 import java.util.Optional;
 
 /**
@@ -9,7 +12,7 @@ import java.util.Optional;
  * @param transition F, 12 x 12
  * @param noise Q, 12 x 12
  */
-record StepTransition(Matrix transition, Matrix noise) {
+record StepTransition(RealMatrix transition, RealMatrix noise) {
     /** By how much a motion is changed to see what becomes of it (m, rad, m/s, rad/s). */
     private static final double DIFFERENCE = 1e-4;
 
@@ -21,16 +24,16 @@ record StepTransition(Matrix transition, Matrix noise) {
      *
      * @param noise what the step adds
      */
-    static StepTransition of(Correction correction, Matrix noise) {
-        int n = RigidMotion.SIZE;
-        double[] transition = new double[n * n];
-        for (int j = 0; j < n; j++) {
-            double[] column = column(correction, j);
-            for (int i = 0; i < n; i++) {
-                transition[n * i + j] = column[i];
-            }
+    static StepTransition of(Correction correction, RealMatrix noise) {
+        RealMatrix transition = zero();
+        for (int j = 0; j < RigidMotion.SIZE; j++) {
+            transition.setColumn(j, column(correction, j));
         }
-        return new StepTransition(Matrix.of(transition, n), noise);
+        return new StepTransition(transition, noise);
+    }
+
+    private static RealMatrix zero() {
+        return MatrixUtils.createRealMatrix(RigidMotion.SIZE, RigidMotion.SIZE);
     }
 
     private static double[] column(Correction correction, int j) {
@@ -73,27 +76,24 @@ record StepTransition(Matrix transition, Matrix noise) {
      * @param acceleration square root of their spectral density q (m/s^2 / sqrt(Hz))
      * @param angularAcceleration likewise of turns (rad/s^2 / sqrt(Hz))
      */
-    static Matrix noise(double duration, double acceleration, double angularAcceleration) {
-        int n = RigidMotion.SIZE;
-        double[] noise = new double[n * n];
+    static RealMatrix noise(double duration, double acceleration, double angularAcceleration) {
+        RealMatrix noise = zero();
         double t = duration;
         for (int i = 0; i < 6; i++) {
             double density = i < 3 ? acceleration : angularAcceleration;
             double q = density * density;
-            noise[(n + 1) * i] = q * t * t * t / 3;
-            noise[n * i + i + 6] = q * t * t / 2;
-            noise[n * (i + 6) + i] = q * t * t / 2;
-            noise[(n + 1) * (i + 6)] = q * t;
+            noise.setEntry(i, i, q * t * t * t / 3);
+            noise.setEntry(i, i + 6, q * t * t / 2);
+            noise.setEntry(i + 6, i, q * t * t / 2);
+            noise.setEntry(i + 6, i + 6, q * t);
         }
-        return Matrix.of(noise, n);
+        return noise;
     }
 
     /** That of {@code steps} such steps in a row, by squaring. */
     StepTransition repeated(long steps) {
         StepTransition all =
-                new StepTransition(
-                        Matrix.identity(RigidMotion.SIZE),
-                        Matrix.diagonal(new double[RigidMotion.SIZE]));
+                new StepTransition(MatrixUtils.createRealIdentityMatrix(RigidMotion.SIZE), zero());
         StepTransition power = this;
         for (long left = steps; left > 0; left /= 2) {
             if (left % 2 == 1) {
@@ -105,11 +105,11 @@ record StepTransition(Matrix transition, Matrix noise) {
     }
 
     private StepTransition then(StepTransition next) {
-        return new StepTransition(next.transition.times(transition), next.carry(noise));
+        return new StepTransition(next.transition.multiply(transition), next.carry(noise));
     }
 
     /** What becomes of a covariance. */
-    Matrix carry(Matrix covariance) {
-        return covariance.within(transition).plus(noise);
+    RealMatrix carry(RealMatrix covariance) {
+        return Covariances.through(transition, covariance).add(noise);
     }
 }

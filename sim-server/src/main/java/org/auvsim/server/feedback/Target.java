@@ -1,5 +1,6 @@
 package org.auvsim.server.feedback;
 
+import org.apache.commons.math3.linear.RealMatrix;
 import org.auvsim.auvsml.message.feedback.Measurement;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
@@ -24,7 +25,7 @@ public record Target(
         Optional<Quat> orientation,
         Optional<Vec3> velocity,
         Optional<Vec3> angularVelocity,
-        Optional<Matrix> covariance) {
+        Optional<RealMatrix> covariance) {
     /**
      * What was measured, turned into the world's axes.
      *

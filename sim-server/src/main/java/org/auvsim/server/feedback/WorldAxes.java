@@ -1,5 +1,7 @@
 package org.auvsim.server.feedback;
 
+import org.apache.commons.math3.linear.MatrixUtils;
+import org.apache.commons.math3.linear.RealMatrix;
 import org.auvsim.auvsml.message.feedback.Covariance;
 import org.auvsim.auvsml.message.feedback.Measurement;
 import org.auvsim.core.math.Mat3;
@@ -77,16 +79,29 @@ final class WorldAxes {
                 measured.covariance().map(c -> turned(c, place, motion)));
     }
 
-    private Matrix turned(Covariance covariance, Mat3 place, Mat3 motion) {
+    private RealMatrix turned(Covariance covariance, Mat3 place, Mat3 motion) {
         List<Mat3> blocks = new ArrayList<>();
         measured.position().ifPresent(_ -> blocks.add(place));
         measured.orientation().ifPresent(_ -> blocks.add(place));
         measured.velocity().ifPresent(_ -> blocks.add(motion));
         measured.angularVelocity().ifPresent(_ -> blocks.add(motion));
-        return matrix(covariance).within(Matrix.blocks(blocks));
+        return Covariances.through(diagonal(blocks), matrix(covariance));
     }
 
-    private static Matrix matrix(Covariance covariance) {
-        return Matrix.of(covariance.elements(), covariance.size());
+    /** Zeros beside these blocks on the diagonal. */
+    private static RealMatrix diagonal(List<Mat3> blocks) {
+        RealMatrix diagonal = MatrixUtils.createRealMatrix(3 * blocks.size(), 3 * blocks.size());
+        for (int k = 0; k < blocks.size(); k++) {
+            Mat3 m = blocks.get(k);
+            double[][] rows = {
+                {m.xx(), m.xy(), m.xz()}, {m.yx(), m.yy(), m.yz()}, {m.zx(), m.zy(), m.zz()}
+            };
+            diagonal.setSubMatrix(rows, 3 * k, 3 * k);
+        }
+        return diagonal;
+    }
+
+    private static RealMatrix matrix(Covariance covariance) {
+        return MatrixUtils.createRealMatrix(covariance.elements());
     }
 }

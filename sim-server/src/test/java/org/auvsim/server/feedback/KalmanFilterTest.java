@@ -22,7 +22,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-import java.util.Arrays;
 import java.util.Optional;
 import java.util.Random;
 
@@ -94,11 +93,11 @@ class KalmanFilterTest {
             assertThat(motion.velocity().x()).isCloseTo(x.getStateEstimation()[1], within(1e-7));
             assertThat(motion.velocity().y()).isCloseTo(y.getStateEstimation()[1], within(1e-7));
         }
-        Matrix covariance = robot.memories.getLast().covariance();
+        RealMatrix covariance = robot.memories.getLast().covariance();
         RealMatrix expected = x.getErrorCovarianceMatrix();
-        assertThat(covariance.at(0, 0)).isCloseTo(expected.getEntry(0, 0), within(1e-8));
-        assertThat(covariance.at(0, 6)).isCloseTo(expected.getEntry(0, 1), within(1e-8));
-        assertThat(covariance.at(6, 6)).isCloseTo(expected.getEntry(1, 1), within(1e-8));
+        assertThat(covariance.getEntry(0, 0)).isCloseTo(expected.getEntry(0, 0), within(1e-8));
+        assertThat(covariance.getEntry(0, 6)).isCloseTo(expected.getEntry(0, 1), within(1e-8));
+        assertThat(covariance.getEntry(6, 6)).isCloseTo(expected.getEntry(1, 1), within(1e-8));
     }
 
     /** Ten steps without a measurement are one long one to a filter of a free body. */
@@ -218,8 +217,7 @@ class KalmanFilterTest {
     @Test
     void whatCannotBeWeighedIsOneSentence() {
         RigidMotion motion = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
-        double[] ones = new double[144];
-        Arrays.fill(ones, 1);
+        RealMatrix ones = MatrixUtils.createRealMatrix(12, 12).scalarAdd(1);
         Target measured =
                 new Target(
                         Optional.of(Vec3.ZERO),
@@ -227,8 +225,8 @@ class KalmanFilterTest {
                         Optional.empty(),
                         Optional.empty(),
                         Optional.empty());
-        Matrix exact = Matrix.diagonal(1e-30, 1e-30, 1e-30);
-        assertThatThrownBy(() -> KalmanUpdate.of(motion, Matrix.of(ones, 12), measured, exact))
+        RealMatrix exact = MatrixUtils.createRealIdentityMatrix(3).scalarMultiply(1e-30);
+        assertThatThrownBy(() -> KalmanUpdate.of(motion, ones, measured, exact))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("cannot be weighed against each other")
                 .hasMessageContaining("row 2");
@@ -272,11 +270,11 @@ class KalmanFilterTest {
             robot.step.advanceTimestep();
         }
         double share = Math.exp(-2 * (robot.world.time() - STEP));
-        Matrix covariance = robot.memories.getLast().covariance();
-        assertThat(covariance.at(6, 6)).isCloseTo(0.25 * share * share, within(1e-6));
-        assertThat(covariance.at(9, 9)).isCloseTo(0.01 * share * share, within(1e-7));
+        RealMatrix covariance = robot.memories.getLast().covariance();
+        assertThat(covariance.getEntry(6, 6)).isCloseTo(0.25 * share * share, within(1e-6));
+        assertThat(covariance.getEntry(9, 9)).isCloseTo(0.01 * share * share, within(1e-7));
         double way = (1 - share) / 2;
-        assertThat(covariance.at(0, 0)).isCloseTo(1 + 0.25 * way * way, within(1e-6));
+        assertThat(covariance.getEntry(0, 0)).isCloseTo(1 + 0.25 * way * way, within(1e-6));
     }
 
     /** A body that spins turns its errors: an error of the spin becomes one of the turn. */
@@ -305,10 +303,10 @@ class KalmanFilterTest {
     @Test
     void itsMemoryIsAValueThatGoesWithACopyOfTheWorld() {
         ProcessorMemory memory = new ProcessorMemory();
-        memory.remember(1, "K", new FilterMemory(1, Matrix.identity(12), 0));
+        memory.remember(1, "K", new FilterMemory(1, MatrixUtils.createRealIdentityMatrix(12), 0));
         ProcessorMemory copy = memory.copy();
-        memory.remember(1, "K", new FilterMemory(2, Matrix.identity(12), 0));
-        memory.remember(2, "K", new FilterMemory(2, Matrix.identity(12), 0));
+        memory.remember(1, "K", new FilterMemory(2, MatrixUtils.createRealIdentityMatrix(12), 0));
+        memory.remember(2, "K", new FilterMemory(2, MatrixUtils.createRealIdentityMatrix(12), 0));
         assertThat(copy.recall(1, "K", FilterMemory.class).orElseThrow().time()).isEqualTo(1);
         memory.restore(copy);
         assertThat(memory.recall(1, "K", FilterMemory.class).orElseThrow().time()).isEqualTo(1);

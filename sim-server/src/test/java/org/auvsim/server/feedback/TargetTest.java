@@ -3,6 +3,7 @@ package org.auvsim.server.feedback;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.apache.commons.math3.linear.RealMatrix;
 import org.auvsim.auvsml.message.feedback.Covariance;
 import org.auvsim.auvsml.message.feedback.Measurement;
 import org.auvsim.auvsml.message.feedback.MeasurementFrame;
@@ -29,17 +30,40 @@ class TargetTest {
             Vec3 position,
             Quat orientation,
             Vec3 velocity,
+            Vec3 angularVelocity) {
+        return target(frame, position, orientation, velocity, angularVelocity, Optional.empty());
+    }
+
+    private static Target target(
+            MeasurementFrame frame,
+            Vec3 position,
+            Quat orientation,
+            Vec3 velocity,
             Vec3 angularVelocity,
             Optional<Covariance> covariance) {
-        Measurement measured =
+        return Target.of(
                 new Measurement(
                         frame,
                         Optional.of(position),
                         Optional.of(orientation),
                         Optional.of(velocity),
                         Optional.of(angularVelocity),
-                        covariance);
-        return Target.of(measured, NORTHBOUND);
+                        covariance),
+                NORTHBOUND);
+    }
+
+    /** A target of which velocity and, maybe, orientation were measured alone. */
+    private static Target moving(
+            MeasurementFrame frame, Optional<Quat> orientation, Vec3 velocity) {
+        return Target.of(
+                new Measurement(
+                        frame,
+                        Optional.empty(),
+                        orientation,
+                        Optional.of(velocity),
+                        Optional.empty(),
+                        Optional.empty()),
+                NORTHBOUND);
     }
 
     private static void assertNear(Optional<Vec3> is, double x, double y, double z) {
@@ -61,8 +85,7 @@ class TargetTest {
                         new Vec3(1, 2, 3),
                         Quat.IDENTITY,
                         new Vec3(4, 5, 6),
-                        new Vec3(7, 8, 9),
-                        Optional.empty());
+                        new Vec3(7, 8, 9));
         assertNear(target.position(), 1, 2, 3);
         assertNear(target.velocity(), 4, 5, 6);
         assertNear(target.angularVelocity(), 7, 8, 9);
@@ -78,8 +101,7 @@ class TargetTest {
                         new Vec3(1, 2, 3),
                         Quat.IDENTITY,
                         new Vec3(4, 5, 6),
-                        new Vec3(0, 0, 1),
-                        Optional.empty());
+                        new Vec3(0, 0, 1));
         assertNear(target.position(), 2, 1, -3);
         assertNear(target.velocity(), 5, 4, -6);
         assertNear(target.angularVelocity(), 0, 0, -1);
@@ -95,8 +117,7 @@ class TargetTest {
                         Vec3.ZERO,
                         Quat.ofAxisAngle(UP, Math.PI / 2),
                         Vec3.ZERO,
-                        Vec3.ZERO,
-                        Optional.empty());
+                        Vec3.ZERO);
         assertPoints(target, new Vec3(1, 0, 0), UP);
     }
 
@@ -109,8 +130,7 @@ class TargetTest {
                         new Vec3(1, 2, 0.5),
                         Quat.ofAxisAngle(UP, Math.PI / 2),
                         new Vec3(3, 0, 0),
-                        new Vec3(0.1, 0, 0.2),
-                        Optional.empty());
+                        new Vec3(0.1, 0, 0.2));
         assertNear(target.position(), 8, 21, -4.5);
         assertNear(target.velocity(), -3, 0, 0);
         assertNear(target.angularVelocity(), -0.1, 0, 0.2);
@@ -119,15 +139,8 @@ class TargetTest {
 
     @Test
     void withoutAnOrientationTheRobotsAxesAreTheModels() {
-        Measurement measured =
-                new Measurement(
-                        MeasurementFrame.BODY,
-                        Optional.empty(),
-                        Optional.empty(),
-                        Optional.of(new Vec3(3, 0, 0)),
-                        Optional.empty(),
-                        Optional.empty());
-        assertNear(Target.of(measured, NORTHBOUND).velocity(), 0, 3, 0);
+        Target target = moving(MeasurementFrame.BODY, Optional.empty(), new Vec3(3, 0, 0));
+        assertNear(target.velocity(), 0, 3, 0);
     }
 
     /** Unsure of the north by 3, of the east by 2: in the world, of y and x. */
@@ -146,12 +159,12 @@ class TargetTest {
                         Vec3.ZERO,
                         Vec3.ZERO,
                         Optional.of(Covariance.diagonal(variances)));
-        Matrix covariance = target.covariance().orElseThrow();
+        RealMatrix covariance = target.covariance().orElseThrow();
         double[] expected = {2, 9, 3, 5, 4, 6, 8, 7, 9, 11, 10, 12};
         for (int i = 0; i < 12; i++) {
             for (int j = 0; j < 12; j++) {
                 double element = i == j ? expected[i] : 0;
-                assertThat(covariance.at(i, j)).isCloseTo(element, within(1e-13));
+                assertThat(covariance.getEntry(i, j)).isCloseTo(element, within(1e-13));
             }
         }
     }
@@ -171,8 +184,7 @@ class TargetTest {
                                 new Vec3(11, 20, -5),
                                 Quat.IDENTITY,
                                 new Vec3(1, 0, 0),
-                                Vec3.ZERO,
-                                Optional.empty())
+                                Vec3.ZERO)
                         .carried(NORTHBOUND, later);
         assertNear(target.position(), 11, 22, -5);
         assertNear(target.velocity(), -1, -2, 0);
@@ -182,15 +194,9 @@ class TargetTest {
 
     @Test
     void errorsAreThereForWhatWasMeasured() {
-        Measurement measured =
-                new Measurement(
-                        MeasurementFrame.WORLD,
-                        Optional.empty(),
-                        Optional.of(Quat.IDENTITY),
-                        Optional.of(new Vec3(3, 6, 0)),
-                        Optional.empty(),
-                        Optional.empty());
-        MeasurementErrors errors = Target.of(measured, NORTHBOUND).errors(NORTHBOUND);
+        Target target =
+                moving(MeasurementFrame.WORLD, Optional.of(Quat.IDENTITY), new Vec3(3, 6, 0));
+        MeasurementErrors errors = target.errors(NORTHBOUND);
         assertThat(errors.position()).isEmpty();
         assertThat(errors.angle().orElseThrow()).isCloseTo(Math.PI / 2, within(1e-15));
         assertThat(errors.velocity()).hasValue(5);

@@ -3,6 +3,7 @@ package org.auvsim.server.replay;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.auvsml.document.recording.SmallDisk;
 import org.auvsim.auvsml.message.session.RecordingEndedNotification;
 import org.auvsim.auvsml.recording.Entry;
 import org.auvsim.auvsml.recording.RecordingEnded;
@@ -98,26 +99,6 @@ class RecorderTest {
             disk.close();
             recorder.close();
             assertThat(recorder.failure()).isPresent();
-        }
-    }
-
-    /** A disk that takes so many bytes and no more. */
-    private static final class SmallDisk extends OutputStream {
-        private final OutputStream out;
-        private int left;
-
-        SmallDisk(OutputStream out, int size) {
-            this.out = out;
-            this.left = size;
-        }
-
-        @Override
-        public void write(int b) throws IOException {
-            if (left == 0) {
-                throw new IOException("No space left on device");
-            }
-            left--;
-            out.write(b);
         }
     }
 

@@ -8,8 +8,7 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.recording.RecordingReader;
-import org.auvsim.auvsml.message.command.ListenedObject;
-import org.auvsim.auvsml.message.command.Listener;
+import org.auvsim.auvsml.message.command.EventType;
 import org.auvsim.auvsml.message.control.ApplyDirectForceCommand;
 import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 import org.auvsim.auvsml.recording.Entry;
@@ -259,11 +258,8 @@ class ReplayerTest {
         RecordingReader reader = Recorded.reader(pushed());
         Viewer viewer =
                 new Viewer(
-                        new ListenerRegistrationRequestCommand(
-                                true,
-                                List.of(
-                                        new ListenedObject(
-                                                "1", List.of(Listener.to("MovementStateChange"))))),
+                        ListenerRegistrationRequestCommand.of(
+                                "1", List.of(EventType.MOVEMENT_STATE_CHANGE)),
                         new ApplyDirectForceCommand(1, "p", Frame.WORLD, new Vec3(9, 0, 0)));
         try (Replayer replayer =
                 new Replayer(

@@ -3,8 +3,6 @@ package org.auvsim.server.replay;
 import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.message.Message;
-import org.auvsim.auvsml.message.command.ListenedObject;
-import org.auvsim.auvsml.message.command.Listener;
 import org.auvsim.auvsml.message.control.ApplyForceCommand;
 import org.auvsim.auvsml.message.control.StepCommand;
 import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
@@ -17,7 +15,6 @@ import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Vec3;
 
 import java.util.ArrayDeque;
-import java.util.List;
 import java.util.Queue;
 import java.util.Random;
 
@@ -34,10 +31,7 @@ final class ScriptedRobot implements AutoCloseable {
         this.client = AuvsmlClient.connect("127.0.0.1", port);
         this.random = random;
         this.handler = handler;
-        client.send(
-                new ListenerRegistrationRequestCommand(
-                        true,
-                        List.of(new ListenedObject("1", List.of(Listener.to(Listener.ALL))))));
+        client.send(ListenerRegistrationRequestCommand.ofAll("1"));
     }
 
     void send(Message... messages) throws ConnectionException {

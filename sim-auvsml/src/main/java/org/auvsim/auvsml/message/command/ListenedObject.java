@@ -9,7 +9,8 @@ import java.util.OptionalLong;
  * @param id the object's id, or {@code *} for all, present and future
  */
 public record ListenedObject(String id, List<Listener> listener) {
-    private static final String EVERY = "*";
+    /** Stands for all world objects, present and future. */
+    public static final String EVERY = "*";
 
     /**
      * A checked request.

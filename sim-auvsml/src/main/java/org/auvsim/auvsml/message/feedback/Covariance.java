@@ -27,7 +27,7 @@ public record Covariance(List<CovarianceRow> row) {
         requireSquare(row);
         requireSymmetric(row);
         try {
-            new Cholesky(elements(row), row.size());
+            new Cholesky(elements(row));
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException(
                     "a covariance must be positive definite, but " + e.getMessage(), e);
@@ -103,12 +103,12 @@ public record Covariance(List<CovarianceRow> row) {
         return rows.get(i).values().get(j);
     }
 
-    private static double[] elements(List<CovarianceRow> rows) {
+    private static double[][] elements(List<CovarianceRow> rows) {
         int size = rows.size();
-        double[] elements = new double[size * size];
+        double[][] elements = new double[size][size];
         for (int i = 0; i < size; i++) {
             for (int j = 0; j < size; j++) {
-                elements[size * i + j] = at(rows, i, j) / 2 + at(rows, j, i) / 2;
+                elements[i][j] = at(rows, i, j) / 2 + at(rows, j, i) / 2;
             }
         }
         return elements;
@@ -119,8 +119,8 @@ public record Covariance(List<CovarianceRow> row) {
         return row.size();
     }
 
-    /** Its elements, row by row, exactly symmetric. */
-    public double[] elements() {
+    /** Its rows, exactly symmetric. */
+    public double[][] elements() {
         return elements(row);
     }
 }

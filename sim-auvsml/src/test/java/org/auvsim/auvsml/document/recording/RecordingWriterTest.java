@@ -8,7 +8,6 @@ import org.junit.jupiter.api.Test;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.util.List;
 import java.util.Random;
 
@@ -78,25 +77,5 @@ class RecordingWriterTest {
 
         assertThat(file.size()).isEqualTo(4_000);
         assertThat(read).isNotEmpty().isEqualTo(entries.subList(0, read.size()));
-    }
-
-    /** A disk that takes so many bytes and no more. */
-    private static final class SmallDisk extends OutputStream {
-        private final OutputStream out;
-        private int left;
-
-        SmallDisk(OutputStream out, int size) {
-            this.out = out;
-            this.left = size;
-        }
-
-        @Override
-        public void write(int b) throws IOException {
-            if (left == 0) {
-                throw new IOException("No space left on device");
-            }
-            left--;
-            out.write(b);
-        }
     }
 }

@@ -1,11 +1,11 @@
-package org.auvsim.cli.admin;
+package org.auvsim.auvsml.mapping;
 
 /** How far what was typed is from what is known (Levenshtein 1966). */
-final class EditDistance {
+public final class EditDistance {
     private EditDistance() {}
 
     /** The least number of letters to put in, take out or replace that makes one the other. */
-    static int between(String one, String other) {
+    public static int between(String one, String other) {
         int[] row = new int[other.length() + 1];
         for (int j = 0; j < row.length; j++) {
             row[j] = j;

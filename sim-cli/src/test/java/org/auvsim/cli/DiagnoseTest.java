@@ -12,7 +12,7 @@ import java.util.Locale;
 import java.util.Random;
 
 class DiagnoseTest {
-    private static final double GRAVITY = 9.81;
+    private static final double GRAVITY = 9.80665;
 
     private static final String BALL =
             """

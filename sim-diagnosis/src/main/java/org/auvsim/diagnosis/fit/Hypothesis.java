@@ -74,10 +74,15 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
         return variant;
     }
 
-    /** The model with the causes, one parameter moved by a small step in each. */
+    /** The model with the causes, one parameter moved by a small step in each, within its bounds. */
     Moves moves(Variant model) {
-        double[] steps =
-                parameters().stream().mapToDouble(p -> Cause.SMALL * p.scale()).toArray();
+        double[] numbers = numbers();
+        double[] steps = new double[numbers.length];
+        for (int i = 0; i < steps.length; i++) {
+            Parameter parameter = parameters().get(i);
+            double step = Cause.SMALL * parameter.scale();
+            steps[i] = numbers[i] + step > parameter.highest() ? -step : step;
+        }
         List<Variant> moved = new ArrayList<>();
         for (int i = 0; i < steps.length; i++) {
             double[] change = new double[steps.length];

@@ -18,6 +18,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 
@@ -60,13 +61,20 @@ final class CsvTable implements Closeable {
 
     /** The sentence on a file that the system does not give. */
     static DocumentException unreadable(Path file, Exception e) {
-        Throwable reason = e instanceof UncheckedIOException wrapped ? wrapped.getCause() : e;
+        if (e instanceof UncheckedIOException wrapped) {
+            return because(Objects.requireNonNull(wrapped.getCause()), file);
+        }
+        return because(e, file);
+    }
+
+    private static DocumentException because(Throwable reason, Path file) {
         return switch (reason) {
             case NoSuchFileException _ ->
-                    new DocumentException(file + ": there is no such file", e);
+                    new DocumentException(file + ": there is no such file", reason);
             case CharacterCodingException _ ->
-                    new DocumentException(file + " is no text in UTF-8, as CSV must be", e);
-            default -> new DocumentException(file + " cannot be read: " + reason.getMessage(), e);
+                    new DocumentException(file + " is no text in UTF-8, as CSV must be", reason);
+            default ->
+                    new DocumentException(file + " cannot be read: " + reason.getMessage(), reason);
         };
     }
 

@@ -9,7 +9,6 @@ import org.auvsim.auvsml.message.feedback.MeasurementFrame;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
-import org.auvsim.diagnosis.run.Channel;
 
 import java.util.Arrays;
 import java.util.List;
@@ -93,8 +92,8 @@ final class RecordedRows implements RecordedFeedback.Listener {
         }
         boolean keepsVelocity = frame.filter(ofVelocity::equals).isPresent();
         boolean isLeftOut =
-                hasVelocity && !keepsVelocity
-                        || inBody && (m.position().isPresent() || m.orientation().isPresent());
+                (hasVelocity && !keepsVelocity)
+                        || (inBody && (m.position().isPresent() || m.orientation().isPresent()));
         leftOut += isLeftOut ? 1 : 0;
         if (!inBody) {
             m.position().ifPresent(p -> put(axes.world(p), row, Slots.POSITION));
@@ -129,14 +128,14 @@ final class RecordedRows implements RecordedFeedback.Listener {
         List<Optional<?>> parts =
                 List.of(m.position(), m.orientation(), m.velocity(), m.angularVelocity());
         int first = 0;
-        for (Channel channel : Channel.values()) {
-            if (parts.get(channel.ordinal()).isPresent()) {
+        for (int i = 0; i < parts.size(); i++) {
+            if (parts.get(i).isPresent()) {
                 Vec3 stated =
                         new Vec3(
                                 Math.sqrt(elements[first][first]),
                                 Math.sqrt(elements[first + 1][first + 1]),
                                 Math.sqrt(elements[first + 2][first + 2]));
-                put(axes.sizes(stated), row, Slots.DEVIATIONS + 3 * channel.ordinal());
+                put(axes.sizes(stated), row, Slots.DEVIATIONS + 3 * i);
                 first += 3;
             }
         }

@@ -41,15 +41,15 @@ final class RowSample {
         add(Channel.VELOCITY, velocity, vector(row, Slots.VELOCITY), to);
         add(Channel.ANGULAR_VELOCITY, angularVelocity, vector(row, Slots.ANGULAR_VELOCITY), to);
         for (Channel channel : Channel.values()) {
-            Vec3 stated = vector(row, Slots.DEVIATIONS + 3 * channel.ordinal());
+            Vec3 stated = vector(row, Slots.deviation(channel));
             Vec3 size = isInBody(channel) ? stated : axes.sizes(stated);
             to.deviation(channel, size.x(), size.y(), size.z());
         }
     }
 
     private boolean isInBody(Channel channel) {
-        return channel == Channel.VELOCITY && velocity == Frame.BODY
-                || channel == Channel.ANGULAR_VELOCITY && angularVelocity == Frame.BODY;
+        return (channel == Channel.VELOCITY && velocity == Frame.BODY)
+                || (channel == Channel.ANGULAR_VELOCITY && angularVelocity == Frame.BODY);
     }
 
     private void add(Channel channel, Frame frame, Vec3 measured, MeasuredRunBuilder to) {

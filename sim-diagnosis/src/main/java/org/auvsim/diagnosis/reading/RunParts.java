@@ -91,7 +91,7 @@ final class RunParts {
             end();
         }
         boolean counts = isMeasured && (row % each == 0 || part.isEmpty());
-        if (counts || part.isPresent() && keepsCommands && isToldOtherwise) {
+        if (counts || (part.isPresent() && keepsCommands && isToldOtherwise)) {
             MeasuredRunBuilder run = part.orElseGet(this::begin);
             run.at(time);
             for (int i = 0; i < commands.size(); i++) {

@@ -44,7 +44,7 @@ final class Slots {
         put(ANGULAR_VELOCITY, WX);
         put(ANGULAR_VELOCITY, P);
         for (Channel channel : Channel.values()) {
-            int slot = DEVIATIONS + 3 * channel.ordinal();
+            int slot = deviation(channel);
             List.copyOf(BY_NAME.entrySet()).stream()
                     .filter(e -> measuredBy(channel) <= e.getValue())
                     .filter(e -> e.getValue() < measuredBy(channel) + 3)
@@ -74,6 +74,16 @@ final class Slots {
         };
     }
 
+    /** The first of a channel's three deviations. */
+    static int deviation(Channel channel) {
+        return switch (channel) {
+            case POSITION -> DEVIATIONS;
+            case ORIENTATION -> DEVIATIONS + 3;
+            case VELOCITY -> DEVIATIONS + 6;
+            case ANGULAR_VELOCITY -> DEVIATIONS + 9;
+        };
+    }
+
     /** Places by name. */
     static Map<String, Integer> byName() {
         return BY_NAME;
@@ -83,8 +93,8 @@ final class Slots {
     static boolean isAngular(int slot) {
         return within(slot, ANGLES, 3)
                 || within(slot, ANGULAR_VELOCITY, 3)
-                || within(slot, DEVIATIONS + 3 * Channel.ORIENTATION.ordinal(), 3)
-                || within(slot, DEVIATIONS + 3 * Channel.ANGULAR_VELOCITY.ordinal(), 3);
+                || within(slot, deviation(Channel.ORIENTATION), 3)
+                || within(slot, deviation(Channel.ANGULAR_VELOCITY), 3);
     }
 
     /** Whether what has this place is measured: no time, deviation or command. */

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 
 /** Takes a run sample by sample: {@link #at} begins one, the rest fills it. */
@@ -110,13 +111,18 @@ public final class MeasuredRunBuilder {
 
     /** Velocity (m/s) or angular velocity (rad/s), in the axes that {@link #frame} tells. */
     public MeasuredRunBuilder measured(Channel channel, double x, double y, double z) {
-        measured.get(channel).setLast(3, new double[] {x, y, z});
+        of(measured, channel).setLast(3, new double[] {x, y, z});
         return this;
+    }
+
+    /** There is one for each channel. */
+    private static Numbers of(Map<Channel, Numbers> numbers, Channel channel) {
+        return Objects.requireNonNull(numbers.get(channel));
     }
 
     /** Standard deviations of what this sample measured, in its channel's units. */
     public MeasuredRunBuilder deviation(Channel channel, double x, double y, double z) {
-        deviations.get(channel).setLast(3, new double[] {x, y, z});
+        of(deviations, channel).setLast(3, new double[] {x, y, z});
         return this;
     }
 

@@ -43,7 +43,13 @@ public record AnisotropicDrag(@Unit("N s^2/m^2") @Default("0 0 0") Vec3 quadrati
     }
 
     /** The drag of all bodies of a world, by axis and slot. */
-    private record Along(double[][] k) implements BlockEffect {
+    private static final class Along implements BlockEffect {
+        private final double[][] k;
+
+        Along(double[][] k) {
+            this.k = k;
+        }
+
         @Override
         public void add(Block b) {
             double[][] v = b.relativeVelocities();

@@ -1,6 +1,5 @@
 package org.auvsim.diagnosis.cause;
 
-import org.auvsim.core.actuator.Fin;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.Actuator;
 import org.auvsim.core.entity.Behavior;
@@ -12,6 +11,7 @@ import org.auvsim.core.math.Mat3;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.Command;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.List;
@@ -59,17 +59,9 @@ record Setting(BelievedModel model, List<MeasuredRun> runs, Path path, double ra
                 .toList();
     }
 
-    /** The fins that are commanded in any of the runs, or fixed. */
-    List<Fin> fins() {
-        return body().component().stream()
-                .filter(Fin.class::isInstance)
-                .map(Fin.class::cast)
-                .toList();
-    }
-
     private boolean isCommanded(Component component) {
         for (MeasuredRun run : runs) {
-            for (var command : run.commands()) {
+            for (Command command : run.commands()) {
                 if (command.name().equals(component.name())) {
                     for (int k = 0; k < run.size(); k++) {
                         if (command.level(k) != 0) {

@@ -38,15 +38,15 @@ import java.util.concurrent.Callable;
 @Command(
         name = "diagnose",
         description = {
-            "Shows what a scenario gets wrong of measured runs, names the cause, writes the scenario"
-                    + " with it, and measures what that gains on runs that were held out.",
+            "Shows what a scenario gets wrong of measured runs, names the cause, writes the"
+                + " scenario with it, and measures what that gains on runs that were held out.",
             "Runs are CSV with a header (t in s; x, y, z in m; docs/measured-runs.md has the rest),"
                     + " or recordings with feedback."
         },
         footer = {
             "",
             "Ends with 0 for any verdict, 2 for input that cannot be used; with"
-                + " --fail-on-discrepancy with 1 unless the verdict is that nothing is wrong.",
+                    + " --fail-on-discrepancy with 1 unless the verdict is that nothing is wrong.",
             "Ctrl-C ends the search early; what it has found is reported.",
             "",
             "Example: auvsim diagnose --scenario examples/diagnosis/model.xml --fit"

@@ -129,9 +129,7 @@ class DiagnoseTest {
         Path model = auvsim.file("model.xml", BALL);
         Path run = fall("run.csv", 0);
 
-        assertThat(
-                        auvsim.run(
-                                "diagnose", "--scenario", model, "--fit", run, "--holdout", run))
+        assertThat(auvsim.run("diagnose", "--scenario", model, "--fit", run, "--holdout", run))
                 .isEqualTo(2);
         assertThat(auvsim.err()).contains("is given to fit and to hold out");
     }

@@ -9,8 +9,7 @@ import org.auvsim.auvsml.run.CellForm;
  * @param name in the header
  * @param slot where its number goes, see {@link Slots}
  */
-record BoundColumn(
-        int field, String name, int slot, double scale, double offset, CellForm form) {
+record BoundColumn(int field, String name, int slot, double scale, double offset, CellForm form) {
     /** What the number of a cell is in the unit of its place. */
     double converted(double number) {
         return scale * number + offset;

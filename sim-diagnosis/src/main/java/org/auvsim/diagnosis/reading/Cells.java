@@ -10,7 +10,8 @@ import java.util.regex.Pattern;
 
 /** Reads numbers from the cells of a table. */
 final class Cells {
-    private static final Pattern TIME_OF_DAY = Pattern.compile("(\\d{2})(\\d{2})(\\d{2}(\\.\\d*)?)");
+    private static final Pattern TIME_OF_DAY =
+            Pattern.compile("(\\d{2})(\\d{2})(\\d{2}(\\.\\d*)?)");
 
     private final CsvTable table;
 
@@ -37,8 +38,7 @@ final class Cells {
         return row.getField(column.field()).strip();
     }
 
-    private double finite(CsvRecord row, BoundColumn column, String text)
-            throws DocumentException {
+    private double finite(CsvRecord row, BoundColumn column, String text) throws DocumentException {
         try {
             double number = Double.parseDouble(text);
             if (Double.isFinite(number)) {

@@ -157,7 +157,8 @@ final class CsvTable implements Closeable {
 
     /** A fault in a row and column of this file. */
     DocumentException at(long line, String column, String problem) {
-        return new DocumentException("%s:%d: column '%s': %s".formatted(file, line, column, problem));
+        return new DocumentException(
+                "%s:%d: column '%s': %s".formatted(file, line, column, problem));
     }
 
     @Override

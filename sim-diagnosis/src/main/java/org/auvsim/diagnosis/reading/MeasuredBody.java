@@ -35,8 +35,7 @@ final class MeasuredBody {
     /** A sentence for each actuator that nothing tells what to do. */
     List<String> undirected(List<String> told) {
         List<String> sentences = new ArrayList<>();
-        boolean actsByItself =
-                definition.component().stream().anyMatch(Behavior.class::isInstance);
+        boolean actsByItself = definition.component().stream().anyMatch(Behavior.class::isInstance);
         for (Actuator actuator : commands.actuators()) {
             if (!told.contains(actuator.name()) && !actsByItself) {
                 sentences.add(

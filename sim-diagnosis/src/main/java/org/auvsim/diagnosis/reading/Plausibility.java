@@ -165,8 +165,7 @@ final class Plausibility {
     private static Optional<Double> off(double one, double other) {
         double ratio = one / other;
         boolean isOff =
-                (ratio >= LEAST && ratio <= MOST)
-                        || (ratio >= 1 / MOST && ratio <= 1 / LEAST);
+                (ratio >= LEAST && ratio <= MOST) || (ratio >= 1 / MOST && ratio <= 1 / LEAST);
         return isOff && one > 0 && other > 0 ? Optional.of(ratio) : Optional.empty();
     }
 

@@ -25,8 +25,7 @@ final class RecordedRuns {
     private final KnownOfRun known;
     private final List<String> notices = new ArrayList<>();
 
-    RecordedRuns(
-            Path file, String name, MeasuredBody body, AuvsmlMapper mapper, KnownOfRun known) {
+    RecordedRuns(Path file, String name, MeasuredBody body, AuvsmlMapper mapper, KnownOfRun known) {
         this.file = file;
         this.name = name;
         this.body = body;
@@ -91,8 +90,7 @@ final class RecordedRuns {
         }
     }
 
-    private List<MeasuredRun> runs(
-            RecordedRows rows, List<String> actuators, RecordedPushes pushes)
+    private List<MeasuredRun> runs(RecordedRows rows, List<String> actuators, RecordedPushes pushes)
             throws DocumentException {
         RowSample samples =
                 new RowSample(Axes.ENU, rows.frame(), rows.frame(), body.usualOrientation());
@@ -137,8 +135,7 @@ final class RecordedRuns {
             hold(time > begin ? told : new double[0], levels);
             boolean isMeasured = rows.measured().containsKey(time);
             double[] numbers =
-                    rows.measured()
-                            .getOrDefault(time, new double[Slots.COMMANDS + levels.length]);
+                    rows.measured().getOrDefault(time, new double[Slots.COMMANDS + levels.length]);
             System.arraycopy(levels, 0, numbers, Slots.COMMANDS, levels.length);
             parts.add(time, numbers, isMeasured, told.length > 0);
         }

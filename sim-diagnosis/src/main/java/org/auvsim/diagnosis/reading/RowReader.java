@@ -131,7 +131,6 @@ final class RowReader {
     }
 
     private DocumentException ofQuaternion(CsvRecord row, String problem) {
-        return table.at(
-                row.getStartingLineNumber(), layout.nameOf(Slots.QUATERNION), problem);
+        return table.at(row.getStartingLineNumber(), layout.nameOf(Slots.QUATERNION), problem);
     }
 }

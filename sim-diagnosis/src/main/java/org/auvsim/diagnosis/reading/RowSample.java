@@ -79,8 +79,7 @@ final class RowSample {
                             pitch ? angles.y() : usualAngles.y(),
                             yaw ? angles.z() : usualAngles.z());
             boolean isNed = axes == Axes.NED;
-            to.orientation(
-                    axes.orientation(q), isNed ? pitch : roll, isNed ? roll : pitch, yaw);
+            to.orientation(axes.orientation(q), isNed ? pitch : roll, isNed ? roll : pitch, yaw);
         }
     }
 

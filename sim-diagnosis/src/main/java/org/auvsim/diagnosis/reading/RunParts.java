@@ -10,8 +10,8 @@ import java.util.function.Consumer;
 
 /**
  * Makes runs of the rows of one file: a long gap ends one and begins another, and of more rows than
- * are needed some are left out. Rows that tell something anew always count; of those that would have
- * been left out otherwise, only the commands do, so that what is measured stays evenly spaced.
+ * are needed some are left out. Rows that tell something anew always count; of those that would
+ * have been left out otherwise, only the commands do, so that what is measured stays evenly spaced.
  */
 final class RunParts {
     /** Samples of what is measured that are kept of a file, about. */
@@ -86,8 +86,7 @@ final class RunParts {
         if (part.isPresent() && time - last > longest) {
             notices.add(
                     "%s: %s s without a row after %s s; what follows is read as another run"
-                            .formatted(
-                                    name, Figures.shown(time - last), Figures.shown(last, 9)));
+                            .formatted(name, Figures.shown(time - last), Figures.shown(last, 9)));
             end();
         }
         boolean counts = isMeasured && (row % each == 0 || part.isEmpty());

@@ -95,8 +95,7 @@ public final class RunReader {
         return checked(file, runs, document, notices);
     }
 
-    private RunFile checked(
-            Path file, List<MeasuredRun> runs, Run document, List<String> notices)
+    private RunFile checked(Path file, List<MeasuredRun> runs, Run document, List<String> notices)
             throws DocumentException {
         for (MeasuredRun run : runs) {
             notices.addAll(new Plausibility(model, run).notices(file));
@@ -122,7 +121,8 @@ public final class RunReader {
             return Run.NOTHING_KNOWN;
         }
         if (kind(beside) == DocumentKind.SCENARIO) {
-            notices.add("%s: %s is a scenario, and says nothing of the run".formatted(name, beside));
+            notices.add(
+                    "%s: %s is a scenario, and says nothing of the run".formatted(name, beside));
             return Run.NOTHING_KNOWN;
         }
         Run document = documents.read(Run.class, beside);

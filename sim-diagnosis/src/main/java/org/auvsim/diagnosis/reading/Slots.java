@@ -23,6 +23,7 @@ final class Slots {
 
     static final String TIME_NAME = "t";
     static final String DEPTH_NAME = "depth";
+
     /** Velocities in the world's axes and in the body's, then angular velocities in both. */
     static final List<String> VX = List.of("vx", "vy", "vz");
 

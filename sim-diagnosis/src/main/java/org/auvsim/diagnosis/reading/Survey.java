@@ -35,8 +35,7 @@ final class Survey {
         this.table = table;
         this.cells = new Cells(table);
         this.time = layout.time();
-        this.commands =
-                layout.columns().stream().filter(c -> c.slot() >= Slots.COMMANDS).toList();
+        this.commands = layout.columns().stream().filter(c -> c.slot() >= Slots.COMMANDS).toList();
         this.told = new String[commands.size()];
         Arrays.fill(told, "");
     }

@@ -11,7 +11,8 @@ public final class Command {
     }
 
     /**
-     * The component's name; or that of a force, a dot and the axis of its vector: {@code push.x} (N).
+     * The component's name; or that of a force, a dot and the axis of its vector: {@code push.x}
+     * (N).
      */
     public String name() {
         return name;

@@ -1,9 +1,8 @@
 package org.auvsim.diagnosis.run;
 
+import org.apache.commons.math3.util.ResizableDoubleArray;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
-
-import org.apache.commons.math3.util.ResizableDoubleArray;
 
 import java.util.ArrayList;
 import java.util.EnumMap;

@@ -84,9 +84,7 @@ public record Split(List<MeasuredRun> fit, List<MeasuredRun> heldOut, String not
 
     private static MeasuredRun part(MeasuredRun run, int number, int from, int to, int of) {
         return run.part(
-                run.name() + "-" + (number + 1),
-                from * run.size() / of,
-                to * run.size() / of - 1);
+                run.name() + "-" + (number + 1), from * run.size() / of, to * run.size() / of - 1);
     }
 
     private static String times(MeasuredRun run) {

@@ -185,14 +185,13 @@ class BadRunsTest {
         String text = Rov.rows("x", 25, i -> "" + i).replaceAll("(?m)^1\\.(\\d),", "61.$1,");
         String gaps = text.replaceAll("(?m)^2\\.(\\d),", "99.$1,");
         refused(
-                gaps, ": no 16 rows follow each other without a long gap; a shorter run tells nothing");
+                gaps,
+                ": no 16 rows follow each other without a long gap; a shorter run tells nothing");
     }
 
     @Test
     void anEmptyFileIsNoRun() {
-        refused(
-                "",
-                " is empty: expected a header line with the columns' names and rows below it");
+        refused("", " is empty: expected a header line with the columns' names and rows below it");
     }
 
     @Test

@@ -53,8 +53,7 @@ class CsvRunsTest {
 
     @Test
     void depthAloneIsEnough() throws Exception {
-        MeasuredRun run =
-                Rov.run(folder, ColumnMapping.USUAL, Rov.rows("depth", 20, i -> "" + i));
+        MeasuredRun run = Rov.run(folder, ColumnMapping.USUAL, Rov.rows("depth", 20, i -> "" + i));
 
         assertThat(run.measures(Channel.POSITION, 2)).isTrue();
         assertThat(run.measures(Channel.POSITION, 0)).isFalse();
@@ -93,10 +92,7 @@ class CsvRunsTest {
     @Test
     void anAngleThatIsNotMeasuredIsThatOfTheScenario() throws Exception {
         MeasuredRun run =
-                Rov.run(
-                        folder,
-                        ColumnMapping.USUAL,
-                        Rov.rows("pitch", 20, i -> "" + 0.01 * i));
+                Rov.run(folder, ColumnMapping.USUAL, Rov.rows("pitch", 20, i -> "" + 0.01 * i));
 
         Vec3 ahead = run.orientation(0).orElseThrow().rotate(AHEAD);
         assertThat(ahead.distance(new Vec3(0, 1, 0))).isLessThan(1e-12);
@@ -170,8 +166,7 @@ class CsvRunsTest {
 
     @Test
     void anActuatorWithoutAColumnHoldsWhatTheScenarioSays() throws Exception {
-        RunFile file =
-                Rov.read(folder, ColumnMapping.USUAL, Rov.rows("x,main", 20, i -> i + ",0"));
+        RunFile file = Rov.read(folder, ColumnMapping.USUAL, Rov.rows("x,main", 20, i -> i + ",0"));
 
         assertThat(file.notices())
                 .containsExactly(

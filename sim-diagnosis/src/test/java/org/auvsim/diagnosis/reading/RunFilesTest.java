@@ -65,8 +65,7 @@ class RunFilesTest {
         assertThat(start.motion().orientation().w()).isEqualTo(1);
         double never = Double.POSITIVE_INFINITY;
         assertThat(start.deviations())
-                .containsExactly(
-                        0.1, 0.1, 0.1, 0.2, 0.2, 0.2, never, never, never, 0.3, 0.3, 0.3);
+                .containsExactly(0.1, 0.1, 0.1, 0.2, 0.2, 0.2, never, never, never, 0.3, 0.3, 0.3);
         ScheduledForce tow = run.forces().getFirst();
         assertThat(tow.from()).isEqualTo(1);
         assertThat(tow.until()).isEqualTo(2.5);
@@ -138,9 +137,7 @@ class RunFilesTest {
     void runsAreToldApartAsAsked() throws Exception {
         RunFiles files =
                 RunFiles.read(
-                        reader,
-                        List.of(run("one", 0), run("two", 1)),
-                        List.of(run("three", 2)));
+                        reader, List.of(run("one", 0), run("two", 1)), List.of(run("three", 2)));
 
         assertThat(files.fit()).extracting(MeasuredRun::name).containsExactly("one", "two");
         assertThat(files.heldOut()).extracting(MeasuredRun::name).containsExactly("three");
@@ -151,8 +148,7 @@ class RunFilesTest {
     void theDocumentMayGiveTheRole() throws Exception {
         document("two", "<run role=\"HOLDOUT\"/>");
 
-        RunFiles files =
-                RunFiles.read(reader, List.of(run("one", 0), run("two", 1)), List.of());
+        RunFiles files = RunFiles.read(reader, List.of(run("one", 0), run("two", 1)), List.of());
 
         assertThat(files.heldOut()).extracting(MeasuredRun::name).containsExactly("two");
         assertThat(files.notices())
@@ -163,15 +159,12 @@ class RunFilesTest {
     void withoutARunToHoldOutSomeAre() throws Exception {
         RunFiles files =
                 RunFiles.read(
-                        reader,
-                        List.of(run("one", 0), run("two", 1), run("three", 2)),
-                        List.of());
+                        reader, List.of(run("one", 0), run("two", 1), run("three", 2)), List.of());
 
         assertThat(files.fit()).extracting(MeasuredRun::name).containsExactly("one", "two");
         assertThat(files.heldOut()).extracting(MeasuredRun::name).containsExactly("three");
         assertThat(files.notices())
-                .containsExactly(
-                        "no run was said to be held out: three is, and 2 are fitted");
+                .containsExactly("no run was said to be held out: three is, and 2 are fitted");
     }
 
     @Test

@@ -7,6 +7,7 @@ import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.sensor.Datum;
 import org.auvsim.core.step.Lanes;
+import org.auvsim.core.step.EventStepper;
 import org.auvsim.core.step.Stepper;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldBuilder;
@@ -63,6 +64,23 @@ public record Scenario(
         }
         field = List.copyOf(field);
         worldObject = List.copyOf(worldObject);
+    }
+
+    /** A world as it is now, as the beginning of a scenario; all else as by default. */
+    public static Scenario of(World world) {
+        return new Scenario(
+                world.time(),
+                /* boundingSpheres= */ false,
+                /* allowOverlaps= */ true,
+                /* feedbackHorizon= */ 0,
+                new TimeStep(world.timeStep()),
+                new EventStepper(),
+                new FeedbackTimestepping.AsynchronousFeedbackTimestepper(),
+                Optional.empty(),
+                Optional.empty(),
+                world.datum(),
+                world.fields(),
+                world.objects().stream().map(WorldObject::presentDefinition).toList());
     }
 
     /**

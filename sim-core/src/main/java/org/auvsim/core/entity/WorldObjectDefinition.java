@@ -174,6 +174,24 @@ public record WorldObjectDefinition(
         return same.build();
     }
 
+    /**
+     * This definition of an object that moves as another one at a time (s), with the same forces on
+     * it and its actuators told the same.
+     */
+    public WorldObjectDefinition goingOnAs(WorldObject object, double time) {
+        Builder next = new Builder(as(object));
+        next.effects = effect;
+        next.components = new ArrayList<>(component);
+        next.components.replaceAll(
+                c ->
+                        c instanceof Actuator actuator
+                                ? object.component(Actuator.class, c.name())
+                                        .map(told -> (Component) actuator.commanded(told.command(), time))
+                                        .orElse(c)
+                                : c);
+        return next.build();
+    }
+
     /** Starts a definition that is like this one in all that is not changed. */
     public Builder toBuilder() {
         return new Builder(this);

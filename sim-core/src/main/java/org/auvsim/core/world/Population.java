@@ -117,6 +117,15 @@ final class Population {
         return object;
     }
 
+    /** Makes an object anew, under its id. */
+    WorldObject remake(WorldObject former, WorldObjectDefinition definition) {
+        WorldObject object = bodies.add(former.id(), definition);
+        bodies.remove(former);
+        byId.put(object.id(), object);
+        objects = Optional.empty();
+        return object;
+    }
+
     void add(Entity entity) {
         if (entity instanceof RigidBody) {
             throw new WorldException(

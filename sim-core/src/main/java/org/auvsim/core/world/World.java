@@ -204,6 +204,24 @@ public final class World {
     }
 
     /**
+     * Gives the world object of a definition's name the mass properties, the volume, the effects and
+     * the components that the definition states. How it moves, the forces on it and what its
+     * actuators are told stay, and so does all that couples others to it.
+     *
+     * @return the object; what was asked for before belongs to the world no longer
+     * @throws WorldException if there is no object of this name, or it could not be added so
+     */
+    public WorldObject revise(WorldObjectDefinition definition) {
+        WorldObject former = object(definition.name());
+        population.requirePartners(definition.name(), definition.effect());
+        mechanics.requireBounds(definition);
+        sensing.requireFit(definition);
+        WorldObject revised = population.remake(former, definition.goingOnAs(former, time()));
+        mechanics.left();
+        return revised;
+    }
+
+    /**
      * Lets an effect act on a world object from now on.
      *
      * @throws WorldException if there is no such object, or the effect couples it to a body that is

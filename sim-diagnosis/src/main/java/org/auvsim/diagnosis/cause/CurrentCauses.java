@@ -32,18 +32,23 @@ final class CurrentCauses {
                 Change.of(
                         "current_constant",
                         Parameter.vector("u", "m/s", scale),
-                        (v, t) -> v.in(new UniformCurrent(id(v), name(v), vector(t, 0)))),
+                        (v, t) -> v.in(new UniformCurrent(id(s, v), name(s, v), vector(t, 0)))),
                 oscillating(s, scale),
                 shear(s, scale),
                 vortex(s, scale));
     }
 
-    private static long id(Variant v) {
-        return FIRST_ID + v.currents().size();
+    /** No current has it, also if some were found before. */
+    private static long id(Setting s, Variant v) {
+        return FIRST_ID + count(s, v);
     }
 
-    private static String name(Variant v) {
-        return "found current " + (v.currents().size() + 1);
+    private static String name(Setting s, Variant v) {
+        return "found current " + (count(s, v) + 1);
+    }
+
+    private static int count(Setting s, Variant v) {
+        return s.model().scenario().field().size() + v.currents().size();
     }
 
     private static Vec3 vector(double[] theta, int from) {
@@ -58,7 +63,8 @@ final class CurrentCauses {
                         swing.parameters(),
                         (v, t) ->
                                 swinging(
-                                        swinging(v, vector(t, 0), t[Swing.OMEGA], 0),
+                                        s,
+                                        swinging(s, v, vector(t, 0), t[Swing.OMEGA], 0),
                                         vector(t, 3),
                                         t[Swing.OMEGA],
                                         Math.PI / 2))
@@ -66,12 +72,18 @@ final class CurrentCauses {
                 .told(swing::quantities);
     }
 
-    private static Variant swinging(Variant v, Vec3 amplitude, double omega, double phase) {
+    private static Variant swinging(
+            Setting s, Variant v, Vec3 amplitude, double omega, double phase) {
         return amplitude.equals(Vec3.ZERO)
                 ? v
                 : v.in(
                         new OscillatingCurrent(
-                                id(v), name(v), Vec3.ZERO, amplitude, 2 * Math.PI / omega, phase));
+                                id(s, v),
+                                name(s, v),
+                                Vec3.ZERO,
+                                amplitude,
+                                2 * Math.PI / omega,
+                                phase));
     }
 
     private static Cause shear(Setting s, double scale) {
@@ -84,7 +96,7 @@ final class CurrentCauses {
                 (v, t) ->
                         v.in(
                                 new ShearCurrent(
-                                        id(v), name(v), Vec3.ZERO, 0, new Vec3(t[0], t[1], 0))));
+                                        id(s, v), name(s, v), Vec3.ZERO, 0, new Vec3(t[0], t[1], 0))));
     }
 
     private static Cause vortex(Setting s, double scale) {
@@ -113,8 +125,8 @@ final class CurrentCauses {
                         (v, t) ->
                                 v.in(
                                         new VortexCurrent(
-                                                id(v),
-                                                name(v),
+                                                id(s, v),
+                                                name(s, v),
                                                 t[0],
                                                 t[1],
                                                 t[2],

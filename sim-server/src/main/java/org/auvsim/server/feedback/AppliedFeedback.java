@@ -12,6 +12,7 @@ import java.util.List;
  * @param processor the name of the processor
  * @param before how far the object is from where it ought to be, without the correction
  * @param after the same with it
+ * @param target where it ought to be by what was measured
  * @param converged whether the processor reached what it aimed at
  * @param overlaps ids of what the object shares space with now
  */
@@ -21,6 +22,7 @@ public record AppliedFeedback(
         String processor,
         MeasurementErrors before,
         MeasurementErrors after,
+        Target target,
         boolean converged,
         List<Long> overlaps) {
     /** What clients are told of it. */

@@ -1,6 +1,7 @@
 package org.auvsim.server.feedback;
 
 import org.auvsim.auvsml.ErrorCode;
+import org.auvsim.auvsml.document.FeedbackProcessing;
 import org.auvsim.auvsml.message.command.RefusedException;
 
 import java.util.List;
@@ -45,6 +46,31 @@ public final class FeedbackProcessors {
                     e);
         }
         return processors;
+    }
+
+    /**
+     * The processor that a scenario states.
+     *
+     * @throws IllegalArgumentException if it is none of a server
+     */
+    public static FeedbackProcessor of(FeedbackProcessing stated) {
+        return switch (stated) {
+            case FeedbackProcessor own -> own;
+            case FeedbackProcessing.VectorAdjustmentFeedbackHandler vector ->
+                    new VectorAdjustmentFeedbackHandler(vector.momentum());
+            case FeedbackProcessing.KalmanFilterFeedbackHandler filter ->
+                    new KalmanFilterFeedbackHandler(
+                            filter.acceleration(),
+                            filter.angularAcceleration(),
+                            filter.measurement(),
+                            filter.initial());
+            default ->
+                    throw new IllegalArgumentException(
+                            "%s is no feedback processor of this server: its record must be"
+                                            .formatted(stated.getClass().getSimpleName())
+                                    + " a %s too"
+                                            .formatted(FeedbackProcessor.class.getSimpleName()));
+        };
     }
 
     private FeedbackProcessors() {}

@@ -38,6 +38,7 @@ final class StepCorrection implements Correction {
                 feedback.processor().name(),
                 errorsBefore,
                 target.errors(RigidMotion.of(world.object(id()))),
+                target,
                 reached,
                 world.overlaps(id()));
     }

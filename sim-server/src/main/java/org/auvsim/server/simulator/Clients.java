@@ -58,6 +58,14 @@ final class Clients implements Reception {
         return Optional.empty();
     }
 
+    /** An administrator that lives within this program and hears nothing. */
+    InsideClient inside() {
+        return new InsideClient(
+                mailbox,
+                new ClientSession(
+                        lastId.incrementAndGet(), "this simulator", Role.ADMIN, writer));
+    }
+
     @Override
     public void received(ClientSession session, Incoming incoming) throws InterruptedException {
         switch (incoming) {

@@ -12,7 +12,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** Late feedback, and the steps of the past as they are made again with it. */
@@ -26,7 +28,7 @@ final class Revision {
     private final List<Moment> moments;
     private final List<PendingFeedback> late;
     private final List<Moment> again = new ArrayList<>();
-    private final List<AppliedFeedback> corrections = new ArrayList<>();
+    private final Map<PendingFeedback, AppliedFeedback> corrections = new LinkedHashMap<>();
     private final List<Runnable> refused = new ArrayList<>();
 
     /** A revision of the steps in {@code moments}, the last of which ended now. */
@@ -55,7 +57,7 @@ final class Revision {
     }
 
     /** What the late feedback has corrected. */
-    List<AppliedFeedback> corrections() {
+    Map<PendingFeedback, AppliedFeedback> corrections() {
         return corrections;
     }
 
@@ -82,7 +84,8 @@ final class Revision {
         SimulationState before = simulation.state();
         SilentAudience heard = make(before, moment.step(), all);
         for (PendingFeedback one : added) {
-            Optional.ofNullable(heard.applied().get(one)).ifPresent(corrections::add);
+            Optional.ofNullable(heard.applied().get(one))
+                    .ifPresent(applied -> corrections.put(one, applied));
         }
         heard.refused().forEach((one, why) -> refused.add(() -> one.sender().refused(why)));
         all.removeAll(heard.refused().keySet());

@@ -1,6 +1,5 @@
 package org.auvsim.server.simulator;
 
-import org.auvsim.auvsml.document.FeedbackProcessing;
 import org.auvsim.auvsml.document.FeedbackProcessorChoice;
 import org.auvsim.auvsml.document.FeedbackTimestepping;
 import org.auvsim.auvsml.document.FeedbackTimestepping.AwaitedClient;
@@ -8,12 +7,11 @@ import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.core.step.Lanes;
 import org.auvsim.server.feedback.AsynchronousFeedbackTimestepper;
 import org.auvsim.server.feedback.FeedbackProcessor;
+import org.auvsim.server.feedback.FeedbackProcessors;
 import org.auvsim.server.feedback.FeedbackTimestepper;
-import org.auvsim.server.feedback.KalmanFilterFeedbackHandler;
 import org.auvsim.server.feedback.LockstepTimestepper;
 import org.auvsim.server.feedback.NoFeedbackTimestepper;
 import org.auvsim.server.feedback.SimpleFixedTimeFeedbackTimestepper;
-import org.auvsim.server.feedback.VectorAdjustmentFeedbackHandler;
 
 import java.time.Duration;
 import java.util.List;
@@ -38,27 +36,7 @@ final class ScenarioSettings {
      * @throws IllegalArgumentException if one is none of a server
      */
     static List<FeedbackProcessor> processors(FeedbackProcessorChoice choice) {
-        return choice.processor().stream().map(ScenarioSettings::processor).toList();
-    }
-
-    private static FeedbackProcessor processor(FeedbackProcessing stated) {
-        return switch (stated) {
-            case FeedbackProcessor own -> own;
-            case FeedbackProcessing.VectorAdjustmentFeedbackHandler vector ->
-                    new VectorAdjustmentFeedbackHandler(vector.momentum());
-            case FeedbackProcessing.KalmanFilterFeedbackHandler filter ->
-                    new KalmanFilterFeedbackHandler(
-                            filter.acceleration(),
-                            filter.angularAcceleration(),
-                            filter.measurement(),
-                            filter.initial());
-            default ->
-                    throw new IllegalArgumentException(
-                            "%s is no feedback processor of this server: its record must be"
-                                            .formatted(stated.getClass().getSimpleName())
-                                    + " a %s too"
-                                            .formatted(FeedbackProcessor.class.getSimpleName()));
-        };
+        return choice.processor().stream().map(FeedbackProcessors::of).toList();
     }
 
     /**

@@ -6,9 +6,11 @@ import org.auvsim.auvsml.document.FeedbackTimestepping;
 import org.auvsim.auvsml.document.ReleasedObject;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.message.command.RefusedException;
+import org.auvsim.auvsml.message.learning.ModelCorrection;
 import org.auvsim.auvsml.message.control.SnapshotRestoredNotification;
 import org.auvsim.auvsml.message.feedback.HistoryRevisedNotification;
 import org.auvsim.core.world.World;
+import org.auvsim.server.feedback.AppliedFeedback;
 import org.auvsim.server.feedback.CorrectiveFeedbackSystem;
 import org.auvsim.server.feedback.FeedbackProcessor;
 import org.auvsim.server.feedback.FeedbackTimestepper;
@@ -183,6 +185,12 @@ final class Simulation {
         refused.add(feedback);
     }
 
+    /** A feedback is used. */
+    void corrected(PendingFeedback feedback, AppliedFeedback applied) {
+        logs.forEach(log -> log.corrected(world, feedback, applied));
+        news.applied(applied);
+    }
+
     /** Clients are shown where the step will end. */
     void shown() {
         members.stepShown();
@@ -224,6 +232,11 @@ final class Simulation {
     /** Lets one processor do all corrections, or each that a message names. */
     void setFeedbackProcessor(Optional<String> name) {
         name.ifPresentOrElse(feedback.processors()::override, feedback.processors()::overrideNone);
+    }
+
+    /** Tells those who listen what was found that the model of a world object lacks. */
+    void announce(long worldObjectId, ModelCorrection correction) {
+        news.found(WorldPort.object(world, worldObjectId).id(), correction);
     }
 
     ConnectedClients clients() {
@@ -319,7 +332,7 @@ final class Simulation {
         revision++;
         history.replaceLast(made.again());
         notifications.toAll(new HistoryRevisedNotification(revision, made.from(), world.time()));
-        made.corrections().forEach(news::applied);
+        made.corrections().forEach(this::corrected);
         made.tellRefused();
         news.present(known);
         news.flush();

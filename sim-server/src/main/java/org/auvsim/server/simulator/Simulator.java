@@ -30,6 +30,7 @@ public final class Simulator implements AutoCloseable {
     private final SimulationLoop loop;
     private final Mailbox mailbox;
     private final Clients clients;
+    private final Companions companions;
     private final List<Transport> transports;
     private final Thread thread = new Thread(this::run, "simulation");
     private final CompletableFuture<Void> ended = new CompletableFuture<>();
@@ -39,11 +40,13 @@ public final class Simulator implements AutoCloseable {
             SimulationLoop loop,
             Mailbox mailbox,
             Clients clients,
+            Companions companions,
             List<Transport> transports) {
         this.world = world;
         this.loop = loop;
         this.mailbox = mailbox;
         this.clients = clients;
+        this.companions = companions;
         this.transports = transports;
     }
 
@@ -91,6 +94,7 @@ public final class Simulator implements AutoCloseable {
             LOG.info("the simulation was interrupted");
         } finally {
             mailbox.close();
+            companions.close();
             clients.endAll("the simulation has ended");
             transports.forEach(Transport::close);
             ended.complete(null);

@@ -168,11 +168,14 @@ public final class SimulatorBuilder {
     public Simulator start() {
         MessageCatalogue messages = messages();
         Mailbox mailbox = new Mailbox(MAILBOX_CAPACITY);
-        SimulationSettings settings = settings(messages);
+        AuvsmlWriter writer = new AuvsmlWriter(messages);
+        Clients clients = clients(messages, mailbox, writer, role, 1);
+        Companions companions = new Companions(clients);
+        logs.add(companions);
         SimulationLoop loop =
-                new SimulationLoop(settings, mailbox, new Pace(rate, nanoClock), running, until);
-        Clients clients = clients(messages, mailbox, settings.writer(), role, 1);
-        return new Simulator(world, loop, mailbox, clients, transports).start();
+                new SimulationLoop(
+                        settings(writer), mailbox, new Pace(rate, nanoClock), running, until);
+        return new Simulator(world, loop, mailbox, clients, companions, transports).start();
     }
 
     /**
@@ -186,7 +189,7 @@ public final class SimulatorBuilder {
     public SimulationReplay replay(InputSource during) {
         MessageCatalogue messages = messages();
         Mailbox mailbox = new Mailbox(MAILBOX_CAPACITY);
-        SimulationSettings settings = settings(messages);
+        SimulationSettings settings = settings(new AuvsmlWriter(messages));
         Clients viewers = clients(messages, mailbox, settings.writer(), Role.VIEWER, FIRST_VIEWER);
         return new SimulationReplay(
                         settings, during, mailbox, new Pace(rate, nanoClock), viewers, transports)
@@ -198,7 +201,7 @@ public final class SimulatorBuilder {
                 () -> MessageCatalogue.load(SimulatorBuilder.class.getClassLoader()));
     }
 
-    private SimulationSettings settings(MessageCatalogue messages) {
+    private SimulationSettings settings(AuvsmlWriter writer) {
         configureProcessors();
         return new SimulationSettings(
                 world,
@@ -206,7 +209,7 @@ public final class SimulatorBuilder {
                 processors,
                 horizon,
                 released,
-                new AuvsmlWriter(messages),
+                writer,
                 serverName,
                 logs);
     }

@@ -6,6 +6,7 @@ import org.auvsim.auvsml.message.command.KeptSnapshot;
 import org.auvsim.auvsml.message.command.ListedClient;
 import org.auvsim.auvsml.message.command.SimulatorControl;
 import org.auvsim.auvsml.message.command.SimulatorState;
+import org.auvsim.auvsml.message.learning.ModelCorrection;
 
 import java.util.List;
 import java.util.Optional;
@@ -79,6 +80,11 @@ record SimulatorPort(Simulation simulation, TimeControl time) implements Simulat
     public void load(Scenario scenario) {
         simulation.load(scenario);
         time.timeHasJumped();
+    }
+
+    @Override
+    public void announce(long worldObjectId, ModelCorrection correction) {
+        simulation.announce(worldObjectId, correction);
     }
 
     @Override

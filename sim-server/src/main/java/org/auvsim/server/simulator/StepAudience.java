@@ -83,7 +83,7 @@ final class StepAudience implements FeedbackAudience {
 
     @Override
     public void applied(PendingFeedback feedback, AppliedFeedback applied) {
-        news.applied(applied);
+        simulation.corrected(feedback, applied);
     }
 
     @Override

@@ -4,6 +4,8 @@ import org.auvsim.auvsml.message.command.EventType;
 import org.auvsim.auvsml.message.entity.EntityAddedMessage;
 import org.auvsim.auvsml.message.entity.EntityRemovedMessage;
 import org.auvsim.auvsml.message.entity.WorldObjectAddedMessage;
+import org.auvsim.auvsml.message.learning.ModelCorrection;
+import org.auvsim.auvsml.message.learning.ModelCorrectionNotification;
 import org.auvsim.auvsml.message.movement.CollisionNotification;
 import org.auvsim.auvsml.message.movement.KinematicStateMessage;
 import org.auvsim.auvsml.message.movement.MovementStateChangeMessage;
@@ -262,6 +264,16 @@ final class WorldNews implements WorldListener {
                 List.of(applied.objectId()),
                 applied.time(),
                 applied::notification);
+    }
+
+    /** Tells what was found that the model of an object lacks. */
+    void found(long objectId, ModelCorrection correction) {
+        double time = world.time();
+        notifications.event(
+                EventType.MODEL_CORRECTION,
+                List.of(objectId),
+                time,
+                () -> new ModelCorrectionNotification(objectId, time, correction));
     }
 
     /** Tells that the step is over. */

@@ -93,6 +93,11 @@ record WorldPort(World world) implements WorldControl {
     }
 
     @Override
+    public void revise(WorldObjectDefinition definition) {
+        world.revise(definition);
+    }
+
+    @Override
     public void remove(long entityId) {
         if (world.find(entityId).isEmpty()) {
             throw new RefusedException(

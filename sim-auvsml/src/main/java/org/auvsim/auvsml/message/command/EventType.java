@@ -28,7 +28,9 @@ public enum EventType {
     /** An entity left the world. */
     ENTITY_REMOVED("EntityRemoved"),
     /** A feedback processor used a client's feedback. */
-    FEEDBACK_APPLIED("FeedbackApplied");
+    FEEDBACK_APPLIED("FeedbackApplied"),
+    /** It was found out what the model of an object lacks. */
+    MODEL_CORRECTION("ModelCorrection");
 
     private final String eventName;
 

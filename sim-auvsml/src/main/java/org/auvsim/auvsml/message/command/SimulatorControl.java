@@ -2,6 +2,7 @@ package org.auvsim.auvsml.message.command;
 
 import org.auvsim.auvsml.document.FeedbackTimestepping;
 import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.auvsml.message.learning.ModelCorrection;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -69,6 +70,9 @@ public interface SimulatorControl extends SimulatorView {
      * @throws RefusedException if the scenario's world cannot be had
      */
     void load(Scenario scenario);
+
+    /** Tells those who listen what was found that the model of a world object lacks. */
+    void announce(long worldObjectId, ModelCorrection correction);
 
     /**
      * Ends the session of a client, which is told the reason.

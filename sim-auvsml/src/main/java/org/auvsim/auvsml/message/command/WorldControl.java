@@ -22,6 +22,14 @@ public interface WorldControl extends WorldView {
     long add(WorldObjectDefinition definition);
 
     /**
+     * Gives the world object of a definition's name what the definition states; its motion, the
+     * forces on it and what its actuators are told stay.
+     *
+     * @throws RefusedException if there is no such object
+     */
+    void revise(WorldObjectDefinition definition);
+
+    /**
      * Takes an entity out of the world.
      *
      * @throws RefusedException if there is no such entity

@@ -1,0 +1,19 @@
+package org.auvsim.auvsml.message.learning;
+
+import java.util.List;
+
+/**
+ * What was found that the model of a world object lacks.
+ *
+ * @param sentence for people
+ * @param evidence natural logarithm of how much more likely the data is with it than without
+ * @param extended whether the running world gets it
+ * @param cause what was found
+ * @param gain so far, on data that was not used to find it
+ */
+public record ModelCorrection(
+        String sentence,
+        double evidence,
+        boolean extended,
+        List<FoundCause> cause,
+        List<MeasuredGain> gain) {}

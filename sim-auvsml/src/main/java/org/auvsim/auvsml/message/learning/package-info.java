@@ -1,0 +1,5 @@
+/** What was found that the model of a world object lacks. */
+@NullMarked
+package org.auvsim.auvsml.message.learning;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,145 @@
+package org.auvsim.diagnosis.online;
+
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.feedback.FeedbackMessage;
+import org.auvsim.auvsml.message.learning.AnnounceModelCorrectionCommand;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Finding;
+import org.auvsim.diagnosis.result.Verdict;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.Split;
+import org.auvsim.server.feedback.AppliedFeedback;
+import org.auvsim.server.simulator.Companion;
+import org.auvsim.server.simulator.StepMade;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.function.Consumer;
+
+/**
+ * Learns what the model of one object lacks, on a thread of its own. The simulation thread only
+ * puts what it sees into a queue, and never waits.
+ */
+final class Learner implements Companion {
+    private static final Logger LOG = LoggerFactory.getLogger(Learner.class);
+
+    /** So much may happen during a diagnosis; what is more is not learned from. */
+    private static final int MOST_WAITING = 100_000;
+
+    private final long objectId;
+    private final LearningPlan plan;
+    private final Method method;
+    private final Consumer<List<Message>> toSimulator;
+    private final BlockingQueue<Observation> heard = new ArrayBlockingQueue<>(MOST_WAITING);
+    private final Watcher watcher;
+    private final Logbook logbook;
+    private final Thread thread;
+    private volatile boolean closed;
+
+    /** Belongs to the learner's thread. */
+    private Belief belief;
+
+    private List<String> announced = List.of();
+
+    /** Begins to learn. */
+    Learner(
+            long objectId,
+            Belief belief,
+            LearningPlan plan,
+            Method method,
+            Consumer<List<Message>> toSimulator) {
+        this.objectId = objectId;
+        this.belief = belief;
+        this.plan = plan;
+        this.method = method;
+        this.toSimulator = toSimulator;
+        this.watcher = new Watcher(objectId, this::hear);
+        this.logbook = new Logbook(plan.keep());
+        this.thread =
+                Thread.ofPlatform()
+                        .daemon()
+                        .name("learner of " + belief.model().body())
+                        .start(this::run);
+    }
+
+    @Override
+    public void corrected(FeedbackMessage feedback, AppliedFeedback applied) {
+        watcher.corrected(feedback, applied);
+    }
+
+    @Override
+    public void stepMade(StepMade step) {
+        watcher.stepMade(step.world());
+    }
+
+    private void hear(Observation observation) {
+        if (!heard.offer(observation)) {
+            LOG.debug("more has happened during a diagnosis than is kept");
+        }
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        thread.interrupt();
+    }
+
+    private void run() {
+        try {
+            while (!closed) {
+                logbook.add(heard.take());
+                List<Observation> more = new ArrayList<>();
+                heard.drainTo(more);
+                more.forEach(logbook::add);
+                if (logbook.newTime() >= plan.after()) {
+                    logbook.read();
+                    learn();
+                }
+            }
+        } catch (InterruptedException e) {
+            LOG.debug("learning has ended");
+        }
+    }
+
+    private void learn() {
+        List<MeasuredRun> runs = logbook.runs();
+        if (runs.isEmpty()) {
+            return;
+        }
+        BelievedModel model = belief.under(logbook.forces());
+        Split split = Split.of(runs);
+        try {
+            Diagnosis found =
+                    method.diagnose(model, split.fit(), split.heldOut(), () -> !closed);
+            LOG.info("'{}': {}", model.body(), found.sentence());
+            if (!closed && found.verdict() == Verdict.EXPLAINED) {
+                tell(new Belief(model, belief.behaviors()), found);
+            }
+        } catch (IllegalArgumentException | IllegalStateException | ArithmeticException e) {
+            LOG.warn("nothing can be learned of '{}': {}", model.body(), e.getMessage());
+            LOG.debug("the diagnosis failed here", e);
+        }
+    }
+
+    private void tell(Belief diagnosed, Diagnosis found) {
+        List<String> causes = found.selected().stream().map(Finding::name).toList();
+        if (!plan.extendsWorld() && causes.equals(announced)) {
+            return;
+        }
+        announced = causes;
+        List<Message> messages = new ArrayList<>();
+        if (plan.extendsWorld()) {
+            messages.addAll(diagnosed.changes(found.extended()));
+            belief = diagnosed.extended(found.extended());
+        }
+        messages.add(
+                new AnnounceModelCorrectionCommand(
+                        objectId, Announcement.of(found, plan.extendsWorld())));
+        toSimulator.accept(messages);
+    }
+}

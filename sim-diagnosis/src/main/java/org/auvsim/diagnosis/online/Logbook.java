@@ -1,0 +1,176 @@
+package org.auvsim.diagnosis.online;
+
+import org.auvsim.auvsml.message.feedback.Measurement;
+import org.auvsim.core.entity.NamedForce;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.server.feedback.Target;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+
+/** What a learner has heard of its object, as measured runs. Bounded: the oldest makes room. */
+final class Logbook {
+    private static final Logger LOG = LoggerFactory.getLogger(Logbook.class);
+
+    /** A run with fewer measured samples tells too little. */
+    private static final int LEAST_SAMPLES = 24;
+
+    /** What was measured at a time, if anything was, and what was told from then on. */
+    private record Entry(
+            Optional<Observation.Measured> measured, SortedMap<String, Double> levels) {}
+
+    private final int most;
+    private final List<NavigableMap<Double, Entry>> runs = new ArrayList<>();
+    private final Map<String, NamedForce> forces = new LinkedHashMap<>();
+    private double newTime;
+    private boolean isFull;
+
+    /** Keeps so many samples at most. */
+    Logbook(int most) {
+        this.most = most;
+        runs.add(new TreeMap<>());
+    }
+
+    void add(Observation observation) {
+        switch (observation) {
+            case Observation.Told told -> {
+                told.forces().forEach(force -> forces.putIfAbsent(force.name(), force));
+                runs.getLast()
+                        .merge(
+                                told.time(),
+                                new Entry(Optional.empty(), told.levels()),
+                                (old, now) -> new Entry(old.measured(), now.levels()));
+            }
+            case Observation.Measured measured -> add(measured);
+            case Observation.Jumped _ -> runs.add(new TreeMap<>());
+        }
+        forget();
+    }
+
+    private void add(Observation.Measured measured) {
+        NavigableMap<Double, Entry> run = runs.getLast();
+        if (!run.isEmpty()) {
+            newTime += Math.max(0, measured.time() - run.lastKey());
+        }
+        Map.Entry<Double, Entry> before = run.floorEntry(measured.time());
+        run.put(
+                measured.time(),
+                new Entry(
+                        Optional.of(measured),
+                        before == null ? new TreeMap<>() : before.getValue().levels()));
+    }
+
+    private void forget() {
+        while (runs.stream().mapToInt(Map::size).sum() > most) {
+            if (!isFull) {
+                LOG.info("more than {} samples were measured: the oldest are forgotten", most);
+                isFull = true;
+            }
+            runs.getFirst().pollFirstEntry();
+            if (runs.getFirst().isEmpty()) {
+                runs.removeFirst();
+            }
+        }
+    }
+
+    /** For how long (s) something was measured since {@link #read}. */
+    double newTime() {
+        return newTime;
+    }
+
+    /** What is in it has been read. */
+    void read() {
+        newTime = 0;
+    }
+
+    /** The forces that were ever told something. */
+    Collection<NamedForce> forces() {
+        return forces.values();
+    }
+
+    /** What is in it. */
+    List<MeasuredRun> runs() {
+        List<MeasuredRun> all = new ArrayList<>();
+        for (NavigableMap<Double, Entry> run : runs) {
+            long samples = run.values().stream().filter(e -> e.measured().isPresent()).count();
+            if (samples >= LEAST_SAMPLES) {
+                all.add(run("feedback " + (all.size() + 1), run));
+            }
+        }
+        return all;
+    }
+
+    private static MeasuredRun run(String name, NavigableMap<Double, Entry> entries) {
+        SortedSet<String> told = new TreeSet<>();
+        entries.values().forEach(entry -> told.addAll(entry.levels().keySet()));
+        List<String> commands = List.copyOf(told);
+        MeasuredRunBuilder run = MeasuredRun.named(name).commands(commands);
+        boolean hasBegun = false;
+        for (Map.Entry<Double, Entry> at : entries.entrySet()) {
+            Entry entry = at.getValue();
+            hasBegun |= entry.measured().isPresent();
+            if (hasBegun) {
+                run.at(at.getKey());
+                entry.measured().ifPresent(measured -> measure(run, measured));
+                for (int c = 0; c < commands.size(); c++) {
+                    run.command(c, entry.levels().getOrDefault(commands.get(c), 0.0));
+                }
+            }
+        }
+        return run.build();
+    }
+
+    private static void measure(MeasuredRunBuilder run, Observation.Measured measured) {
+        Target target = measured.target();
+        target.position().ifPresent(p -> run.position(p.x(), p.y(), p.z()));
+        target.orientation().ifPresent(run::orientation);
+        target.velocity().ifPresent(v -> measure(run, Channel.VELOCITY, v));
+        target.angularVelocity().ifPresent(w -> measure(run, Channel.ANGULAR_VELOCITY, w));
+        deviations(run, measured.message().measurement());
+    }
+
+    private static void measure(MeasuredRunBuilder run, Channel channel, Vec3 value) {
+        run.measured(channel, value.x(), value.y(), value.z());
+    }
+
+    /** The mean variance of a channel is the same in all axes, whichever it is stated in. */
+    private static void deviations(MeasuredRunBuilder run, Measurement measurement) {
+        if (measurement.covariance().isEmpty()) {
+            return;
+        }
+        double[] elements = measurement.covariance().get().elements();
+        int size = measurement.size();
+        int row = 0;
+        for (Channel channel : channels(measurement)) {
+            double variances = 0;
+            for (int i = 0; i < 3; i++, row++) {
+                variances += elements[row * size + row];
+            }
+            double deviation = Math.sqrt(variances / 3);
+            run.deviation(channel, deviation, deviation, deviation);
+        }
+    }
+
+    private static List<Channel> channels(Measurement measurement) {
+        List<Channel> channels = new ArrayList<>();
+        measurement.position().ifPresent(_ -> channels.add(Channel.POSITION));
+        measurement.orientation().ifPresent(_ -> channels.add(Channel.ORIENTATION));
+        measurement.velocity().ifPresent(_ -> channels.add(Channel.VELOCITY));
+        measurement.angularVelocity().ifPresent(_ -> channels.add(Channel.ANGULAR_VELOCITY));
+        return channels;
+    }
+}

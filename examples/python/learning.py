@@ -60,8 +60,11 @@ def answer(projected):
     global state
     state = moved(state, levels, projected - time)
     x, y, z = (s + lot.gauss(0, NOISE) for s in state[:3])
+    a, b, c = (lot.gauss(0, NOISE / 2) for _ in "xyz")  # it does not turn
+    w = (1 - a * a - b * b - c * c) ** 0.5
     send(f'<different-state-feedback-message world-object-id="1" timestamp="{projected}" '
          f'handler-name="LearningFeedbackHandler"><position x="{x}" y="{y}" z="{z}"/>'
+         f'<orientation w="{w}" x="{a}" y="{b}" z="{c}"/>'
          '</different-state-feedback-message>')
 
 

@@ -1,6 +1,5 @@
 package org.auvsim.diagnosis.fit;
 
-import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -8,8 +7,6 @@ import java.util.List;
  * one, and judged by that one, in turn.
  */
 final class Arbitration {
-    private static final int STEPS = 6;
-
     private Arbitration() {}
 
     /** The model that predicts left-out runs best. */
@@ -32,11 +29,8 @@ final class Arbitration {
     /** The deviance of all runs, each by what the others make of the model. */
     private static double leftOut(Judged judged) {
         double sum = price(judged);
-        for (int r = 0; r < judged.fit().data().size(); r++) {
-            Judged others = Refinement.converge(Judged.of(without(judged.fit(), r)), STEPS);
-            Hypothesis settled = others.fit().hypothesis().settled();
-            Fit alone = only(judged.fit(), r).with(settled, only(judged.fit(), r).windows());
-            sum += Refinement.converge(Judged.of(alone), STEPS).outcome().deviance();
+        for (Judged prediction : LeaveOneOut.predictions(judged)) {
+            sum += prediction.outcome().deviance();
         }
         return sum;
     }
@@ -44,22 +38,5 @@ final class Arbitration {
     /** A cause more has to be worth its price here, too. */
     private static double price(Judged judged) {
         return Judged.PER_CAUSE * judged.fit().hypothesis().causes().size();
-    }
-
-    private static Fit without(Fit fit, int run) {
-        List<Misses> data = new ArrayList<>(fit.data());
-        List<List<Window>> windows = new ArrayList<>(fit.windows());
-        data.remove(run);
-        windows.remove(run);
-        return new Fit(fit.model(), data, fit.hypothesis(), windows, fit.knowledge());
-    }
-
-    private static Fit only(Fit fit, int run) {
-        return new Fit(
-                fit.model(),
-                List.of(fit.data().get(run)),
-                fit.hypothesis(),
-                List.of(fit.windows().get(run)),
-                fit.knowledge());
     }
 }

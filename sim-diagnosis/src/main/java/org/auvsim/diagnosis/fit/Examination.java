@@ -53,23 +53,54 @@ public final class Examination {
         course.at("judging by held-out runs", 0.9);
         Trial trial = new Trial(found.model(), heldOut, found.noise());
         Judged before = trial.prediction(Hypothesis.NONE);
+        if (found.best() == found.none() && !passes(found, trial, before) && course.goesOn()) {
+            Search.Found all = new Search(model, allRuns(), causes, course).found();
+            if (all.best() != all.none() && Search.isWhite(all.best())) {
+                return diagnosis(all, trial, before, true);
+            }
+        }
+        return diagnosis(found, trial, before, false);
+    }
+
+    private List<MeasuredRun> allRuns() {
+        List<MeasuredRun> all = new ArrayList<>(fit);
+        all.addAll(heldOut);
+        return all;
+    }
+
+    private static boolean passes(Search.Found found, Trial trial, Judged predicted) {
+        Judged best = found.best();
+        return Search.isWhite(best)
+                && trial.passes(best, predicted, new Uncertainty(best).knowledge());
+    }
+
+    /**
+     * What was found, in all its parts.
+     *
+     * @param usedHeldOut whether the fit runs alone had nothing to say and all were searched with
+     */
+    private Diagnosis diagnosis(
+            Search.Found found, Trial trial, Judged before, boolean usedHeldOut) {
         Judged best = found.best();
         Judged after =
                 best == found.none() ? before : trial.prediction(best.fit().hypothesis());
-        Uncertainty uncertainty = new Uncertainty(best);
-        Verdict verdict = verdict(found, trial, after, uncertainty);
+        Verdict verdict = verdict(found, usedHeldOut || passes(found, trial, after));
         boolean isExplained = verdict == Verdict.EXPLAINED;
-        List<Finding> selected = isExplained ? findings(found, uncertainty) : List.of();
+        List<Finding> selected =
+                isExplained ? findings(found, new Uncertainty(best)) : List.of();
         List<Alternative> alternatives =
                 found.competitors().stream()
                         .map(other -> Alternatives.alternative(best, other))
                         .toList();
-        Map<Channel, Gain> gains = trial.gains(before, after);
+        Map<Channel, Gain> gains =
+                usedHeldOut
+                        ? Trial.leftOut(found.none(), best, found.noise())
+                        : trial.gains(before, after);
         Optional<Discrepancy> discrepancy =
                 verdict == Verdict.UNEXPLAINED
                         ? Optional.of(Misfit.largest(best, share(found.none(), best)))
                         : Optional.empty();
-        Sentence sentence = new Sentence(gains, false);
+        Sentence sentence = new Sentence(gains, usedHeldOut);
         String words =
                 switch (verdict) {
                     case EXPLAINED ->
@@ -88,7 +119,7 @@ public final class Examination {
                 found.noise().byChannel(),
                 gains,
                 trial.horizons(best.fit().variant()),
-                false,
+                usedHeldOut,
                 runs(found, best, before, after),
                 discrepancy,
                 Optional.empty(),
@@ -101,13 +132,11 @@ public final class Examination {
                 course.goesOn());
     }
 
-    private static Verdict verdict(
-            Search.Found found, Trial trial, Judged after, Uncertainty uncertainty) {
-        Judged best = found.best();
-        if (!Search.isWhite(best) || !trial.passes(best, after, uncertainty.knowledge())) {
+    private static Verdict verdict(Search.Found found, boolean passes) {
+        if (!passes) {
             return Verdict.UNEXPLAINED;
         }
-        return best == found.none() ? Verdict.NONE : Verdict.EXPLAINED;
+        return found.best() == found.none() ? Verdict.NONE : Verdict.EXPLAINED;
     }
 
     private List<String> notices(Search.Found found) {
@@ -176,7 +205,9 @@ public final class Examination {
     private List<DiagnosedRun> runs(
             Search.Found found, Judged best, Judged before, Judged after) {
         List<DiagnosedRun> runs = new ArrayList<>();
-        runs.addAll(runs(found, found.none(), best, best.fit().variant(), false));
+        runs.addAll(
+                runs(found, found.none(), best, best.fit().variant(), false)
+                        .subList(0, fit.size()));
         runs.addAll(runs(found, before, after, best.fit().variant(), true));
         return runs;
     }

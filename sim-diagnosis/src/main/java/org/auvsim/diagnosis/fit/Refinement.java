@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
  * from the start of each run.
  */
 final class Refinement {
-    private static final int MORE_STEPS = 3;
+    private static final int MORE_STEPS = 1;
     private static final int MOST_HALVINGS = 5;
 
     /** A step turns no window by more (rad): beyond that it is not linear. */

@@ -9,6 +9,7 @@ import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /** Looks for the causes that explain what a model misses of measured runs. */
 final class Search {
@@ -147,15 +148,19 @@ final class Search {
     /** All starts come near, the best of them nearer, the best of those to the end. */
     private Judged tournament(
             List<Screen.Start> starts, Judged otherwise, double from, double to) {
-        List<Judged> near = new ArrayList<>();
-        for (Screen.Start start : starts) {
-            if (!course.at(
-                    "fitting sets of causes",
-                    from + (to - from) * near.size() / starts.size())) {
-                break;
-            }
-            near.add(Refinement.approach(start.fit(), start.perBlock()));
-        }
+        AtomicInteger done = new AtomicInteger();
+        List<Judged> near =
+                starts.parallelStream()
+                        .filter(
+                                start ->
+                                        course.at(
+                                                "fitting sets of causes",
+                                                from
+                                                        + (to - from)
+                                                                * done.getAndIncrement()
+                                                                / starts.size()))
+                        .map(start -> Refinement.approach(start.fit(), start.perBlock()))
+                        .toList();
         List<Judged> nearer = best(near, SECOND_ROUND, SECOND_STEPS);
         List<Judged> last = best(nearer, THIRD_ROUND, THIRD_STEPS);
         judged.addAll(last);

@@ -69,6 +69,23 @@ final class Trial {
         return Double.isFinite(heldOut.cost()) ? worst : Double.POSITIVE_INFINITY;
     }
 
+    /** Those of leaving each run out in turn, where all were searched with. */
+    static Map<Channel, Gain> leftOut(Judged before, Judged after, Noise noise) {
+        List<Judged> without = LeaveOneOut.predictions(before);
+        List<Judged> with = LeaveOneOut.predictions(after);
+        Map<Channel, Gain> gains = new EnumMap<>(Channel.class);
+        for (Channel channel : noise.byChannel().keySet()) {
+            double scale = noise.of(channel);
+            gains.put(
+                    channel,
+                    new Gain(
+                            scale * Math.sqrt(LeaveOneOut.meanSquare(without, channel)),
+                            scale * Math.sqrt(LeaveOneOut.meanSquare(with, channel)),
+                            scale));
+        }
+        return gains;
+    }
+
     /** Root mean square errors by channel, in the channel's unit. */
     Map<Channel, Gain> gains(Judged before, Judged after) {
         Map<Channel, Gain> gains = new EnumMap<>(Channel.class);

@@ -76,6 +76,10 @@ public final class Ensemble {
                 id++;
                 world.add(new CurrentOfOne(id, "own " + id, current.prepared(), body.slot()));
             }
+            if (!entrants.get(i).variant().currents().isEmpty()) {
+                // Its momentum is that of the water, too: the velocity is what was asked for.
+                entrants.get(i).start().giveTo(body);
+            }
         }
     }
 

@@ -1,0 +1,53 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.diagnosis.run.Channel;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Judges a model where all runs were searched with: each is predicted by what the others say. */
+final class LeaveOneOut {
+    private static final int STEPS = 6;
+
+    private LeaveOneOut() {}
+
+    /** The hypothesis as fitted to all runs but one, and that one predicted by it, for each. */
+    static List<Judged> predictions(Judged judged) {
+        List<Judged> predictions = new ArrayList<>();
+        for (int r = 0; r < judged.fit().data().size(); r++) {
+            Judged others = Refinement.converge(Judged.of(without(judged.fit(), r)), STEPS);
+            Fit alone = only(judged.fit(), r);
+            Fit settled = alone.with(others.fit().hypothesis().settled(), alone.windows());
+            predictions.add(Refinement.converge(Judged.of(settled), STEPS));
+        }
+        return predictions;
+    }
+
+    /** Mean squared miss of a channel over all predictions, in units of the noise's. */
+    static double meanSquare(List<Judged> predictions, Channel channel) {
+        double sum = 0;
+        int count = 0;
+        for (Judged prediction : predictions) {
+            sum += prediction.outcome().squares()[channel.ordinal()];
+            count += prediction.outcome().counts()[channel.ordinal()];
+        }
+        return sum / count;
+    }
+
+    private static Fit without(Fit fit, int run) {
+        List<Misses> data = new ArrayList<>(fit.data());
+        List<List<Window>> windows = new ArrayList<>(fit.windows());
+        data.remove(run);
+        windows.remove(run);
+        return new Fit(fit.model(), data, fit.hypothesis(), windows, fit.knowledge());
+    }
+
+    private static Fit only(Fit fit, int run) {
+        return new Fit(
+                fit.model(),
+                List.of(fit.data().get(run)),
+                fit.hypothesis(),
+                List.of(fit.windows().get(run)),
+                fit.knowledge());
+    }
+}

@@ -152,13 +152,12 @@ final class Logbook {
         if (measurement.covariance().isEmpty()) {
             return;
         }
-        double[] elements = measurement.covariance().get().elements();
-        int size = measurement.size();
+        double[][] elements = measurement.covariance().get().elements();
         int row = 0;
         for (Channel channel : channels(measurement)) {
             double variances = 0;
             for (int i = 0; i < 3; i++, row++) {
-                variances += elements[row * size + row];
+                variances += elements[row][row];
             }
             double deviation = Math.sqrt(variances / 3);
             run.deviation(channel, deviation, deviation, deviation);

@@ -44,9 +44,12 @@ public final class ConstraintForce {
     /** Of the water that the origin meets on its way, by central difference. */
     private Vec3 waterAcceleration(Block block, int i) {
         Vec3 half = block.velocity(i).times(WATER_CHANGE / 2);
-        Vec3 after = equations.waterAt(block.position(i).plus(half), block.time + WATER_CHANGE / 2);
+        Vec3 after =
+                equations.waterAround(
+                        block.slot(i), block.position(i).plus(half), block.time + WATER_CHANGE / 2);
         Vec3 before =
-                equations.waterAt(block.position(i).minus(half), block.time - WATER_CHANGE / 2);
+                equations.waterAround(
+                        block.slot(i), block.position(i).minus(half), block.time - WATER_CHANGE / 2);
         return after.minus(before).times(1 / WATER_CHANGE);
     }
 }

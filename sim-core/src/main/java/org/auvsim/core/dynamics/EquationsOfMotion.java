@@ -226,11 +226,11 @@ public final class EquationsOfMotion {
         }
     }
 
-    /** Velocity of the water (m/s, world) at a place (m, world) and a time (s). */
-    Vec3 waterAt(Vec3 position, double time) {
+    /** Velocity of the water (m/s, world) around the body in a slot at a place and a time (s). */
+    Vec3 waterAround(int slot, Vec3 position, double time) {
         Vec3 sum = Vec3.ZERO;
         for (Current current : currents) {
-            sum = sum.plus(current.valueAt(position, time));
+            sum = sum.plus(current.feltBy(slot, position, time));
         }
         return sum;
     }

@@ -246,11 +246,11 @@ public final class BodyState {
         return time;
     }
 
-    /** Velocity of the water (m/s, world) at a place (m, world), now. */
-    Vec3 waterAt(Vec3 position) {
+    /** Velocity of the water (m/s, world) around the body in a slot if it is at a place, now. */
+    Vec3 waterAround(int slot, Vec3 position) {
         Vec3 sum = Vec3.ZERO;
         for (Current current : currents) {
-            sum = sum.plus(current.valueAt(position, time));
+            sum = sum.plus(current.feltBy(slot, position, time));
         }
         return sum;
     }

@@ -21,6 +21,14 @@ public interface Current extends Field<Vec3> {
         return this;
     }
 
+    /**
+     * What the body in a slot feels of it at a place (m, world) and a time (s): its velocity there
+     * (m/s, world), unless it moves but some bodies.
+     */
+    default Vec3 feltBy(int slot, Vec3 position, double time) {
+        return valueAt(position, time);
+    }
+
     /** By how much (m) it raises the water's surface over a place (m, world) at a time (s). */
     default double elevation(double x, double y, double time) {
         return 0;

@@ -215,7 +215,7 @@ public class RigidBody implements Collidable {
     }
 
     private Vec3 water(SpatialInertia spatial, Vec3 position) {
-        return spatial.hasAddedMass() ? state.waterAt(position) : Vec3.ZERO;
+        return spatial.hasAddedMass() ? state.waterAround(slot, position) : Vec3.ZERO;
     }
 
     private void setTwist(SpatialInertia spatial, Twist twist) {

@@ -22,6 +22,11 @@ record CurrentOfOne(long id, String name, Current current, int slot) implements 
     }
 
     @Override
+    public Vec3 feltBy(int body, Vec3 position, double time) {
+        return body == slot ? valueAt(position, time) : Vec3.ZERO;
+    }
+
+    @Override
     public void addTo(Block block) {
         int i = block.indexOf(slot);
         if (i >= 0) {

@@ -27,6 +27,8 @@ public final class Ensemble {
     /** Variants have ids beyond those of the scenario. */
     private static final long FIRST_ID = 1_000_000_000L;
 
+    private static final int MOST_IN_OWN_WATER = 64;
+
     private static final Vec3 NOWHERE = new Vec3(Double.NaN, Double.NaN, Double.NaN);
 
     /** A motion of which nothing can be said: all NaN. */
@@ -75,6 +77,8 @@ public final class Ensemble {
             for (Current current : entrants.get(i).variant().currents()) {
                 id++;
                 world.add(new CurrentOfOne(id, "own " + id, current.prepared(), body.slot()));
+                // Its momenta were those of that velocity in other water.
+                entrants.get(i).start().giveTo(body);
             }
             if (!entrants.get(i).variant().currents().isEmpty()) {
                 // Its momentum is that of the water, too: the velocity is what was asked for.
@@ -118,7 +122,7 @@ public final class Ensemble {
      */
     public static RigidMotion[][] simulate(
             BelievedModel model, MeasuredRun run, int from, int to, List<Entrant> entrants) {
-        if (entrants.size() > Ground.under(model).together(entrants.size())) {
+        if (entrants.size() > together(model, entrants)) {
             return halves(model, run, from, to, entrants);
         }
         try {
@@ -128,6 +132,13 @@ public final class Ensemble {
                     ? lost(to - from + 1)
                     : halves(model, run, from, to, entrants);
         }
+    }
+
+    /** How many may share a world; every body asks all currents whether it feels them. */
+    private static int together(BelievedModel model, List<Entrant> entrants) {
+        int most = Ground.under(model).together(entrants.size());
+        boolean inOwnWater = entrants.stream().anyMatch(e -> !e.variant().currents().isEmpty());
+        return inOwnWater ? Math.min(most, MOST_IN_OWN_WATER) : most;
     }
 
     private RigidMotion[][] simulate(int from, int to) {

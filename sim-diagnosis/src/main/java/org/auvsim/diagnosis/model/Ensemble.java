@@ -77,11 +77,9 @@ public final class Ensemble {
             for (Current current : entrants.get(i).variant().currents()) {
                 id++;
                 world.add(new CurrentOfOne(id, "own " + id, current.prepared(), body.slot()));
-                // Its momenta were those of that velocity in other water.
-                entrants.get(i).start().giveTo(body);
             }
             if (!entrants.get(i).variant().currents().isEmpty()) {
-                // Its momentum is that of the water, too: the velocity is what was asked for.
+                // Its momenta were those of that velocity in other water.
                 entrants.get(i).start().giveTo(body);
             }
         }

@@ -32,7 +32,11 @@ record Strength(Scene scene, Trial trial, List<List<Pose>> believed) {
         for (int round = 0; round < ROUNDS; round++) {
             Optional<Double> measured = share(family.of().apply(strength));
             if (measured.isEmpty()) {
-                strength /= 8;
+                share = 0;
+                if (strength <= family.least()) {
+                    break;
+                }
+                strength = Math.max(family.least(), strength / 8);
                 continue;
             }
             share = measured.get();

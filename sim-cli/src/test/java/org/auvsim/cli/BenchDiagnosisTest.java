@@ -29,8 +29,18 @@ class BenchDiagnosisTest {
 
         assertThat(
                         auvsim.run(
-                                "bench", "diagnosis", "--kind", "null", "--noise", "0.01", "--seed",
-                                1, "--cases", 1, "--out", out))
+                                "bench",
+                                "diagnosis",
+                                "--kind",
+                                "null",
+                                "--noise",
+                                "0.01",
+                                "--seed",
+                                1,
+                                "--cases",
+                                1,
+                                "--out",
+                                out))
                 .isZero();
 
         assertThat(auvsim.out().lines())
@@ -43,8 +53,7 @@ class BenchDiagnosisTest {
                 .last()
                 .asString()
                 .startsWith("null,0.01,1,")
-                .endsWith(
-                        "auvsim bench diagnosis --kind null --noise 0.01 --seed 1 --cases 1");
+                .endsWith("auvsim bench diagnosis --kind null --noise 0.01 --seed 1 --cases 1");
         assertThat(out.resolve("scores.json")).content().contains("\"false_alarms\" : {");
         assertThat(out.resolve("report.html")).content().contains("sparse regression: named");
     }

@@ -49,7 +49,9 @@ public final class ConstraintForce {
                         block.slot(i), block.position(i).plus(half), block.time + WATER_CHANGE / 2);
         Vec3 before =
                 equations.waterAround(
-                        block.slot(i), block.position(i).minus(half), block.time - WATER_CHANGE / 2);
+                        block.slot(i),
+                        block.position(i).minus(half),
+                        block.time - WATER_CHANGE / 2);
         return after.minus(before).times(1 / WATER_CHANGE);
     }
 }

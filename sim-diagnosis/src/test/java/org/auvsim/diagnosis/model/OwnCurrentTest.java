@@ -13,7 +13,6 @@ import org.auvsim.diagnosis.model.Ensemble.Entrant;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.server.feedback.RigidMotion;
-
 import org.junit.jupiter.api.Test;
 
 import java.util.List;

@@ -27,8 +27,7 @@ public final class CaseBook {
                 kind == CaseKind.ALIAS ? Optional.of(Puzzle.draw(draws)) : Optional.empty();
         Body body = puzzle.map(Puzzle::body).orElseGet(() -> draws.oneOf(Body.ALL));
         while (true) {
-            Optional<HiddenCase> drawn = 
-                    attempt(kind, noise, seed, body, puzzle, draws.split());
+            Optional<HiddenCase> drawn = attempt(kind, noise, seed, body, puzzle, draws.split());
             if (drawn.isPresent()) {
                 return drawn.get();
             }
@@ -91,7 +90,9 @@ public final class CaseBook {
     private static Strength strength(Scene scene, Trial trial, List<List<Pose>> believed) {
         return new Strength(
                 scene,
-                new Trial(trial.manoeuvres().subList(0, CaseRuns.FIT), trial.seeds().subList(0, CaseRuns.FIT)),
+                new Trial(
+                        trial.manoeuvres().subList(0, CaseRuns.FIT),
+                        trial.seeds().subList(0, CaseRuns.FIT)),
                 believed.subList(0, CaseRuns.FIT));
     }
 

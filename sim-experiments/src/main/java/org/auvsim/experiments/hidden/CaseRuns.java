@@ -1,9 +1,8 @@
 package org.auvsim.experiments.hidden;
 
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
-
-import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -87,11 +86,9 @@ record CaseRuns(List<MeasuredRun> measured, List<List<Pose>> truth) {
 
         Instant drawn(Instant stated, Draws draws) {
             Attitude attitude =
-                    Attitude.turned(draws.normals(factor * START_TURNED))
-                            .after(stated.attitude());
+                    Attitude.turned(draws.normals(factor * START_TURNED)).after(stated.attitude());
             // Stated in world axes, so that it is not off by the attitude's error as well.
-            Vector3D turning =
-                    stated.turningInWorld().add(draws.normals(factor * START_TURNING));
+            Vector3D turning = stated.turningInWorld().add(draws.normals(factor * START_TURNING));
             return new Instant(
                     0,
                     stated.position().add(draws.normals(away())),

@@ -1,14 +1,13 @@
 package org.auvsim.experiments.hidden;
 
-import org.auvsim.core.math.Quat;
-import org.auvsim.diagnosis.run.Channel;
-import org.auvsim.diagnosis.run.MeasuredRun;
-
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.QRDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.util.FastMath;
+import org.auvsim.core.math.Quat;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -50,7 +49,9 @@ final class Derivatives {
     static List<Smoothed> of(MeasuredRun run) {
         Derivatives derivatives = new Derivatives(run);
         List<Smoothed> all = new ArrayList<>();
-        for (int k = derivatives.reach; k < run.size() - derivatives.reach; k += derivatives.reach) {
+        for (int k = derivatives.reach;
+                k < run.size() - derivatives.reach;
+                k += derivatives.reach) {
             all.add(derivatives.at(k));
         }
         return all;
@@ -64,9 +65,7 @@ final class Derivatives {
                 shows
                         ? fitted(k, i -> turn(there, attitude(k + i)))
                         : new Vector3D[] {Vector3D.ZERO, Vector3D.ZERO, Vector3D.ZERO};
-        Instant motion =
-                new Instant(
-                        run.time(k), path[0], there, path[1], turns[1], Vector3D.ZERO);
+        Instant motion = new Instant(run.time(k), path[0], there, path[1], turns[1], Vector3D.ZERO);
         return new Smoothed(k, motion, path[2], turns[2]);
     }
 

@@ -35,8 +35,7 @@ record Drag(
 
     /** On a body that moves so through the water (body axes). */
     Vector3D force(Vector3D v) {
-        return resisted(linear, quadratic, v)
-                .add(-(evenLinear + evenQuadratic * v.getNorm()), v);
+        return resisted(linear, quadratic, v).add(-(evenLinear + evenQuadratic * v.getNorm()), v);
     }
 
     /** On a body that turns so (body axes). */

@@ -9,14 +9,12 @@ import java.util.function.Predicate;
 /** All that can be hidden. */
 final class Effects {
     /** One kind of effect, and the scenes that it fits. */
-    record Kind(
-            Predicate<Scene> fits, BiFunction<Scene, Draws, Family> family) {}
+    record Kind(Predicate<Scene> fits, BiFunction<Scene, Draws, Family> family) {}
 
     private static final Predicate<Scene> ANY = scene -> true;
     private static final Predicate<Scene> SHOWN = Scene::shows;
     private static final Predicate<Scene> AFLOAT = scene -> scene.plant().displaced() > 0;
-    private static final Predicate<Scene> THRUSTERS =
-            scene -> !scene.plant().thrusters().isEmpty();
+    private static final Predicate<Scene> THRUSTERS = scene -> !scene.plant().thrusters().isEmpty();
 
     /** Those of the library of causes, by their id there. */
     static final SortedMap<String, Kind> LIBRARY = library();

@@ -1,9 +1,8 @@
 package org.auvsim.experiments.hidden;
 
-import org.auvsim.experiments.hidden.Manoeuvre.TimedPush;
-
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.apache.commons.math3.ode.FirstOrderDifferentialEquations;
+import org.auvsim.experiments.hidden.Manoeuvre.TimedPush;
 
 import java.util.Arrays;
 import java.util.List;
@@ -33,8 +32,7 @@ final class Equations implements FirstOrderDifferentialEquations {
         this.plant = reality.plant();
         this.companions = companions;
         this.sizes = sizes;
-        this.dimension =
-                Instant.SIZE + plant.thrusters().size() + Arrays.stream(sizes).sum();
+        this.dimension = Instant.SIZE + plant.thrusters().size() + Arrays.stream(sizes).sum();
         this.thrusterLevels = new double[plant.thrusters().size()];
         this.foilAngles = new double[plant.foils().size()];
     }
@@ -115,8 +113,7 @@ final class Equations implements FirstOrderDifferentialEquations {
     }
 
     /** What thrusters and fins do (body axes). */
-    private Wrench actuators(
-            double t, double[] y, Vector3D through, Vector3D w, double[] slope) {
+    private Wrench actuators(double t, double[] y, Vector3D through, Vector3D w, double[] slope) {
         Wrench sum = Wrench.NONE;
         for (int i = 0; i < thrusterLevels.length; i++) {
             Thruster thruster = plant.thrusters().get(i);
@@ -125,14 +122,12 @@ final class Equations implements FirstOrderDifferentialEquations {
             double reached = lags ? y[Instant.SIZE + i] : target;
             slope[Instant.SIZE + i] = lags ? (target - reached) / thruster.lag() : 0;
             // The time that counts is that of the segment: nothing is lost within it.
-            Vector3D push =
-                    thruster.direction().scalarMultiply(thruster.thrust(reached, now));
+            Vector3D push = thruster.direction().scalarMultiply(thruster.thrust(reached, now));
             sum = sum.plus(new Wrench(push, thruster.position().crossProduct(push)));
         }
         for (int i = 0; i < foilAngles.length; i++) {
             Foil foil = plant.foils().get(i);
-            Vector3D push =
-                    foil.force(through.add(w.crossProduct(foil.position())), foilAngles[i]);
+            Vector3D push = foil.force(through.add(w.crossProduct(foil.position())), foilAngles[i]);
             sum = sum.plus(new Wrench(push, foil.position().crossProduct(push)));
         }
         return sum;

@@ -2,10 +2,9 @@ package org.auvsim.experiments.hidden;
 
 import static org.auvsim.experiments.hidden.Numbers.of;
 
-import org.auvsim.experiments.hidden.Companion.Kick;
-
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.apache.commons.math3.util.FastMath;
+import org.auvsim.experiments.hidden.Companion.Kick;
 
 import java.util.List;
 import java.util.Map;
@@ -30,11 +29,7 @@ final class ForceEffects {
                         HiddenEffect.of(
                                 "buoyancy_weight",
                                 Map.of("force", of(sign * s)),
-                                r ->
-                                        r.pushed(
-                                                at ->
-                                                        Wrench.force(
-                                                                new Vector3D(0, 0, sign * s)))));
+                                r -> r.pushed(at -> Wrench.force(new Vector3D(0, 0, sign * s)))));
     }
 
     static Family coulombFriction(Scene scene, Draws draws) {
@@ -113,8 +108,7 @@ final class ForceEffects {
                                                 at -> {
                                                     Vector3D d = anchor.subtract(at.position());
                                                     double far = d.getNorm();
-                                                    double pull =
-                                                            s * FastMath.max(0, far - length);
+                                                    double pull = s * FastMath.max(0, far - length);
                                                     return Wrench.force(
                                                             d.scalarMultiply(pull / far));
                                                 })));

@@ -1,15 +1,14 @@
 package org.auvsim.experiments.hidden;
 
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
+import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
-import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.core.math.Quat;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
-
-import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -120,8 +119,7 @@ public final class HiddenCase {
         for (int k = 0; k < of.size(); k++) {
             RigidMotion told = predicted.get(k);
             Vector3D p =
-                    new Vector3D(
-                            told.position().x(), told.position().y(), told.position().z());
+                    new Vector3D(told.position().x(), told.position().y(), told.position().z());
             double away = p.distance(of.get(k).position()) / scene.range();
             sum += away * away;
             if (scene.shows()) {
@@ -154,6 +152,7 @@ public final class HiddenCase {
 
     @Override
     public String toString() {
-        return "%s at noise %s, seed %d: %s, hidden %s".formatted(kind(), noise(), seed(), body(), hidden);
+        return "%s at noise %s, seed %d: %s, hidden %s"
+                .formatted(kind(), noise(), seed(), body(), hidden);
     }
 }

@@ -73,7 +73,12 @@ public final class HiddenEffect {
                                         + String.join(
                                                 " ",
                                                 values.stream()
-                                                        .map(v -> String.format(Locale.ROOT, "%.4g", v))
+                                                        .map(
+                                                                v ->
+                                                                        String.format(
+                                                                                Locale.ROOT,
+                                                                                "%.4g",
+                                                                                v))
                                                         .toList())));
         return name() + numbers;
     }

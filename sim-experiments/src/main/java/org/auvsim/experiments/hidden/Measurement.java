@@ -1,5 +1,6 @@
 package org.auvsim.experiments.hidden;
 
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.math.Quat;
@@ -12,8 +13,6 @@ import org.auvsim.experiments.hidden.Manoeuvre.TimedPush;
 import org.auvsim.experiments.hidden.Manoeuvre.Track;
 import org.auvsim.server.feedback.RigidMotion;
 
-import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
-
 import java.util.List;
 
 /**
@@ -24,8 +23,7 @@ import java.util.List;
  * @param isHeavyTailed whether large errors come often (Student's t)
  */
 record Measurement(double away, double turned, boolean isHeavyTailed) {
-    MeasuredRun of(
-            String name, List<Pose> poses, Manoeuvre done, KnownStart start, Draws draws) {
+    MeasuredRun of(String name, List<Pose> poses, Manoeuvre done, KnownStart start, Draws draws) {
         MeasuredRunBuilder run =
                 MeasuredRun.named(name)
                         .commands(done.commands().stream().map(Track::name).toList())

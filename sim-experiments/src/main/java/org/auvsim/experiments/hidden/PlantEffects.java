@@ -78,11 +78,7 @@ final class PlantEffects {
                     return HiddenEffect.of(
                             "cob_offset",
                             Map.of("offset", of(offset)),
-                            r ->
-                                    r.with(
-                                            p ->
-                                                    p.withBuoyancyCentre(
-                                                            p.buoyancyCentre().add(offset))));
+                            r -> r.with(p -> p.withBuoyancyCentre(p.buoyancyCentre().add(offset))));
                 });
     }
 

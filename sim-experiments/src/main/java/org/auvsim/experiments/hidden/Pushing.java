@@ -1,8 +1,7 @@
 package org.auvsim.experiments.hidden;
 
-import org.auvsim.experiments.hidden.Manoeuvre.TimedPush;
-
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
+import org.auvsim.experiments.hidden.Manoeuvre.TimedPush;
 
 import java.util.ArrayList;
 import java.util.List;

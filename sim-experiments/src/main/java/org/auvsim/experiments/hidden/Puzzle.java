@@ -2,11 +2,10 @@ package org.auvsim.experiments.hidden;
 
 import static org.auvsim.experiments.hidden.Numbers.of;
 
-import org.auvsim.experiments.hidden.Manoeuvre.TimedPush;
-import org.auvsim.experiments.hidden.Manoeuvre.Track;
-
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.apache.commons.math3.util.FastMath;
+import org.auvsim.experiments.hidden.Manoeuvre.TimedPush;
+import org.auvsim.experiments.hidden.Manoeuvre.Track;
 
 import java.util.List;
 import java.util.Map;
@@ -106,7 +105,10 @@ record Puzzle(Body body, HiddenEffect hidden, Twins twins, double looseness) {
                                                 r.with(
                                                         p ->
                                                                 p.withThrusters(
-                                                                        t -> t.withGain(1 / factor))))
+                                                                        t ->
+                                                                                t.withGain(
+                                                                                        1
+                                                                                                / factor))))
                                 .about("propeller");
         return new Puzzle(
                 new Plain("sled", sled, Puzzle::driven),
@@ -180,9 +182,7 @@ record Puzzle(Body body, HiddenEffect hidden, Twins twins, double looseness) {
                 DURATION,
                 RATE,
                 List.of(),
-                List.of(
-                        new TimedPush(
-                                0, DURATION + 1, along.scalarMultiply(pull), Vector3D.ZERO)));
+                List.of(new TimedPush(0, DURATION + 1, along.scalarMultiply(pull), Vector3D.ZERO)));
     }
 
     private static Manoeuvre pushed(double least, double most, Draws draws) {
@@ -234,11 +234,7 @@ record Puzzle(Body body, HiddenEffect hidden, Twins twins, double looseness) {
                         : HiddenEffect.of(
                                 "buoyancy_weight",
                                 Map.of("force", of(-weight)),
-                                r ->
-                                        r.pushed(
-                                                at ->
-                                                        Wrench.force(
-                                                                new Vector3D(0, 0, -weight))));
+                                r -> r.pushed(at -> Wrench.force(new Vector3D(0, 0, -weight))));
         double drag = 12;
         return new Puzzle(
                 new Plain(
@@ -271,8 +267,7 @@ record Puzzle(Body body, HiddenEffect hidden, Twins twins, double looseness) {
                         "drifting ball",
                         ball(Drag.even(areAlike ? 60 : 10, 0, 0.1), MASS, List.of()),
                         d -> pushed(4, 40, d)),
-                HiddenEffect.of(
-                        "current_constant", Map.of("u", of(u)), r -> r.in((p, t) -> u)),
+                HiddenEffect.of("current_constant", Map.of("u", of(u)), r -> r.in((p, t) -> u)),
                 new Twins("current_constant", "position_drift", areAlike),
                 areAlike ? 20 : 1);
     }

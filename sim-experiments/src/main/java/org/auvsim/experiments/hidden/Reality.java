@@ -37,8 +37,7 @@ record Reality(
     }
 
     Reality accompanied(Function<SplittableRandom, Companion> companion) {
-        return new Reality(
-                plant, water, forces, plus(companions, companion), edges, sensors);
+        return new Reality(plant, water, forces, plus(companions, companion), edges, sensors);
     }
 
     Reality edge(double time) {

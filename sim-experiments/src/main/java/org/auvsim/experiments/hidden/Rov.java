@@ -1,8 +1,7 @@
 package org.auvsim.experiments.hidden;
 
-import org.auvsim.experiments.hidden.Manoeuvre.Track;
-
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
+import org.auvsim.experiments.hidden.Manoeuvre.Track;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -101,8 +100,7 @@ final class Rov implements Body {
                                         - ahead * port * way.getY()
                                         - port * yaw
                                         + draws.between(-0.08, 0.08));
-                levels.get(NAMES.size() + i)
-                        .add(0.6 * way.getZ() + draws.between(-0.04, 0.04));
+                levels.get(NAMES.size() + i).add(0.6 * way.getZ() + draws.between(-0.04, 0.04));
             }
         }
         List<Track> tracks = new ArrayList<>();

@@ -12,8 +12,7 @@ final class ScenarioText {
     static String of(Plant plant, double timeStep) {
         StringBuilder out = new StringBuilder("<scenario>\n");
         out.append("  <time-step delta=\"%s\"/>\n".formatted(timeStep));
-        out.append(
-                "  <world-object name=\"%s\" mass=\"%s\">\n".formatted(BODY, plant.mass()));
+        out.append("  <world-object name=\"%s\" mass=\"%s\">\n".formatted(BODY, plant.mass()));
         out.append(
                 plant.isBall()
                         ? "    <sphere radius=\"%s\"/>\n".formatted(plant.size().getX() / 2)
@@ -64,9 +63,7 @@ final class ScenarioText {
             out.append(
                     "    <isotropic-drag linear=\"%s\" quadratic=\"%s\" angular=\"%s\"/>\n"
                             .formatted(
-                                    drag.evenLinear(),
-                                    drag.evenQuadratic(),
-                                    drag.evenAngular()));
+                                    drag.evenLinear(), drag.evenQuadratic(), drag.evenAngular()));
         }
     }
 

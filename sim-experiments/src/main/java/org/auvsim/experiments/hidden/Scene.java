@@ -34,15 +34,11 @@ record Scene(
             way +=
                     IntStream.range(1, run.size())
                             .mapToDouble(
-                                    k ->
-                                            run.get(k)
-                                                    .position()
-                                                    .distance(run.get(k - 1).position()))
+                                    k -> run.get(k).position().distance(run.get(k - 1).position()))
                             .sum();
             time += done.get(r).duration();
         }
-        List<Vector3D> places =
-                runs.stream().flatMap(List::stream).map(Pose::position).toList();
+        List<Vector3D> places = runs.stream().flatMap(List::stream).map(Pose::position).toList();
         return new Scene(plant, shows, duration, range, turned, way / time, places);
     }
 
@@ -75,8 +71,7 @@ record Scene(
     Vector3D besidePaths(double share, Draws draws) {
         for (double reach = share; ; reach *= 1.1) {
             Vector3D place =
-                    draws.oneOf(places)
-                            .add(draws.direction().scalarMultiply(1.5 * reach * range));
+                    draws.oneOf(places).add(draws.direction().scalarMultiply(1.5 * reach * range));
             double nearest =
                     places.stream().mapToDouble(place::distance).min().orElse(Double.MAX_VALUE);
             if (nearest > share * range) {

@@ -1,12 +1,11 @@
 package org.auvsim.experiments.hidden;
 
-import org.auvsim.experiments.hidden.Companion.Kick;
-import org.auvsim.experiments.hidden.Manoeuvre.TimedPush;
-import org.auvsim.experiments.hidden.Manoeuvre.Track;
-
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.apache.commons.math3.ode.ContinuousOutputModel;
 import org.apache.commons.math3.ode.nonstiff.DormandPrince853Integrator;
+import org.auvsim.experiments.hidden.Companion.Kick;
+import org.auvsim.experiments.hidden.Manoeuvre.TimedPush;
+import org.auvsim.experiments.hidden.Manoeuvre.Track;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -36,16 +35,14 @@ final class Simulation {
     private Simulation(Reality reality, Manoeuvre manoeuvre, SplittableRandom random) {
         this.reality = reality;
         this.manoeuvre = manoeuvre;
-        this.companions =
-                reality.companions().stream().map(c -> c.apply(random.split())).toList();
+        this.companions = reality.companions().stream().map(c -> c.apply(random.split())).toList();
         this.kicks =
                 companions.stream()
                         .flatMap(c -> c.kicks().stream())
                         .filter(k -> k.at() < manoeuvre.duration())
                         .sorted(Comparator.comparingDouble(Kick::at))
                         .toList();
-        List<double[]> starts =
-                companions.stream().map(c -> c.start(manoeuvre.start())).toList();
+        List<double[]> starts = companions.stream().map(c -> c.start(manoeuvre.start())).toList();
         this.equations =
                 new Equations(
                         reality, companions, starts.stream().mapToInt(s -> s.length).toArray());
@@ -136,8 +133,7 @@ final class Simulation {
             return;
         }
         DormandPrince853Integrator integrator =
-                new DormandPrince853Integrator(
-                        SHORTEST, Math.abs(to - from), TOLERANCE, TOLERANCE);
+                new DormandPrince853Integrator(SHORTEST, Math.abs(to - from), TOLERANCE, TOLERANCE);
         ContinuousOutputModel piece = new ContinuousOutputModel();
         integrator.addStepHandler(piece);
         integrator.integrate(equations, from, state, to, state);

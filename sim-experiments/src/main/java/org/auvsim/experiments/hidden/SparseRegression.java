@@ -1,12 +1,5 @@
 package org.auvsim.experiments.hidden;
 
-import org.auvsim.core.math.Vec3;
-import org.auvsim.diagnosis.run.Command;
-import org.auvsim.diagnosis.run.MeasuredRun;
-import org.auvsim.diagnosis.run.ScheduledForce;
-import org.auvsim.experiments.hidden.Derivatives.Smoothed;
-import org.auvsim.experiments.hidden.Manoeuvre.TimedPush;
-
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.ArrayRealVector;
@@ -14,6 +7,12 @@ import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.RealVector;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.apache.commons.math3.util.FastMath;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.Command;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.ScheduledForce;
+import org.auvsim.experiments.hidden.Derivatives.Smoothed;
+import org.auvsim.experiments.hidden.Manoeuvre.TimedPush;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -52,8 +51,7 @@ public final class SparseRegression {
         double[][] believed = accelerations(Reality.of(scene.plant()), run, smoothed);
         for (Term term : terms) {
             double[][] changed =
-                    accelerations(
-                            term.change().apply(Reality.of(scene.plant())), run, smoothed);
+                    accelerations(term.change().apply(Reality.of(scene.plant())), run, smoothed);
             changes.add(flat(changed, believed));
         }
         double[] measured = measured(smoothed);
@@ -97,7 +95,10 @@ public final class SparseRegression {
             double time = run.time(k);
             equations.hold(
                     time,
-                    levels(reality.plant().thrusters().stream().map(Thruster::name).toList(), run, k),
+                    levels(
+                            reality.plant().thrusters().stream().map(Thruster::name).toList(),
+                            run,
+                            k),
                     levels(reality.plant().foils().stream().map(Foil::name).toList(), run, k),
                     run.forces().stream()
                             .filter(f -> f.from() <= time && time < f.until())

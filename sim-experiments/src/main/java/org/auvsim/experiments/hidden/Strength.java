@@ -48,13 +48,10 @@ record Strength(Scene scene, Trial trial, List<List<Pose>> believed) {
                 break;
             }
             double factor = FastMath.max(0.05, FastMath.min(20, ratio));
-            strength =
-                    Math.max(family.least(), Math.min(family.most(), strength * factor));
+            strength = Math.max(family.least(), Math.min(family.most(), strength * factor));
         }
         double most = strength <= family.least() ? MOST_AT_LEAST : 2 * wanted + LEAST;
-        return share < LEAST || share > most
-                ? OptionalDouble.empty()
-                : OptionalDouble.of(strength);
+        return share < LEAST || share > most ? OptionalDouble.empty() : OptionalDouble.of(strength);
     }
 
     private Optional<Double> share(HiddenEffect effect) {

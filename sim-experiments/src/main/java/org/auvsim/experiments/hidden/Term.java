@@ -32,7 +32,9 @@ record Term(String cause, UnaryOperator<Reality> change) {
                         at ->
                                 at.velocity()
                                         .scalarMultiply(
-                                                -little / Math.max(at.velocity().getNorm(), 0.01))));
+                                                -little
+                                                        / Math.max(
+                                                                at.velocity().getNorm(), 0.01))));
         terms.add(
                 force(
                         "magnus",
@@ -45,10 +47,7 @@ record Term(String cause, UnaryOperator<Reality> change) {
                     plant(
                             "anisotropic_drag",
                             p -> p.withDrag(d -> d.withQuadratic(axis.scalarMultiply(little)))));
-            terms.add(
-                    plant(
-                            "added_mass",
-                            p -> p.withAddedMass(p.addedMass().add(little, axis))));
+            terms.add(plant("added_mass", p -> p.withAddedMass(p.addedMass().add(little, axis))));
             terms.add(
                     plant(
                             "cob_offset",
@@ -59,11 +58,12 @@ record Term(String cause, UnaryOperator<Reality> change) {
                             p ->
                                     p.withInertia(
                                             p.inertia()
-                                                    .add(0.01, Equations.times(p.inertia(), axis)))));
+                                                    .add(
+                                                            0.01,
+                                                            Equations.times(p.inertia(), axis)))));
             terms.add(water("current_constant", (p, t) -> axis.scalarMultiply(0.01)));
             if (axis.getZ() == 0) {
-                terms.add(
-                        water("current_shear", (p, t) -> axis.scalarMultiply(0.001 * p.getZ())));
+                terms.add(water("current_shear", (p, t) -> axis.scalarMultiply(0.001 * p.getZ())));
             }
         }
         for (Thruster thruster : scene.plant().thrusters()) {

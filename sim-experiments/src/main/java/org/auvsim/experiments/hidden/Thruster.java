@@ -39,8 +39,7 @@ record Thruster(
     }
 
     Thruster withGain(double factor) {
-        return new Thruster(
-                name, position, direction, most, factor, deadZone, lag, lostFrom);
+        return new Thruster(name, position, direction, most, factor, deadZone, lag, lostFrom);
     }
 
     Thruster withDeadZone(double width) {

@@ -12,11 +12,7 @@ final class ThrusterEffects {
     private ThrusterEffects() {}
 
     private static UnaryOperator<Reality> one(String name, UnaryOperator<Thruster> change) {
-        return r ->
-                r.with(
-                        p ->
-                                p.withThrusters(
-                                        t -> t.name().equals(name) ? change.apply(t) : t));
+        return r -> r.with(p -> p.withThrusters(t -> t.name().equals(name) ? change.apply(t) : t));
     }
 
     private static UnaryOperator<Reality> all(UnaryOperator<Thruster> change) {
@@ -49,9 +45,7 @@ final class ThrusterEffects {
     static Family lag(Scene scene, Draws draws) {
         return Family.upTo(
                 2,
-                s ->
-                        HiddenEffect.of(
-                                "thruster_lag", Map.of("tau", of(s)), all(t -> t.withLag(s))));
+                s -> HiddenEffect.of("thruster_lag", Map.of("tau", of(s)), all(t -> t.withLag(s))));
     }
 
     static Family misalignment(Scene scene, Draws draws) {

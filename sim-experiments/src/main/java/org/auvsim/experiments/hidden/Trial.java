@@ -23,7 +23,9 @@ record Trial(List<Manoeuvre> manoeuvres, List<Long> seeds) {
         for (int r = 0; r < manoeuvres.size(); r++) {
             List<Pose> run;
             try {
-                run = Simulation.poses(reality, manoeuvres.get(r), new SplittableRandom(seeds.get(r)));
+                run =
+                        Simulation.poses(
+                                reality, manoeuvres.get(r), new SplittableRandom(seeds.get(r)));
             } catch (MathIllegalStateException | MathIllegalArgumentException e) {
                 return Optional.empty();
             }
@@ -41,7 +43,6 @@ record Trial(List<Manoeuvre> manoeuvres, List<Long> seeds) {
                 .allMatch(
                         pose ->
                                 pose.position().getNorm() < 1e4
-                                        && !(floats
-                                                && pose.position().getZ() > UNDER_WATER));
+                                        && !(floats && pose.position().getZ() > UNDER_WATER));
     }
 }

@@ -61,10 +61,8 @@ final class UncoveredEffects {
             Vector3D rate =
                     Instant.vector(own, 3)
                             .subtract(
-                                    body.velocity()
-                                            .add(body.turningInWorld().crossProduct(lever)));
-            return way.scalarMultiply(mass * omega * omega)
-                    .add(2 * damping * omega * mass, rate);
+                                    body.velocity().add(body.turningInWorld().crossProduct(lever)));
+            return way.scalarMultiply(mass * omega * omega).add(2 * damping * omega * mass, rate);
         }
 
         @Override

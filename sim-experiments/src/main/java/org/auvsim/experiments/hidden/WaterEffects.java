@@ -34,11 +34,7 @@ final class WaterEffects {
                     return HiddenEffect.of(
                             "current_oscillating",
                             Map.of("u", of(u), "omega", of(omega), "phase", of(phase)),
-                            r ->
-                                    r.in(
-                                            (p, t) ->
-                                                    u.scalarMultiply(
-                                                            FastMath.sin(omega * t + phase))));
+                            r -> r.in((p, t) -> u.scalarMultiply(FastMath.sin(omega * t + phase))));
                 });
     }
 

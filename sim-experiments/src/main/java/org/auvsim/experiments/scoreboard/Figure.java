@@ -36,8 +36,7 @@ public enum Figure {
     /** Pairs that it names, and nothing else. */
     BASELINE_PAIRS("sparse regression: pairs", "", Scores::baselinePairs),
     /** Nulls in which it names something. */
-    BASELINE_FALSE_ALARMS(
-            "sparse regression: false alarms", "", Scores::baselineFalseAlarms),
+    BASELINE_FALSE_ALARMS("sparse regression: false alarms", "", Scores::baselineFalseAlarms),
     /** Wall time of a diagnosis. */
     SECONDS("seconds a diagnosis, median", "", Scores::seconds);
 

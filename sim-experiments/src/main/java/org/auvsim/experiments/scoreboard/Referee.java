@@ -36,8 +36,7 @@ final class Referee {
             }
         }
         boolean first =
-                explained
-                        && of.hidden().stream().anyMatch(e -> of.isHit(e, strongest(selected)));
+                explained && of.hidden().stream().anyMatch(e -> of.isHit(e, strongest(selected)));
         boolean exact =
                 explained && hits == of.hidden().size() && selected.size() == of.hidden().size();
         return new Outcome(
@@ -46,8 +45,7 @@ final class Referee {
                 of.seed(),
                 of.body(),
                 of.hidden().stream().map(HiddenEffect::name).toList(),
-                new Answer(
-                        diagnosis.verdict(), selected.stream().map(Finding::name).toList()),
+                new Answer(diagnosis.verdict(), selected.stream().map(Finding::name).toList()),
                 first,
                 exact,
                 errors,

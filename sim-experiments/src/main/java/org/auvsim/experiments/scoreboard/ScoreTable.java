@@ -29,9 +29,7 @@ public final class ScoreTable {
         List<String> lines = new ArrayList<>();
         StringBuilder header = new StringBuilder("%-40s %-24s".formatted("", "target"));
         scores.forEach(
-                at ->
-                        header.append(
-                                String.format(Locale.ROOT, " %-26s", percent(at.noise()))));
+                at -> header.append(String.format(Locale.ROOT, " %-26s", percent(at.noise()))));
         lines.add(header.toString().stripTrailing());
         for (Figure figure : Figure.values()) {
             StringBuilder line =

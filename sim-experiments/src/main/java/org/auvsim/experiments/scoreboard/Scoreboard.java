@@ -39,8 +39,7 @@ public final class Scoreboard {
             if (!diagnosis.isComplete()) {
                 break;
             }
-            Outcome outcome =
-                    Referee.outcome(of, diagnosis, SparseRegression.causes(of), seconds);
+            Outcome outcome = Referee.outcome(of, diagnosis, SparseRegression.causes(of), seconds);
             outcomes.add(outcome);
             told.accept(outcome);
         }
@@ -67,7 +66,6 @@ public final class Scoreboard {
 
     /** The outcome of one case. */
     public static Outcome outcome(HiddenCase of) {
-        return Referee.outcome(
-                of, diagnosis(of, Progress.SILENT), SparseRegression.causes(of), 0);
+        return Referee.outcome(of, diagnosis(of, Progress.SILENT), SparseRegression.causes(of), 0);
     }
 }

@@ -1,9 +1,8 @@
 package org.auvsim.experiments.scoreboard;
 
+import org.apache.commons.math3.stat.descriptive.rank.Median;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.experiments.hidden.CaseKind;
-
-import org.apache.commons.math3.stat.descriptive.rank.Median;
 
 import java.util.List;
 import java.util.function.Predicate;
@@ -88,8 +87,7 @@ public record Scores(
 
     private static Share aliases(List<Outcome> outcomes, Predicate<AliasTold> among) {
         List<AliasTold> of = outcomes.stream().map(Outcome::alias).filter(among).toList();
-        return new Share(
-                (int) of.stream().filter(a -> a.told() && a.so()).count(), of.size());
+        return new Share((int) of.stream().filter(a -> a.told() && a.so()).count(), of.size());
     }
 
     private static List<Outcome> of(List<Outcome> outcomes, CaseKind kind) {
@@ -101,7 +99,6 @@ public record Scores(
     }
 
     private static double median(List<Double> values) {
-        return new Median()
-                .evaluate(values.stream().mapToDouble(Double::doubleValue).toArray());
+        return new Median().evaluate(values.stream().mapToDouble(Double::doubleValue).toArray());
     }
 }

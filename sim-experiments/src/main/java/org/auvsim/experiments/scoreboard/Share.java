@@ -28,9 +28,7 @@ public record Share(int hits, int of) {
 
     private double half() {
         double p = value();
-        return Z
-                * Math.sqrt(p * (1 - p) / of + Z * Z / (4.0 * of * of))
-                / (1 + Z * Z / of);
+        return Z * Math.sqrt(p * (1 - p) / of + Z * Z / (4.0 * of * of)) / (1 + Z * Z / of);
     }
 
     @Override

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.auvsim.experiments.hidden.CaseBook;
 import org.auvsim.experiments.hidden.CaseKind;
 import org.auvsim.experiments.hidden.HiddenCase;
-
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 

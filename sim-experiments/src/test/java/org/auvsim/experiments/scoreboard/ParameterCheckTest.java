@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.result.Finding;
-
 import org.junit.jupiter.api.Test;
 
 import java.util.List;

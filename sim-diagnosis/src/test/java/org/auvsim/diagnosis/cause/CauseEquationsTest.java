@@ -23,6 +23,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
+import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 
 /** Each cause moves a body as docs/causes.md says, by equations written down once more here. */
@@ -36,11 +37,11 @@ class CauseEquationsTest {
     private static final Push NOTHING = now -> Load.force(Vector3D.ZERO);
 
     /** A model, numbers of a cause, and the equations of both together. */
-    private record Case(
+    record Case(
             String id,
             String subject,
             String believed,
-            double[] theta,
+            List<Double> theta,
             RigidBodyEquations equations,
             double error) {
         @Override
@@ -50,7 +51,11 @@ class CauseEquationsTest {
     }
 
     private static Case of(String id, String believed, Push push, double... theta) {
-        return new Case(id, "", believed, theta, body(push), 2e-5);
+        return new Case(id, "", believed, numbers(theta), body(push), 2e-5);
+    }
+
+    private static List<Double> numbers(double... theta) {
+        return DoubleStream.of(theta).boxed().toList();
     }
 
     private static RigidBodyEquations body(Push push) {
@@ -284,7 +289,7 @@ class CauseEquationsTest {
                         "mass_error",
                         "",
                         falling,
-                        new double[] {0.2},
+                        numbers(0.2),
                         new RigidBodyEquations(
                                 new Vector3D(1.2 * MASS, 1.2 * MASS, 1.2 * MASS), INERTIA, weight),
                         2e-5),
@@ -292,7 +297,7 @@ class CauseEquationsTest {
                         "inertia_error",
                         "",
                         "",
-                        new double[] {0.4, -0.2, 0.1},
+                        numbers(0.4, -0.2, 0.1),
                         new RigidBodyEquations(
                                 new Vector3D(MASS, MASS, MASS),
                                 times(INERTIA, new Vector3D(1.4, 0.8, 1.1)),
@@ -302,7 +307,7 @@ class CauseEquationsTest {
                         "added_mass",
                         "",
                         "",
-                        new double[] {3, 5, 8},
+                        numbers(3, 5, 8),
                         new RigidBodyEquations(
                                 new Vector3D(MASS + 3, MASS + 5, MASS + 8), INERTIA, NOTHING),
                         2e-5));
@@ -381,7 +386,7 @@ class CauseEquationsTest {
                         .filter(one -> one.subject().orElse("").equals(c.subject()))
                         .findFirst()
                         .orElseThrow();
-        Variant variant = cause.in(model.variant(), c.theta());
+        Variant variant = cause.in(model.variant(), c.theta().stream().mapToDouble(x -> x).toArray());
         RigidMotion[] motion =
                 Ensemble.simulate(
                         model,

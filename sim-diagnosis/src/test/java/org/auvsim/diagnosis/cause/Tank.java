@@ -25,19 +25,6 @@ final class Tank {
                     new Vec3(0.9, -0.5, 0.3),
                     new Vec3(0.3, -0.4, 0.5));
 
-    private static final String WORLD =
-            """
-            <scenario>
-              <time-step delta="0.05"/>
-              %s
-              <world-object name="vehicle" mass="12">
-                <box><size x="0.8" y="0.4" z="0.3"/></box>
-                <inertia xx="0.5" yy="0.9" zz="1.1"/>
-                %s
-              </world-object>
-            </scenario>
-            """;
-
     private Tank() {}
 
     /** A body of which nothing is known but mass and inertia. */
@@ -82,7 +69,19 @@ final class Tank {
 
     static BelievedModel model(String world, String body) {
         try {
-            String xml = WORLD.formatted(world, body);
+            String xml =
+                    """
+                    <scenario>
+                      <time-step delta="0.05"/>
+                      %s
+                      <world-object name="vehicle" mass="12">
+                        <box><size x="0.8" y="0.4" z="0.3"/></box>
+                        <inertia xx="0.5" yy="0.9" zz="1.1"/>
+                        %s
+                      </world-object>
+                    </scenario>
+                    """
+                            .formatted(world, body);
             return new BelievedModel(
                     ScenarioLoader.load(Tank.class.getClassLoader())
                             .parse(xml.getBytes(StandardCharsets.UTF_8)),

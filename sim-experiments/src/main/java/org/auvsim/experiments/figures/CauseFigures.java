@@ -8,13 +8,13 @@ import static org.auvsim.experiments.figures.CauseStage.VEHICLE;
 import org.auvsim.diagnosis.cause.Cause;
 
 import java.util.ArrayList;
-import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
 /** For each cause of the library, what it leaves in the residuals of a model that lacks it. */
 final class CauseFigures {
-    private final Map<CauseStage, List<Cause>> causes = new EnumMap<>(CauseStage.class);
+    private final Map<CauseStage, List<Cause>> causes = new HashMap<>();
     private final List<Figure> figures = new ArrayList<>();
 
     /** What is shown of the residuals. */

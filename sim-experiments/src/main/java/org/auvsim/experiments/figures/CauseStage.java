@@ -16,10 +16,16 @@ import org.auvsim.server.feedback.RigidMotion;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 
-/** A body on which causes are shown: what is measured of it if its model lacks one. */
-enum CauseStage {
+/**
+ * A body on which causes are shown: what is measured of it if its model lacks one.
+ *
+ * @param objects of the scenario, one of them {@code body}
+ * @param seconds for how long it is measured
+ */
+record CauseStage(String objects, RigidMotion start, double seconds) {
     /** A vehicle in water with three thrusters that are told something else every few seconds. */
-    VEHICLE(
+    static final CauseStage VEHICLE =
+            new CauseStage(
             """
             <world-object name="body" mass="12">
               <box><size x="0.8" y="0.4" z="0.3"/></box>
@@ -41,10 +47,11 @@ enum CauseStage {
             """,
             new RigidMotion(
                     new Vec3(1, -2, -3), Quat.IDENTITY, new Vec3(0.4, 0.1, 0), Vec3.ZERO),
-            20),
+            20);
 
     /** A body that flies and spins, and that nothing holds back. */
-    SPINNER(
+    static final CauseStage SPINNER =
+            new CauseStage(
             """
             <world-object name="body" mass="5">
               <box><size x="0.5" y="0.3" z="0.2"/></box>
@@ -53,10 +60,11 @@ enum CauseStage {
             """,
             new RigidMotion(
                     Vec3.ZERO, Quat.IDENTITY, new Vec3(0.5, 0.2, 0.1), new Vec3(0.3, 0.2, 0.8)),
-            20),
+            20);
 
     /** A bob that swings about one axis. */
-    PENDULUM(
+    static final CauseStage PENDULUM =
+            new CauseStage(
             """
             <world-object name="body" mass="2">
               <sphere radius="0.1"/>
@@ -70,10 +78,11 @@ enum CauseStage {
                     Quat.ofAxisAngle(new Vec3(0, 1, 0), 0.8),
                     Vec3.ZERO,
                     Vec3.ZERO),
-            20),
+            20);
 
     /** A ball that is thrown along a floor. */
-    THROWN(
+    static final CauseStage THROWN =
+            new CauseStage(
             """
             <world-object name="floor" fixed="1" restitution="1" friction="0.1"><half-space/></world-object>
             <world-object name="body" mass="2" restitution="0.5" friction="0.1">
@@ -94,16 +103,6 @@ enum CauseStage {
         {0.5, 0.5, 0.2}, {0.7, 0.4, -0.3}, {0.1, 0.5, 0.4}, {0.6, 0.6, -0.2}, {0.5, 0.1, 0.1}
     };
 
-    private final String objects;
-    private final RigidMotion start;
-    private final double seconds;
-
-    CauseStage(String objects, RigidMotion start, double seconds) {
-        this.objects = objects;
-        this.start = start;
-        this.seconds = seconds;
-    }
-
     private BelievedModel model() {
         String xml = "<scenario><time-step delta=\"0.02\"/>" + objects + "</scenario>";
         try {
@@ -112,7 +111,7 @@ enum CauseStage {
                             .parse(xml.getBytes(StandardCharsets.UTF_8)),
                     "body");
         } catch (AuvsmlException e) {
-            throw new IllegalStateException("the stage " + this + " is no scenario", e);
+            throw new IllegalStateException("the stage is no scenario: " + xml, e);
         }
     }
 

@@ -3,7 +3,6 @@ package org.auvsim.experiments.figures;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.stream.Stream;
 
 /** All figures of the documentation that are drawn by the simulator. */
 public final class Figures {
@@ -11,18 +10,18 @@ public final class Figures {
 
     /** Of effects, actuators and fields: SVG pictures by the names of their files. */
     public static Map<String, String> ofEffects() {
-        return pictures(EffectFigures.all(), ActuatorFigures.all(), FieldFigures.all());
+        return pictures(
+                List.of(EffectFigures.all(), ActuatorFigures.all(), FieldFigures.all()));
     }
 
     /** Of causes of discrepancies, likewise. */
     public static Map<String, String> ofCauses() {
-        return pictures(CauseFigures.all());
+        return pictures(List.of(CauseFigures.all()));
     }
 
-    @SafeVarargs
-    private static Map<String, String> pictures(List<Figure>... figures) {
+    private static Map<String, String> pictures(List<List<Figure>> figures) {
         Map<String, String> pictures = new TreeMap<>();
-        Stream.of(figures)
+        figures.stream()
                 .flatMap(List::stream)
                 .forEach(figure -> pictures.put(figure.name() + ".svg", figure.svg()));
         return pictures;

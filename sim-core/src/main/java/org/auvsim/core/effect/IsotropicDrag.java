@@ -11,8 +11,8 @@ import org.auvsim.core.entity.Surroundings;
 import java.util.List;
 
 /**
- * Drag that is the same in all directions, of the velocity v relative to the water: F = -(c + k |v|)
- * v, and of turning: T = -d w. Negative numbers take away from what other effects do.
+ * Drag that is the same in all directions, of the velocity v relative to the water: F = -(c + k
+ * |v|) v, and of turning: T = -d w. Negative numbers take away from what other effects do.
  *
  * @param linear c (N s/m)
  * @param quadratic k (N s^2/m^2)

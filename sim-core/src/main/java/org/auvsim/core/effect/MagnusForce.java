@@ -14,7 +14,8 @@ import java.util.List;
  * w and the velocity v - u through the water. For a sphere of radius R in water of density rho that
  * moves slowly, c = pi rho R^3 (Rubinow &amp; Keller, Journal of Fluid Mechanics 11, 1961).
  *
- * @param coefficient c (kg); below 0 for smooth balls near the drag crisis, which swerve the other way
+ * @param coefficient c (kg); below 0 for smooth balls near the drag crisis, which swerve the other
+ *     way
  */
 public record MagnusForce(@Unit("kg") @Default("0.0") double coefficient) implements Effect {
     /**

@@ -186,7 +186,11 @@ public record WorldObjectDefinition(
                 c ->
                         c instanceof Actuator actuator
                                 ? object.component(Actuator.class, c.name())
-                                        .map(told -> (Component) actuator.commanded(told.command(), time))
+                                        .map(
+                                                told ->
+                                                        (Component)
+                                                                actuator.commanded(
+                                                                        told.command(), time))
                                         .orElse(c)
                                 : c);
         return next.build();

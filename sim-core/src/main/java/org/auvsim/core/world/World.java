@@ -204,8 +204,8 @@ public final class World {
     }
 
     /**
-     * Gives the world object of a definition's name the mass properties, the volume, the effects and
-     * the components that the definition states. How it moves, the forces on it and what its
+     * Gives the world object of a definition's name the mass properties, the volume, the effects
+     * and the components that the definition states. How it moves, the forces on it and what its
      * actuators are told stay, and so does all that couples others to it.
      *
      * @return the object; what was asked for before belongs to the world no longer

@@ -116,7 +116,9 @@ class CandidateEffectsTest {
                         along.times(
                                 1.3
                                         * StrictMath.sin(
-                                                7 * b.time - 0.9 * along.dot(b.position(i)) + 0.4)));
+                                                7 * b.time
+                                                        - 0.9 * along.dot(b.position(i))
+                                                        + 0.4)));
     }
 
     /** After it has risen, a force has done what one would that had jumped in the middle. */

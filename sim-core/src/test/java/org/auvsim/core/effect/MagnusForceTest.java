@@ -63,7 +63,6 @@ class MagnusForceTest {
     void aCoefficientThatIsNotFiniteIsRefused() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new MagnusForce(Double.NaN))
-                .withMessage(
-                        "the coefficient of a Magnus force must be finite, but is NaN kg");
+                .withMessage("the coefficient of a Magnus force must be finite, but is NaN kg");
     }
 }

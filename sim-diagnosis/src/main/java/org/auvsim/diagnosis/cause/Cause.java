@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * Something that a model may lack or have wrong; a whole family of it, by its parameters. It changes
- * the model by what a scenario can state, too, so that what is found can be written down.
+ * Something that a model may lack or have wrong; a whole family of it, by its parameters. It
+ * changes the model by what a scenario can state, too, so that what is found can be written down.
  */
 public interface Cause {
     /** Share of a parameter's scale by which smooth effects are moved. */
@@ -47,8 +47,7 @@ public interface Cause {
             zeros.add(0.0);
             steps.add(SMALL * parameter.scale());
         }
-        return List.of(
-                new Guess(zeros, IntStream.range(0, zeros.size()).boxed().toList(), steps));
+        return List.of(new Guess(zeros, IntStream.range(0, zeros.size()).boxed().toList(), steps));
     }
 
     /** Its numbers as people know them: amplitude and phase rather than sine and cosine. */

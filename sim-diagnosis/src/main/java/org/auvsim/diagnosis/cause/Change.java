@@ -79,9 +79,7 @@ final class Change implements Cause {
         return new Guess(
                 boxed(theta),
                 IntStream.of(columns).boxed().toList(),
-                IntStream.of(columns)
-                        .mapToObj(c -> SMALL * parameters.get(c).scale())
-                        .toList());
+                IntStream.of(columns).mapToObj(c -> SMALL * parameters.get(c).scale()).toList());
     }
 
     /** A guess of one number at 0 that is moved by a step of this size. */

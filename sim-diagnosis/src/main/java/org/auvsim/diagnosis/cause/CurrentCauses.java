@@ -96,7 +96,11 @@ final class CurrentCauses {
                 (v, t) ->
                         v.in(
                                 new ShearCurrent(
-                                        id(s, v), name(s, v), Vec3.ZERO, 0, new Vec3(t[0], t[1], 0))));
+                                        id(s, v),
+                                        name(s, v),
+                                        Vec3.ZERO,
+                                        0,
+                                        new Vec3(t[0], t[1], 0))));
     }
 
     private static Cause vortex(Setting s, double scale) {
@@ -114,8 +118,7 @@ final class CurrentCauses {
                 for (double core : CORES) {
                     double x = low.x() + 1.5 * range * (i + 0.5) / VORTICES;
                     double y = low.y() + 1.5 * range * (j + 0.5) / VORTICES;
-                    guesses.add(
-                            Change.guess(parameters, new double[] {x, y, 0, core * range}, 2));
+                    guesses.add(Change.guess(parameters, new double[] {x, y, 0, core * range}, 2));
                 }
             }
         }

@@ -60,7 +60,6 @@ final class DragCauses {
         return Change.of(
                 "anisotropic_drag",
                 parameters,
-                (v, t) ->
-                        v.with(b -> b.effect(new AnisotropicDrag(new Vec3(t[0], t[1], t[2])))));
+                (v, t) -> v.with(b -> b.effect(new AnisotropicDrag(new Vec3(t[0], t[1], t[2])))));
     }
 }

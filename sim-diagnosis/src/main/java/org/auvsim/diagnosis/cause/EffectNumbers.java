@@ -111,8 +111,7 @@ final class EffectNumbers {
             }
         }
         int[] all = IntStream.range(0, units.size()).toArray();
-        int[] strengths =
-                Arrays.stream(all).filter(i -> !SHAPES.contains(units.get(i))).toArray();
+        int[] strengths = Arrays.stream(all).filter(i -> !SHAPES.contains(units.get(i))).toArray();
         return strengths.length == 0 ? all : strengths;
     }
 

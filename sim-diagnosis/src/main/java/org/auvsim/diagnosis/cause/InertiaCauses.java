@@ -68,9 +68,7 @@ final class InertiaCauses {
     /** May be taken away only where it stands alone on the diagonal: water never gives energy. */
     private static Cause addedMass(Setting s) {
         AddedMass present =
-                s.body()
-                        .addedMass()
-                        .orElse(new AddedMass(Vec3.ZERO, Vec3.ZERO, List.of()));
+                s.body().addedMass().orElse(new AddedMass(Vec3.ZERO, Vec3.ZERO, List.of()));
         double most = present.term().isEmpty() ? MOST_TAKEN : 0;
         double scale = 0.1 * s.body().mass().orElseThrow();
         List<Parameter> plain = Parameter.vector("ma", "kg", scale);

@@ -38,8 +38,7 @@ public final class Library {
     }
 
     /** The same, with effects and families of causes that another class path has. */
-    public static List<Cause> of(
-            BelievedModel model, List<MeasuredRun> runs, ClassLoader loader) {
+    public static List<Cause> of(BelievedModel model, List<MeasuredRun> runs, ClassLoader loader) {
         Setting setting = Setting.of(model, runs);
         List<Cause> causes = new ArrayList<>();
         FAMILIES.forEach(family -> causes.addAll(family.apply(setting)));

@@ -24,8 +24,7 @@ final class OnsetCauses {
                         "step_force",
                         "from",
                         Parameter.vector("force", "N", s.force()),
-                        (v, t) ->
-                                v.with(b -> b.effect(new StepForce(vector(t), t[3], spread)))),
+                        (v, t) -> v.with(b -> b.effect(new StepForce(vector(t), t[3], spread)))),
                 begun(
                         s,
                         "impulse",

@@ -13,8 +13,7 @@ import java.util.List;
 public record Parameter(String name, String unit, double scale, double lowest, double highest) {
     /** One that may be any number. */
     public static Parameter signed(String name, String unit, double scale) {
-        return new Parameter(
-                name, unit, scale, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+        return new Parameter(name, unit, scale, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
     }
 
     /** The three of a vector, which may be any numbers: {@code u.x}, {@code u.y}, {@code u.z}. */

@@ -55,21 +55,16 @@ final class PeriodicCauses {
             for (int i = 0; i < DIRECTIONS; i++) {
                 double direction = 2 * Math.PI * i / DIRECTIONS;
                 guesses.add(
-                        Change.guess(
-                                parameters, new double[] {0, 0, direction, omega, 1}, 0, 1));
+                        Change.guess(parameters, new double[] {0, 0, direction, omega, 1}, 0, 1));
             }
         }
         for (double omega : frequencies.all()) {
             for (double direction : new double[] {0, Math.PI / 2}) {
                 guesses.add(
-                        Change.guess(
-                                parameters, new double[] {0, 0, direction, omega, 0}, 0, 1));
+                        Change.guess(parameters, new double[] {0, 0, direction, omega, 0}, 0, 1));
             }
         }
-        return Change.of(
-                        "wave_forcing",
-                        parameters,
-                        (v, t) -> v.with(b -> b.effect(force(t))))
+        return Change.of("wave_forcing", parameters, (v, t) -> v.with(b -> b.effect(force(t))))
                 .from(guesses)
                 .told(PeriodicCauses::quantities);
     }

@@ -30,8 +30,7 @@ final class PlaceCauses {
         for (double distance : DISTANCES) {
             for (Vec3 way : directions()) {
                 Vec3 p = s.path().centre().plus(way.times(distance * r));
-                guesses.add(
-                        Change.guess(parameters, new double[] {p.x(), p.y(), p.z(), 0}, 3));
+                guesses.add(Change.guess(parameters, new double[] {p.x(), p.y(), p.z(), 0}, 3));
             }
         }
         double closest = 0.005 * s.path().range();
@@ -67,8 +66,7 @@ final class PlaceCauses {
     private static Cause tether(Setting s) {
         Path path = s.path();
         double range = path.range();
-        List<Parameter> parameters =
-                new ArrayList<>(Parameter.vector("anchor", "m", 0.05 * range));
+        List<Parameter> parameters = new ArrayList<>(Parameter.vector("anchor", "m", 0.05 * range));
         parameters.add(new Parameter("length", "m", 0.05 * range, 0, 100 * range));
         parameters.add(Parameter.positive("k", "N/m", s.force() / range));
         List<Guess> guesses = new ArrayList<>();

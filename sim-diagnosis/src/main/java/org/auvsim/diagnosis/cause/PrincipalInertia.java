@@ -1,9 +1,8 @@
 package org.auvsim.diagnosis.cause;
 
-import org.auvsim.core.math.Mat3;
-
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.EigenDecomposition;
+import org.auvsim.core.math.Mat3;
 
 /** Changes of a tensor of inertia along its own axes. */
 final class PrincipalInertia {

@@ -73,8 +73,7 @@ final class SensorCauses {
                                 (v, t) ->
                                         v.sensed(
                                                 sensing ->
-                                                        sensing.scaled(
-                                                                new Vec3(t[0], t[1], t[2]))))
+                                                        sensing.scaled(new Vec3(t[0], t[1], t[2]))))
                         .asGeneric(),
                 Change.of(
                                 "position_drift",

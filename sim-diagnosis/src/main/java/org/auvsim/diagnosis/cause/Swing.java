@@ -49,11 +49,8 @@ final class Swing {
         Vec3 sine = new Vec3(theta[0], theta[1], theta[2]);
         Vec3 cosine = new Vec3(theta[3], theta[4], theta[5]);
         double phase =
-                0.5
-                        * StrictMath.atan2(
-                                2 * sine.dot(cosine), sine.dot(sine) - cosine.dot(cosine));
-        Vec3 end =
-                sine.times(StrictMath.cos(phase)).plus(cosine.times(StrictMath.sin(phase)));
+                0.5 * StrictMath.atan2(2 * sine.dot(cosine), sine.dot(sine) - cosine.dot(cosine));
+        Vec3 end = sine.times(StrictMath.cos(phase)).plus(cosine.times(StrictMath.sin(phase)));
         if (largest(end) < 0) {
             end = end.negated();
             phase += phase > 0 ? -Math.PI : Math.PI;

@@ -51,8 +51,7 @@ final class ThrusterCauses {
     private static Variant with(
             Variant v, Predicate<Propulsor> which, UnaryOperator<Propulsor> change) {
         List<Component> components = new ArrayList<>(v.body().component());
-        components.replaceAll(
-                c -> c instanceof Propulsor p && which.test(p) ? change.apply(p) : c);
+        components.replaceAll(c -> c instanceof Propulsor p && which.test(p) ? change.apply(p) : c);
         return v.with(b -> b.components(components));
     }
 
@@ -73,16 +72,16 @@ final class ThrusterCauses {
         return p.in(new Condition(c.gain() * factor, c.lostLevel(), c.failure()));
     }
 
-    /** About the axis that turns it within the horizontal plane; about that ahead if it has none. */
+    /**
+     * About the axis that turns it within the horizontal plane; about that ahead if it has none.
+     */
     private static Vec3 sideways(Propulsor p) {
         return Math.abs(p.direction().z()) < STEEP ? UP : AHEAD;
     }
 
     /** About the axis that lifts it out of that plane; about that to the left if it is upright. */
     private static Vec3 upwards(Propulsor p) {
-        return Math.abs(p.direction().z()) < STEEP
-                ? p.direction().cross(UP).normalized()
-                : LEFT;
+        return Math.abs(p.direction().z()) < STEEP ? p.direction().cross(UP).normalized() : LEFT;
     }
 
     private static Change turned(String name, Predicate<Propulsor> which, Vec3 axis) {
@@ -91,8 +90,7 @@ final class ThrusterCauses {
                 List.of(new Parameter(name, "rad", 0.05, -Math.PI / 2, Math.PI / 2)),
                 (v, t) -> {
                     Quat turn = Quat.ofAxisAngle(axis, t[0]);
-                    return with(
-                            v, which, p -> p.mounted(turn.rotate(p.direction()), p.lag()));
+                    return with(v, which, p -> p.mounted(turn.rotate(p.direction()), p.lag()));
                 });
     }
 
@@ -114,7 +112,8 @@ final class ThrusterCauses {
         return Change.of(
                         "thruster_loss",
                         parameters,
-                        (v, t) -> with(v, which, p -> failing(p, new Failure(t[1], 1 - t[0], fade))))
+                        (v, t) ->
+                                with(v, which, p -> failing(p, new Failure(t[1], 1 - t[0], fade))))
                 .from(guesses);
     }
 
@@ -140,9 +139,10 @@ final class ThrusterCauses {
     private static Change lag(Setting s) {
         return Change.of(
                         "thruster_lag",
-                        List.of(new Parameter("tau", "s", 0.1, 0, Math.max(1, s.path().duration() / 4))),
-                        (v, t) ->
-                                with(v, _ -> true, p -> p.mounted(p.direction(), p.lag() + t[0])))
+                        List.of(
+                                new Parameter(
+                                        "tau", "s", 0.1, 0, Math.max(1, s.path().duration() / 4))),
+                        (v, t) -> with(v, _ -> true, p -> p.mounted(p.direction(), p.lag() + t[0])))
                 .from(List.of(Change.secant(0.1), Change.secant(0.5)));
     }
 }

@@ -64,8 +64,7 @@ final class WeightCauses {
         }
         Vec3 weight = new Vec3(0, 0, -GRAVITY * body.mass().orElseThrow());
         String name = name(body, "found couple");
-        return b.force(
-                        new NamedForce(name + ", up", Frame.WORLD, weight.negated(), offset))
+        return b.force(new NamedForce(name + ", up", Frame.WORLD, weight.negated(), offset))
                 .force(NamedForce.direct(name + ", down", Frame.WORLD, weight));
     }
 

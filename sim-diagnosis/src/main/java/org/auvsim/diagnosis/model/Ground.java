@@ -43,8 +43,7 @@ record Ground(Scenario scenario, List<WorldObjectDefinition> objects, int layer)
                             .noneMatch(
                                     o ->
                                             o.layer() == it
-                                                    || o.ignores()
-                                                            .contains(new IgnoredLayer(it)));
+                                                    || o.ignores().contains(new IgnoredLayer(it)));
             if (isFree) {
                 return layer;
             }

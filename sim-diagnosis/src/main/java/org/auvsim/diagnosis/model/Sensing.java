@@ -16,11 +16,9 @@ import org.auvsim.server.feedback.RigidMotion;
  * @param yawRate by which that grows (rad/s)
  * @param drift by which positions run away from the run's beginning on (m/s)
  */
-public record Sensing(
-        double delay, Vec3 scale, Vec3 turn, double yaw, double yawRate, Vec3 drift) {
+public record Sensing(double delay, Vec3 scale, Vec3 turn, double yaw, double yawRate, Vec3 drift) {
     /** What is told is what is. */
-    public static final Sensing EXACT =
-            new Sensing(0, Vec3.ZERO, Vec3.ZERO, 0, 0, Vec3.ZERO);
+    public static final Sensing EXACT = new Sensing(0, Vec3.ZERO, Vec3.ZERO, 0, 0, Vec3.ZERO);
 
     /** The same, older by a time (s). */
     public Sensing delayed(double more) {
@@ -83,8 +81,7 @@ public record Sensing(
     }
 
     private Vec3 inScale(Vec3 v) {
-        return new Vec3(
-                v.x() * (1 + scale.x()), v.y() * (1 + scale.y()), v.z() * (1 + scale.z()));
+        return new Vec3(v.x() * (1 + scale.x()), v.y() * (1 + scale.y()), v.z() * (1 + scale.z()));
     }
 
     private static Quat rotation(Vec3 turn) {

@@ -3,6 +3,9 @@ package org.auvsim.diagnosis.cause;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.auvsim.diagnosis.cause.RigidBodyEquations.times;
 
+import org.apache.commons.math3.geometry.euclidean.threed.Rotation;
+import org.apache.commons.math3.geometry.euclidean.threed.RotationConvention;
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.auvsim.diagnosis.cause.RigidBodyEquations.Load;
 import org.auvsim.diagnosis.cause.RigidBodyEquations.Now;
 import org.auvsim.diagnosis.cause.RigidBodyEquations.Push;
@@ -13,10 +16,6 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.server.feedback.RigidMotion;
-
-import org.apache.commons.math3.geometry.euclidean.threed.Rotation;
-import org.apache.commons.math3.geometry.euclidean.threed.RotationConvention;
-import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -99,11 +98,7 @@ class CauseEquationsTest {
                         2,
                         5,
                         9),
-                of(
-                        "rotational_drag",
-                        "",
-                        n -> Load.torque(n.turning().scalarMultiply(-0.4)),
-                        0.4),
+                of("rotational_drag", "", n -> Load.torque(n.turning().scalarMultiply(-0.4)), 0.4),
                 of(
                         "magnus",
                         "",
@@ -163,7 +158,8 @@ class CauseEquationsTest {
                                     return drag(
                                             5,
                                             n.velocity()
-                                                    .subtract(new Vector3D(-rate * y, rate * x, 0)));
+                                                    .subtract(
+                                                            new Vector3D(-rate * y, rate * x, 0)));
                                 }),
                         1,
                         -2,
@@ -325,11 +321,8 @@ class CauseEquationsTest {
         return new Load(now.toWorld(force), at.crossProduct(force));
     }
 
-    private static Push thrusts(
-            Function<Now, Vector3D> port,
-            Function<Now, Vector3D> starboard) {
-        return n ->
-                thrust(n, 0.15, port.apply(n)).plus(thrust(n, -0.15, starboard.apply(n)));
+    private static Push thrusts(Function<Now, Vector3D> port, Function<Now, Vector3D> starboard) {
+        return n -> thrust(n, 0.15, port.apply(n)).plus(thrust(n, -0.15, starboard.apply(n)));
     }
 
     private static Vector3D ahead(double newtons) {
@@ -341,12 +334,15 @@ class CauseEquationsTest {
     }
 
     private static List<Case> ofThrusters() {
-        Rotation yawed =
-                new Rotation(Vector3D.PLUS_K, 0.3, RotationConvention.VECTOR_OPERATOR);
+        Rotation yawed = new Rotation(Vector3D.PLUS_K, 0.3, RotationConvention.VECTOR_OPERATOR);
         return List.of(
                 about(
                         "port",
-                        of("thruster_gain", THRUSTERS, thrusts(n -> ahead(6), n -> ahead(8)), -0.5)),
+                        of(
+                                "thruster_gain",
+                                THRUSTERS,
+                                thrusts(n -> ahead(6), n -> ahead(8)),
+                                -0.5)),
                 of("thruster_gain", THRUSTERS, thrusts(n -> ahead(6), n -> ahead(4)), -0.5),
                 of("thruster_deadzone", THRUSTERS, thrusts(n -> ahead(10), n -> ahead(6)), 0.1),
                 of(
@@ -386,7 +382,8 @@ class CauseEquationsTest {
                         .filter(one -> one.subject().orElse("").equals(c.subject()))
                         .findFirst()
                         .orElseThrow();
-        Variant variant = cause.in(model.variant(), c.theta().stream().mapToDouble(x -> x).toArray());
+        Variant variant =
+                cause.in(model.variant(), c.theta().stream().mapToDouble(x -> x).toArray());
         RigidMotion[] motion =
                 Ensemble.simulate(
                         model,
@@ -403,12 +400,10 @@ class CauseEquationsTest {
 
     /** The same run, in which the thrusters are told something. */
     private static MeasuredRun commanded(MeasuredRun run) {
-        MeasuredRunBuilder told =
-                MeasuredRun.named("told").commands(List.of("port", "starboard"));
+        MeasuredRunBuilder told = MeasuredRun.named("told").commands(List.of("port", "starboard"));
         for (int k = 0; k < run.size(); k++) {
             told.at(run.time(k)).command(0, 0.6).command(1, 0.4);
-            run.vector(Channel.POSITION, k)
-                    .ifPresent(p -> told.position(p.x(), p.y(), p.z()));
+            run.vector(Channel.POSITION, k).ifPresent(p -> told.position(p.x(), p.y(), p.z()));
             run.orientation(k).ifPresent(told::orientation);
         }
         return told.build();
@@ -421,9 +416,19 @@ class CauseEquationsTest {
     private static double[] numbers(RigidMotion m) {
         var w = m.orientation().rotateInverse(m.angularVelocity());
         return new double[] {
-            m.position().x(), m.position().y(), m.position().z(),
-            m.orientation().w(), m.orientation().x(), m.orientation().y(), m.orientation().z(),
-            m.velocity().x(), m.velocity().y(), m.velocity().z(), w.x(), w.y(), w.z()
+            m.position().x(),
+            m.position().y(),
+            m.position().z(),
+            m.orientation().w(),
+            m.orientation().x(),
+            m.orientation().y(),
+            m.orientation().z(),
+            m.velocity().x(),
+            m.velocity().y(),
+            m.velocity().z(),
+            w.x(),
+            w.y(),
+            w.z()
         };
     }
 }

@@ -82,8 +82,7 @@ class LibraryTest {
     void causesThatMakeNoSenseAreLeftOut() {
         assertThat(library(PENDULUM).stream().map(Cause::id))
                 .contains("coulomb_torque")
-                .doesNotContain(
-                        "coulomb_friction", "thruster_gain", "restitution", "cob_offset");
+                .doesNotContain("coulomb_friction", "thruster_gain", "restitution", "cob_offset");
         assertThat(library(Tank.bare()).stream().map(Cause::id))
                 .doesNotContain("thruster_lag", "contact_friction");
     }
@@ -97,7 +96,9 @@ class LibraryTest {
                 .containsExactly("all", "port", "starboard");
     }
 
-    /** Its section has the parameters by the names that reports use, and a picture that is there. */
+    /**
+     * Its section has the parameters by the names that reports use, and a picture that is there.
+     */
     @ParameterizedTest(name = "{0}")
     @MethodSource("causes")
     void thePageOfCausesHasIt(Cause cause, BelievedModel model) throws Exception {

@@ -82,16 +82,12 @@ class OwnCausesTest {
         Files.writeString(services.resolve(Effect.class.getName()), Stratification.class.getName());
         Files.writeString(services.resolve(CauseFamily.class.getName()), Growth.class.getName());
         ClassLoader loader =
-                new URLClassLoader(
-                        new URL[] {folder.toUri().toURL()}, getClass().getClassLoader());
+                new URLClassLoader(new URL[] {folder.toUri().toURL()}, getClass().getClassLoader());
         return Library.of(MODEL, List.of(Tank.run(MODEL, 40)), loader);
     }
 
     private Cause named(String id) throws IOException {
-        return library().stream()
-                .filter(cause -> cause.id().equals(id))
-                .findFirst()
-                .orElseThrow();
+        return library().stream().filter(cause -> cause.id().equals(id)).findFirst().orElseThrow();
     }
 
     @Test
@@ -102,10 +98,8 @@ class OwnCausesTest {
                 .extracting(Parameter::name, Parameter::unit, Parameter::lowest)
                 .containsExactly(
                         tuple("stiffness", "N/m", 0.0),
-                        tuple(
-                                "height", "m", Double.NEGATIVE_INFINITY),
-                        tuple(
-                                "damping", "N s/m", Double.NEGATIVE_INFINITY));
+                        tuple("height", "m", Double.NEGATIVE_INFINITY),
+                        tuple("damping", "N s/m", Double.NEGATIVE_INFINITY));
         assertThat(cause.guesses(List.of()))
                 .singleElement()
                 .extracting(Guess::columns)

@@ -19,7 +19,8 @@ record RigidBodyEquations(Vector3D mass, Vector3D inertia, Push push)
     private static final double ERROR = 1e-11;
 
     /** How a body moves: world axes, but the angular velocity. */
-    record Now(double time, Vector3D place, Rotation attitude, Vector3D velocity, Vector3D turning) {
+    record Now(
+            double time, Vector3D place, Rotation attitude, Vector3D velocity, Vector3D turning) {
         Vector3D toBody(Vector3D world) {
             return attitude.applyInverseTo(world);
         }
@@ -82,9 +83,7 @@ record RigidBodyEquations(Vector3D mass, Vector3D inertia, Push push)
         Vector3D inBody = divided(force, mass).add(w.crossProduct(v));
         Vector3D spin = times(inertia, w);
         Vector3D torque =
-                load.torque()
-                        .subtract(w.crossProduct(spin))
-                        .subtract(v.crossProduct(momentum));
+                load.torque().subtract(w.crossProduct(spin)).subtract(v.crossProduct(momentum));
         put(rate, 0, now.velocity());
         rate[3] = -0.5 * (y[4] * w.getX() + y[5] * w.getY() + y[6] * w.getZ());
         rate[4] = 0.5 * (y[3] * w.getX() + y[5] * w.getZ() - y[6] * w.getY());

@@ -1,7 +1,7 @@
 package org.auvsim.diagnosis.cause;
 
-import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.AuvsmlException;
+import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.BelievedModel;

@@ -75,7 +75,6 @@ class GroundTest {
         RigidMotion[][] motions =
                 Ensemble.simulate(
                         model, run(), 0, 14, List.of(new Entrant(model.variant(), START)));
-        assertThat(motions[0][14].position().z())
-                .isCloseTo(1.1 - G * 0.49 / 2, within(1e-9));
+        assertThat(motions[0][14].position().z()).isCloseTo(1.1 - G * 0.49 / 2, within(1e-9));
     }
 }

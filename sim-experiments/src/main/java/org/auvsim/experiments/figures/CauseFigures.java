@@ -125,10 +125,6 @@ final class CauseFigures {
             lines.add(new Series(List.of("x", "y", "z").get(axis), points));
         }
         return new Figure(
-                id,
-                "%s: measured less simulated".formatted(cause),
-                "time (s)",
-                shown.label,
-                lines);
+                id, "%s: measured less simulated".formatted(cause), "time (s)", shown.label, lines);
     }
 }

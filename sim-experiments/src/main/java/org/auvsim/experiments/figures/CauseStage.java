@@ -26,74 +26,76 @@ record CauseStage(String objects, RigidMotion start, double seconds) {
     /** A vehicle in water with three thrusters that are told something else every few seconds. */
     static final CauseStage VEHICLE =
             new CauseStage(
-            """
-            <world-object name="body" mass="12">
-              <box><size x="0.8" y="0.4" z="0.3"/></box>
-              <inertia xx="0.5" yy="0.9" zz="1.1"/>
-              <added-mass><linear x="4" y="8" z="8"/></added-mass>
-              <gravity/>
-              <buoyancy volume="0.012" density="1000" surface="100">
-                <centre x="0" y="0" z="0.02"/>
-              </buoyancy>
-              <damping>
-                <linear x="4" y="6" z="6"/>
-                <quadratic x="12" y="25" z="25"/>
-                <angular-linear x="1" y="1" z="1"/>
-              </damping>
-              <propulsor name="port" maximum-thrust="20"><position x="-0.4" y="0.15" z="0"/></propulsor>
-              <propulsor name="starboard" maximum-thrust="20"><position x="-0.4" y="-0.15" z="0"/></propulsor>
-              <propulsor name="lift" maximum-thrust="20"><direction x="0" y="0" z="1"/></propulsor>
-            </world-object>
-            """,
-            new RigidMotion(
-                    new Vec3(1, -2, -3), Quat.IDENTITY, new Vec3(0.4, 0.1, 0), Vec3.ZERO),
-            20);
+                    """
+                    <world-object name="body" mass="12">
+                      <box><size x="0.8" y="0.4" z="0.3"/></box>
+                      <inertia xx="0.5" yy="0.9" zz="1.1"/>
+                      <added-mass><linear x="4" y="8" z="8"/></added-mass>
+                      <gravity/>
+                      <buoyancy volume="0.012" density="1000" surface="100">
+                        <centre x="0" y="0" z="0.02"/>
+                      </buoyancy>
+                      <damping>
+                        <linear x="4" y="6" z="6"/>
+                        <quadratic x="12" y="25" z="25"/>
+                        <angular-linear x="1" y="1" z="1"/>
+                      </damping>
+                      <propulsor name="port" maximum-thrust="20"><position x="-0.4" y="0.15" z="0"/></propulsor>
+                      <propulsor name="starboard" maximum-thrust="20"><position x="-0.4" y="-0.15" z="0"/></propulsor>
+                      <propulsor name="lift" maximum-thrust="20"><direction x="0" y="0" z="1"/></propulsor>
+                    </world-object>
+                    """,
+                    new RigidMotion(
+                            new Vec3(1, -2, -3), Quat.IDENTITY, new Vec3(0.4, 0.1, 0), Vec3.ZERO),
+                    20);
 
     /** A body that flies and spins, and that nothing holds back. */
     static final CauseStage SPINNER =
             new CauseStage(
-            """
-            <world-object name="body" mass="5">
-              <box><size x="0.5" y="0.3" z="0.2"/></box>
-              <inertia xx="0.05" yy="0.12" zz="0.14"/>
-            </world-object>
-            """,
-            new RigidMotion(
-                    Vec3.ZERO, Quat.IDENTITY, new Vec3(0.5, 0.2, 0.1), new Vec3(0.3, 0.2, 0.8)),
-            20);
+                    """
+                    <world-object name="body" mass="5">
+                      <box><size x="0.5" y="0.3" z="0.2"/></box>
+                      <inertia xx="0.05" yy="0.12" zz="0.14"/>
+                    </world-object>
+                    """,
+                    new RigidMotion(
+                            Vec3.ZERO,
+                            Quat.IDENTITY,
+                            new Vec3(0.5, 0.2, 0.1),
+                            new Vec3(0.3, 0.2, 0.8)),
+                    20);
 
     /** A bob that swings about one axis. */
     static final CauseStage PENDULUM =
             new CauseStage(
-            """
-            <world-object name="body" mass="2">
-              <sphere radius="0.1"/>
-              <centre-of-mass x="0" y="0" z="-0.5"/>
-              <pinned><axis x="0" y="1" z="0"/></pinned>
-              <gravity/>
-            </world-object>
-            """,
-            new RigidMotion(
-                    Vec3.ZERO,
-                    Quat.ofAxisAngle(new Vec3(0, 1, 0), 0.8),
-                    Vec3.ZERO,
-                    Vec3.ZERO),
-            20);
+                    """
+                    <world-object name="body" mass="2">
+                      <sphere radius="0.1"/>
+                      <centre-of-mass x="0" y="0" z="-0.5"/>
+                      <pinned><axis x="0" y="1" z="0"/></pinned>
+                      <gravity/>
+                    </world-object>
+                    """,
+                    new RigidMotion(
+                            Vec3.ZERO,
+                            Quat.ofAxisAngle(new Vec3(0, 1, 0), 0.8),
+                            Vec3.ZERO,
+                            Vec3.ZERO),
+                    20);
 
     /** A ball that is thrown along a floor. */
     static final CauseStage THROWN =
             new CauseStage(
-            """
-            <world-object name="floor" fixed="1" restitution="1" friction="0.1"><half-space/></world-object>
-            <world-object name="body" mass="2" restitution="0.5" friction="0.1">
-              <position x="0" y="0" z="2"/>
-              <sphere radius="0.1"/>
-              <gravity/>
-            </world-object>
-            """,
-            new RigidMotion(
-                    new Vec3(0, 0, 2), Quat.IDENTITY, new Vec3(4, 2, 0), Vec3.ZERO),
-            4);
+                    """
+                    <world-object name="floor" fixed="1" restitution="1" friction="0.1"><half-space/></world-object>
+                    <world-object name="body" mass="2" restitution="0.5" friction="0.1">
+                      <position x="0" y="0" z="2"/>
+                      <sphere radius="0.1"/>
+                      <gravity/>
+                    </world-object>
+                    """,
+                    new RigidMotion(new Vec3(0, 0, 2), Quat.IDENTITY, new Vec3(4, 2, 0), Vec3.ZERO),
+                    4);
 
     private static final int SAMPLES = 201;
     private static final List<String> THRUSTERS = List.of("port", "starboard", "lift");

@@ -10,8 +10,7 @@ public final class Figures {
 
     /** Of effects, actuators and fields: SVG pictures by the names of their files. */
     public static Map<String, String> ofEffects() {
-        return pictures(
-                List.of(EffectFigures.all(), ActuatorFigures.all(), FieldFigures.all()));
+        return pictures(List.of(EffectFigures.all(), ActuatorFigures.all(), FieldFigures.all()));
     }
 
     /** Of causes of discrepancies, likewise. */

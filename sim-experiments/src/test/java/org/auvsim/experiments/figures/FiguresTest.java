@@ -29,8 +29,7 @@ class FiguresTest {
         assertDrawn(IMAGES.resolve("causes"), Figures.ofCauses());
     }
 
-    private static void assertDrawn(Path folder, Map<String, String> pictures)
-            throws IOException {
+    private static void assertDrawn(Path folder, Map<String, String> pictures) throws IOException {
         if (System.getProperty("auvsim.generate") != null) {
             Files.createDirectories(folder);
             for (Map.Entry<String, String> picture : pictures.entrySet()) {

@@ -53,9 +53,9 @@ public final class Examination {
         course.at("judging by held-out runs", 0.9);
         Trial trial = new Trial(found.model(), heldOut, found.noise());
         Judged before = trial.prediction(Hypothesis.NONE);
-        if (found.best() == found.none() && !passes(found, trial, before) && course.goesOn()) {
+        if (found.best().isNone() && !passes(found, trial, before) && course.goesOn()) {
             Search.Found all = new Search(model, allRuns(), causes, course).found();
-            if (all.best() != all.none() && Search.isWhite(all.best())) {
+            if (!all.best().isNone() && Search.isWhite(all.best())) {
                 return diagnosis(all, trial, before, true);
             }
         }
@@ -83,7 +83,7 @@ public final class Examination {
             Search.Found found, Trial trial, Judged before, boolean usedHeldOut) {
         Judged best = found.best();
         Judged after =
-                best == found.none() ? before : trial.prediction(best.fit().hypothesis());
+                best.isNone() ? before : trial.prediction(best.fit().hypothesis());
         Verdict verdict = verdict(found, usedHeldOut || passes(found, trial, after));
         boolean isExplained = verdict == Verdict.EXPLAINED;
         List<Finding> selected =
@@ -136,7 +136,7 @@ public final class Examination {
         if (!passes) {
             return Verdict.UNEXPLAINED;
         }
-        return found.best() == found.none() ? Verdict.NONE : Verdict.EXPLAINED;
+        return found.best().isNone() ? Verdict.NONE : Verdict.EXPLAINED;
     }
 
     private List<String> notices(Search.Found found) {

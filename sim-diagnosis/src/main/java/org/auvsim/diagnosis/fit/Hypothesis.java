@@ -77,16 +77,14 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
     /** The model with the causes, one parameter moved by a small step in each, within its bounds. */
     Moves moves(Variant model) {
         double[] numbers = numbers();
-        double[] steps = new double[numbers.length];
-        for (int i = 0; i < steps.length; i++) {
+        List<Double> steps = new ArrayList<>();
+        List<Variant> moved = new ArrayList<>();
+        for (int i = 0; i < numbers.length; i++) {
             Parameter parameter = parameters().get(i);
             double step = Cause.SMALL * parameter.scale();
-            steps[i] = numbers[i] + step > parameter.highest() ? -step : step;
-        }
-        List<Variant> moved = new ArrayList<>();
-        for (int i = 0; i < steps.length; i++) {
-            double[] change = new double[steps.length];
-            change[i] = steps[i];
+            double[] change = new double[numbers.length];
+            change[i] = numbers[i] + step > parameter.highest() ? -step : step;
+            steps.add(change[i]);
             moved.add(plus(change, UnaryOperator.identity()).in(model));
         }
         return new Moves(moved, steps);

@@ -26,6 +26,11 @@ record Judged(Fit fit, Outcome outcome, double score) {
         return -(score - PER_CAUSE * fit.hypothesis().causes().size()) / 2;
     }
 
+    /** Whether nothing is wrong with the model, by this. */
+    boolean isNone() {
+        return fit.hypothesis().causes().isEmpty();
+    }
+
     double cost() {
         return outcome.cost();
     }

@@ -1,14 +1,18 @@
 package org.auvsim.diagnosis.fit;
 
-/**
- * What is known of parameters beside the runs at hand: that they are normally distributed.
- *
- * @param mean most likely numbers
- * @param information the inverse of their covariance
- */
-record Knowledge(double[] mean, double[][] information) {
+/** What is known of parameters beside the runs at hand: that they are normally distributed. */
+final class Knowledge {
     /** Nothing. */
     static final Knowledge NONE = new Knowledge(new double[0], new double[0][]);
+
+    private final double[] mean;
+    private final double[][] information;
+
+    /** Most likely numbers, and the inverse of their covariance. */
+    Knowledge(double[] mean, double[][] information) {
+        this.mean = mean;
+        this.information = information;
+    }
 
     /** Adds its squared misses to products of columns and misses. */
     void addTo(double[][] products, double[] theta) {

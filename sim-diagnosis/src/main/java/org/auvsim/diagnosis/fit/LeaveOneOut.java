@@ -28,8 +28,8 @@ final class LeaveOneOut {
         double sum = 0;
         int count = 0;
         for (Judged prediction : predictions) {
-            sum += prediction.outcome().squares()[channel.ordinal()];
-            count += prediction.outcome().counts()[channel.ordinal()];
+            sum += prediction.outcome().of(channel).sum();
+            count += prediction.outcome().of(channel).count();
         }
         return sum / count;
     }

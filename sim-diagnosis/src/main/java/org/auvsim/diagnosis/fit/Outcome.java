@@ -4,36 +4,51 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.server.feedback.RigidMotion;
 
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * What a hypothesis misses of runs that are simulated in one go.
  *
  * @param misses of each run, sample by sample, in standard deviations
- * @param squares their sum of squares by channel
- * @param counts how many numbers each channel has
+ * @param squares what they come to by channel
  * @param known squared distance of starts and parameters from what is known of them
  */
-record Outcome(List<double[]> misses, double[] squares, int[] counts, double known) {
+record Outcome(List<double[]> misses, Map<Channel, Squares> squares, double known) {
     /** Mean squares below this share of the noise's are told from it by rounding alone. */
     static final double EXACT = 0.01;
 
+    private static final Squares NOTHING = new Squares(0, 0);
+
+    /** A sum of squares, and of how many numbers. */
+    record Squares(double sum, int count) {
+        private Squares plus(double miss) {
+            return new Squares(sum + miss * miss, count + 1);
+        }
+
+        /** Below what rounding does it means nothing how small it is. */
+        double mean() {
+            return Math.max(sum / count, EXACT);
+        }
+    }
+
     static Outcome of(List<Misses> data, List<double[]> misses, double known) {
-        double[] squares = new double[Channel.values().length];
-        int[] counts = new int[squares.length];
+        Map<Channel, Squares> squares = new EnumMap<>(Channel.class);
         for (int r = 0; r < data.size(); r++) {
             List<Misses.Row> rows = data.get(r).rows();
-            double[] ofRun = misses.get(r);
-            for (int i = 0; i < ofRun.length; i++) {
-                if (!data.get(r).isMeasured(i)) {
-                    continue;
+            for (int row = 0; row < rows.size(); row++) {
+                Squares sum = squares.getOrDefault(rows.get(row).channel(), NOTHING);
+                double[] ofRun = misses.get(r);
+                for (int i = row; i < ofRun.length; i += rows.size()) {
+                    if (data.get(r).isMeasured(i)) {
+                        sum = sum.plus(ofRun[i]);
+                    }
                 }
-                int channel = rows.get(i % rows.size()).channel().ordinal();
-                squares[channel] += ofRun[i] * ofRun[i];
-                counts[channel]++;
+                squares.put(rows.get(row).channel(), sum);
             }
         }
-        return new Outcome(misses, squares, counts, known);
+        return new Outcome(misses, squares, known);
     }
 
     /** Squared distance of a start from what is known of it, in standard deviations. */
@@ -47,22 +62,23 @@ record Outcome(List<double[]> misses, double[] squares, int[] counts, double kno
         return sum;
     }
 
+    /** That of a channel; none if it was not measured. */
+    Squares of(Channel channel) {
+        return squares.getOrDefault(channel, NOTHING);
+    }
+
     /** All squares: what a fit makes as small as it can. Infinite if the motion got lost. */
     double cost() {
         double cost = known;
-        for (double square : squares) {
-            cost += square;
+        for (Squares ofChannel : squares.values()) {
+            cost += ofChannel.sum();
         }
         return Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost;
     }
 
     /** How many numbers were measured. */
     int count() {
-        int sum = 0;
-        for (int count : counts) {
-            sum += count;
-        }
-        return sum;
+        return squares.values().stream().mapToInt(Squares::count).sum();
     }
 
     /**
@@ -71,10 +87,8 @@ record Outcome(List<double[]> misses, double[] squares, int[] counts, double kno
      */
     double deviance() {
         double sum = known;
-        for (int c = 0; c < squares.length; c++) {
-            if (counts[c] > 0) {
-                sum += counts[c] * Math.log(Math.max(squares[c] / counts[c], EXACT));
-            }
+        for (Squares ofChannel : squares.values()) {
+            sum += ofChannel.count() * Math.log(ofChannel.mean());
         }
         return Double.isNaN(sum) ? Double.POSITIVE_INFINITY : sum;
     }

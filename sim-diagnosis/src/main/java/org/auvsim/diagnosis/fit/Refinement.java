@@ -26,7 +26,26 @@ final class Refinement {
     private Refinement() {}
 
     /** A step that is to be made. */
-    private record Step(List<List<WindowBlock>> blocks, double[] change, double turn) {
+    private static final class Step {
+        private final List<List<WindowBlock>> blocks;
+        private final double[] change;
+        private double turn;
+
+        Step(List<List<WindowBlock>> blocks, double[] change) {
+            this.blocks = blocks;
+            this.change = change;
+            for (List<WindowBlock> ofRun : blocks) {
+                for (WindowBlock block : ofRun) {
+                    turn = Math.max(turn, block.largestTurn(change));
+                }
+            }
+        }
+
+        /** By how much (rad) the window that turns most does so. */
+        double turn() {
+            return turn;
+        }
+
         /** Windows and parameters after a share of it, and of what keeps it linear. */
         Fit from(Fit fit, double share) {
             double gone = share * Math.min(1, MOST_TURN / Math.max(turn, 1e-300));
@@ -53,13 +72,7 @@ final class Refinement {
                         : Gram.of(blocks, size)
                                 .with(fit.knowledge(), fit.hypothesis().numbers())
                                 .solve(all);
-        double turn = 0;
-        for (List<WindowBlock> ofRun : blocks) {
-            for (WindowBlock block : ofRun) {
-                turn = Math.max(turn, block.largestTurn(change));
-            }
-        }
-        return Optional.of(new Step(blocks, change, turn));
+        return Optional.of(new Step(blocks, change));
     }
 
     private static Fit moved(

@@ -44,7 +44,12 @@ final class Screen {
         }
     }
 
-    private record Promise(List<Seed> set, double[] factors, double score) {}
+    /** What a set of guesses promises, and the factors of all columns, own ones first. */
+    private record Promise(List<Seed> set, List<Double> factors, double score) {
+        double[] factors(int from, int to) {
+            return factors.subList(from, to).stream().mapToDouble(Double::doubleValue).toArray();
+        }
+    }
 
     /**
      * Screens causes beside those of a fit.
@@ -63,8 +68,7 @@ final class Screen {
     private Moves moves() {
         Moves ofBase = base.hypothesis().moves(base.model().variant());
         List<Variant> variants = new ArrayList<>(ofBase.variants());
-        List<Double> steps = new ArrayList<>();
-        Arrays.stream(ofBase.steps()).forEach(steps::add);
+        List<Double> steps = new ArrayList<>(ofBase.steps());
         Variant variant = base.variant();
         for (Seed seed : seeds) {
             for (int c = 0; c < seed.guess().columns().size(); c++) {
@@ -72,8 +76,7 @@ final class Screen {
                 steps.add(seed.guess().steps().get(c));
             }
         }
-        return new Moves(
-                variants, steps.stream().mapToDouble(Double::doubleValue).toArray());
+        return new Moves(variants, steps);
     }
 
     private int group() {
@@ -87,7 +90,7 @@ final class Screen {
     /** How alike what causes do is, over whole runs. */
     Traces traces() {
         List<List<WindowBlock>> blocks = base.blocks(derivatives, base.longest());
-        return new Traces(Gram.of(blocks, moves.steps().length), seeds);
+        return new Traces(Gram.of(blocks, moves.size()), seeds);
     }
 
     /** Sets of so many causes (1 or 2), from each level, where they promise most. */
@@ -109,7 +112,7 @@ final class Screen {
                         .toArray();
         for (int perBlock : levels) {
             List<List<WindowBlock>> blocks = base.blocks(derivatives, perBlock);
-            Gram gram = Gram.of(blocks, moves.steps().length);
+            Gram gram = Gram.of(blocks, moves.size());
             for (Promise promise : best.apply(gram)) {
                 if (starts.stream().noneMatch(s -> isSame(s, promise, perBlock))) {
                     starts.add(start(blocks, promise, perBlock));
@@ -129,14 +132,14 @@ final class Screen {
     }
 
     private Start start(List<List<WindowBlock>> blocks, Promise promise, int perBlock) {
-        double[] change = new double[moves.steps().length];
-        System.arraycopy(promise.factors(), 0, change, 0, own);
+        double[] change = new double[moves.size()];
+        System.arraycopy(promise.factors(0, own), 0, change, 0, own);
         Hypothesis hypothesis =
-                base.hypothesis().plus(Arrays.copyOf(promise.factors(), own));
+                base.hypothesis().plus(promise.factors(0, own));
         int at = own;
         for (Seed seed : promise.set()) {
             int[] columns = seed.columns();
-            double[] factors = Arrays.copyOfRange(promise.factors(), at, at + columns.length);
+            double[] factors = promise.factors(at, at + columns.length);
             for (int i = 0; i < columns.length; i++) {
                 change[columns[i]] = factors[i];
             }
@@ -175,7 +178,7 @@ final class Screen {
     private List<Promise> bestPairsOf(Gram gram, int i, double without) {
         List<Promise> promises = new ArrayList<>();
         for (int j = i + 1; j < seeds.size(); j++) {
-            if (seeds.get(i).cause() != seeds.get(j).cause()) {
+            if (!seeds.get(i).cause().equals(seeds.get(j).cause())) {
                 Promise promise = promise(gram, List.of(seeds.get(i), seeds.get(j)), without);
                 if (promise.score() > 0) {
                     promises.add(promise);
@@ -205,14 +208,14 @@ final class Screen {
         for (Seed seed : set) {
             int size = seed.guess().columns().size();
             if (!seed.makesSense(Arrays.copyOfRange(factors, at, at + size))) {
-                return new Promise(set, factors, 0);
+                return new Promise(set, List.of(), 0);
             }
             at += size;
         }
         int parameters = set.stream().mapToInt(s -> s.cause().parameters().size()).sum();
         double gain = gram.drop(columns, factors) - without;
         return new Promise(
-                set, factors, gain - perParameter * parameters - Judged.PER_CAUSE * set.size());
+                set, Arrays.stream(factors).boxed().toList(), gain - perParameter * parameters - Judged.PER_CAUSE * set.size());
     }
 
     private double dropOf(Gram gram, int[] columns) {

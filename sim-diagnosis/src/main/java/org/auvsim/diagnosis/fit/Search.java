@@ -34,7 +34,7 @@ final class Search {
         Fit asStated = Following.of(model, Hypothesis.NONE, data, noise);
         this.model = StepLength.converged(model, asStated);
         this.base =
-                this.model == model
+                this.model.equals(model)
                         ? asStated
                         : Following.of(this.model, Hypothesis.NONE, data, noise);
         this.library = library;
@@ -93,7 +93,7 @@ final class Search {
         List<Judged> sorted =
                 judged.stream().sorted(Comparator.comparingDouble(Judged::score)).toList();
         List<Judged> near =
-                best == none ? List.of() : Alternatives.competitors(best, sorted);
+                best.isNone() ? List.of() : Alternatives.competitors(best, sorted);
         Judged decided = Arbitration.decided(best, near);
         List<Cause> plain = library.stream().filter(c -> !hasManyGuesses(c)).toList();
         Screen beside = new Screen(following(decided.fit().hypothesis()), plain, guesses, count);
@@ -101,7 +101,7 @@ final class Search {
                 none,
                 decided,
                 sorted,
-                decided == best ? near : Alternatives.competitors(decided, sorted),
+                decided.equals(best) ? near : Alternatives.competitors(decided, sorted),
                 beside.traces(),
                 noise);
     }
@@ -137,7 +137,7 @@ final class Search {
     }
 
     private boolean hasManyGuesses(Cause cause) {
-        return guesses.stream().anyMatch(g -> g.cause() == cause && g.guesses().size() > 2);
+        return guesses.stream().anyMatch(g -> g.cause().equals(cause) && g.guesses().size() > 2);
     }
 
     /** Windows that follow the measurement under a hypothesis. */

@@ -46,7 +46,7 @@ final class Traces {
             }
             for (Seed other : seeds) {
                 boolean isOnce = found.contains(other.cause()) || found.isEmpty();
-                if (other.cause() == seed.cause() || (isOnce && other.first() < seed.first())) {
+                if (other.cause().equals(seed.cause()) || (isOnce && other.first() < seed.first())) {
                     continue;
                 }
                 double angle = angle(seed, other);

@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.diagnosis.fit.Outcome.Squares;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.Gain;
@@ -58,11 +59,9 @@ final class Trial {
     /** The largest ratio over channels of root mean squares. */
     private static double worstRatio(Outcome heldOut, Outcome fitted) {
         double worst = 0;
-        for (int c = 0; c < heldOut.counts().length; c++) {
-            if (heldOut.counts()[c] > 0 && fitted.counts()[c] > 0) {
-                double ratio =
-                        Math.max(heldOut.squares()[c] / heldOut.counts()[c], Outcome.EXACT)
-                                / Math.max(fitted.squares()[c] / fitted.counts()[c], Outcome.EXACT);
+        for (Channel channel : heldOut.squares().keySet()) {
+            if (fitted.of(channel).count() > 0) {
+                double ratio = heldOut.of(channel).mean() / fitted.of(channel).mean();
                 worst = Math.max(worst, Math.sqrt(ratio));
             }
         }
@@ -89,18 +88,16 @@ final class Trial {
     /** Root mean square errors by channel, in the channel's unit. */
     Map<Channel, Gain> gains(Judged before, Judged after) {
         Map<Channel, Gain> gains = new EnumMap<>(Channel.class);
-        for (Channel channel : Channel.values()) {
-            int c = channel.ordinal();
-            int count = after.outcome().counts()[c];
-            if (count > 0) {
-                double scale = noise.of(channel);
-                gains.put(
-                        channel,
-                        new Gain(
-                                scale * Math.sqrt(before.outcome().squares()[c] / count),
-                                scale * Math.sqrt(after.outcome().squares()[c] / count),
-                                scale));
-            }
+        for (Channel channel : after.outcome().squares().keySet()) {
+            double scale = noise.of(channel);
+            Squares without = before.outcome().of(channel);
+            Squares with = after.outcome().of(channel);
+            gains.put(
+                    channel,
+                    new Gain(
+                            scale * Math.sqrt(without.sum() / without.count()),
+                            scale * Math.sqrt(with.sum() / with.count()),
+                            scale));
         }
         return gains;
     }

@@ -39,8 +39,13 @@ final class WindowDerivatives {
      * @param variants the model with one parameter moved, each
      * @param steps by how much
      */
-    record Moves(List<Variant> variants, double[] steps) {
-        static final Moves NONE = new Moves(List.of(), new double[0]);
+    record Moves(List<Variant> variants, List<Double> steps) {
+        static final Moves NONE = new Moves(List.of(), List.of());
+
+        /** How many parameters are moved. */
+        int size() {
+            return steps.size();
+        }
     }
 
     private WindowDerivatives(
@@ -50,7 +55,7 @@ final class WindowDerivatives {
             int group,
             List<Entrant> entrants,
             RigidMotion[][] motions,
-            double[] steps) {
+            List<Double> steps) {
         this.window = window;
         int samples = window.length() + (isLast ? 1 : 0);
         double[][] all = new double[motions.length][];
@@ -65,11 +70,11 @@ final class WindowDerivatives {
         }
         misses = all[0];
         end = motions[0][window.length()];
-        byParameter = new double[steps.length][];
-        endByParameter = new double[steps.length][];
+        byParameter = new double[steps.size()][];
+        endByParameter = new double[steps.size()][];
         for (int i = 1; i < motions.length; i++) {
             int p = i - 1 - RigidMotion.SIZE;
-            double step = p < 0 ? STEPS[(i - 1) / 3] : steps[p];
+            double step = p < 0 ? STEPS[(i - 1) / 3] : steps.get(p);
             double[] slope = slope(all[i], misses, step);
             double[] endSlope = slope(motions[i][window.length()].minus(end), step);
             if (p < 0) {

@@ -13,7 +13,6 @@ import org.auvsim.diagnosis.run.ScheduledForce;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 
 /** What a run did to the body: commands of actuators, and forces. */
@@ -25,7 +24,7 @@ final class Inputs {
     private final List<CommandedForce> ofForces = new ArrayList<>();
 
     /** Variants share most actuators: what was commanded before is worked out once for each. */
-    private final Map<Component, Component> commandedBefore = new IdentityHashMap<>();
+    private final IdentityHashMap<Component, Component> commandedBefore = new IdentityHashMap<>();
 
     /** A force of the scenario whose vector is commanded, by axis; an axis that is not stays. */
     private record CommandedForce(NamedForce force, List<Optional<Command>> byAxis) {

@@ -49,7 +49,7 @@ class HypothesisTest {
         Moves moves =
                 new Hypothesis(List.of(new Mass()), List.of(new double[] {mass})).moves(model);
         double moved = moves.variants().getFirst().body().mass().orElseThrow();
-        assertThat(moves.steps()[0]).isCloseTo(moved - mass, within(1e-12));
+        assertThat(moves.steps().getFirst()).isCloseTo(moved - mass, within(1e-12));
         return moved;
     }
 

@@ -9,24 +9,27 @@ import org.auvsim.server.feedback.VectorAdjustmentFeedbackHandler;
 /** What corrects the object while the learner learns: one of the server's own, as by default. */
 public enum Corrector {
     /** Nothing: the object goes its own way. */
-    IGNORE("ignore", new IgnoreFeedbackHandler()),
+    IGNORE("ignore"),
     /** The object gets what was measured. */
-    DIRECT_POSITION_CHANGE("direct-position-change", new DirectPositionChangeFeedbackHandler()),
+    DIRECT_POSITION_CHANGE("direct-position-change"),
     /** It is pushed there. */
-    VECTOR_ADJUSTMENT("vector-adjustment", new VectorAdjustmentFeedbackHandler()),
+    VECTOR_ADJUSTMENT("vector-adjustment"),
     /** What was measured is weighed against the model. */
-    KALMAN_FILTER("kalman-filter", new KalmanFilterFeedbackHandler());
+    KALMAN_FILTER("kalman-filter");
 
     private final String text;
-    private final FeedbackProcessor processor;
 
-    Corrector(String text, FeedbackProcessor processor) {
+    Corrector(String text) {
         this.text = text;
-        this.processor = processor;
     }
 
     FeedbackProcessor processor() {
-        return processor;
+        return switch (this) {
+            case IGNORE -> new IgnoreFeedbackHandler();
+            case DIRECT_POSITION_CHANGE -> new DirectPositionChangeFeedbackHandler();
+            case VECTOR_ADJUSTMENT -> new VectorAdjustmentFeedbackHandler();
+            case KALMAN_FILTER -> new KalmanFilterFeedbackHandler();
+        };
     }
 
     /** As AUVSML has it. */

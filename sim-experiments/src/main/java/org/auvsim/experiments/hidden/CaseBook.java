@@ -22,7 +22,7 @@ public final class CaseBook {
 
     /** A case of a kind. */
     public static HiddenCase draw(CaseKind kind, double noise, long seed) {
-        Draws draws = new Draws(seed * 31 + kind.ordinal());
+        Draws draws = new Draws(seed * 31 + kind.number());
         Optional<Puzzle> puzzle =
                 kind == CaseKind.ALIAS ? Optional.of(Puzzle.draw(draws)) : Optional.empty();
         Body body = puzzle.map(Puzzle::body).orElseGet(() -> draws.oneOf(Body.ALL));

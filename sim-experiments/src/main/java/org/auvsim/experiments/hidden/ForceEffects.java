@@ -1,7 +1,5 @@
 package org.auvsim.experiments.hidden;
 
-import static org.auvsim.experiments.hidden.Numbers.of;
-
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.apache.commons.math3.util.FastMath;
 import org.auvsim.experiments.hidden.Companion.Kick;
@@ -28,7 +26,7 @@ final class ForceEffects {
                 s ->
                         HiddenEffect.of(
                                 "buoyancy_weight",
-                                Map.of("force", of(sign * s)),
+                                Map.of("force", Numbers.of(sign * s)),
                                 r -> r.pushed(at -> Wrench.force(new Vector3D(0, 0, sign * s)))));
     }
 
@@ -39,7 +37,7 @@ final class ForceEffects {
                 s ->
                         HiddenEffect.of(
                                 "coulomb_friction",
-                                Map.of("mu", of(s)),
+                                Map.of("mu", Numbers.of(s)),
                                 r ->
                                         r.pushed(
                                                 at -> {
@@ -58,7 +56,7 @@ final class ForceEffects {
                 s ->
                         HiddenEffect.of(
                                 "magnetic",
-                                Map.of("source", of(source), "strength", of(sign * s)),
+                                Map.of("source", Numbers.of(source), "strength", Numbers.of(sign * s)),
                                 r ->
                                         r.pushed(
                                                 at -> {
@@ -80,7 +78,7 @@ final class ForceEffects {
                 s ->
                         HiddenEffect.of(
                                 "magnus",
-                                Map.of("s", of(sign * s)),
+                                Map.of("s", Numbers.of(sign * s)),
                                 r ->
                                         r.pushed(
                                                 at ->
@@ -102,7 +100,7 @@ final class ForceEffects {
                 s ->
                         HiddenEffect.of(
                                 "tether_spring",
-                                Map.of("anchor", of(anchor), "length", of(length), "k", of(s)),
+                                Map.of("anchor", Numbers.of(anchor), "length", Numbers.of(length), "k", Numbers.of(s)),
                                 r ->
                                         r.pushed(
                                                 at -> {
@@ -126,13 +124,13 @@ final class ForceEffects {
                                 "wave_forcing",
                                 Map.of(
                                         "amplitude",
-                                        of(s),
+                                        Numbers.of(s),
                                         "direction",
-                                        of(azimuth),
+                                        Numbers.of(azimuth),
                                         "omega",
-                                        of(omega),
+                                        Numbers.of(omega),
                                         "phase",
-                                        of(phase)),
+                                        Numbers.of(phase)),
                                 r -> r.pushed(swinging(along.scalarMultiply(s), omega, phase))));
     }
 
@@ -150,11 +148,11 @@ final class ForceEffects {
                                 "periodic_force",
                                 Map.of(
                                         "force",
-                                        of(along.scalarMultiply(s)),
+                                        Numbers.of(along.scalarMultiply(s)),
                                         "omega",
-                                        of(omega),
+                                        Numbers.of(omega),
                                         "phase",
-                                        of(phase)),
+                                        Numbers.of(phase)),
                                 r -> r.pushed(swinging(along.scalarMultiply(s), omega, phase))));
     }
 
@@ -172,7 +170,7 @@ final class ForceEffects {
                     Vector3D force = along.scalarMultiply(s);
                     return HiddenEffect.of(
                             "step_force",
-                            Map.of("force", of(force), "from", of(from)),
+                            Map.of("force", Numbers.of(force), "from", Numbers.of(from)),
                             r ->
                                     r.edge(from)
                                             .pushed(
@@ -192,7 +190,7 @@ final class ForceEffects {
                     Vector3D impulse = along.scalarMultiply(s);
                     return HiddenEffect.of(
                             "impulse",
-                            Map.of("impulse", of(impulse), "at", of(at)),
+                            Map.of("impulse", Numbers.of(impulse), "at", Numbers.of(at)),
                             r -> r.accompanied(random -> once(new Kick(at, impulse))));
                 });
     }

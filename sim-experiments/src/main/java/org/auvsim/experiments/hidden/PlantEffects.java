@@ -1,8 +1,6 @@
 package org.auvsim.experiments.hidden;
 
 import static org.auvsim.experiments.hidden.Equations.times;
-import static org.auvsim.experiments.hidden.Numbers.of;
-
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 
 import java.util.Map;
@@ -17,7 +15,7 @@ final class PlantEffects {
                 s ->
                         HiddenEffect.of(
                                 "linear_drag",
-                                Map.of("c", of(s)),
+                                Map.of("c", Numbers.of(s)),
                                 r -> r.with(p -> p.withDrag(d -> d.withEven(s, 0, 0)))));
     }
 
@@ -27,7 +25,7 @@ final class PlantEffects {
                 s ->
                         HiddenEffect.of(
                                 "quadratic_drag",
-                                Map.of("k", of(s)),
+                                Map.of("k", Numbers.of(s)),
                                 r -> r.with(p -> p.withDrag(d -> d.withEven(0, s, 0)))));
     }
 
@@ -39,7 +37,7 @@ final class PlantEffects {
                     Vector3D k = share.scalarMultiply(s);
                     return HiddenEffect.of(
                             "anisotropic_drag",
-                            Map.of("k", of(k)),
+                            Map.of("k", Numbers.of(k)),
                             r -> r.with(p -> p.withDrag(d -> d.withQuadratic(k))));
                 });
     }
@@ -50,7 +48,7 @@ final class PlantEffects {
                 s ->
                         HiddenEffect.of(
                                 "rotational_drag",
-                                Map.of("c", of(s)),
+                                Map.of("c", Numbers.of(s)),
                                 r -> r.with(p -> p.withDrag(d -> d.withEven(0, 0, s)))));
     }
 
@@ -64,7 +62,7 @@ final class PlantEffects {
                     Vector3D ma = share.scalarMultiply(s);
                     return HiddenEffect.of(
                             "added_mass",
-                            Map.of("ma", of(ma)),
+                            Map.of("ma", Numbers.of(ma)),
                             r -> r.with(p -> p.withAddedMass(p.addedMass().add(ma))));
                 });
     }
@@ -77,7 +75,7 @@ final class PlantEffects {
                     Vector3D offset = along.scalarMultiply(s);
                     return HiddenEffect.of(
                             "cob_offset",
-                            Map.of("offset", of(offset)),
+                            Map.of("offset", Numbers.of(offset)),
                             r -> r.with(p -> p.withBuoyancyCentre(p.buoyancyCentre().add(offset))));
                 });
     }
@@ -91,7 +89,7 @@ final class PlantEffects {
                 s ->
                         HiddenEffect.of(
                                 "mass_error",
-                                Map.of("factor", of(1 + sign * s)),
+                                Map.of("factor", Numbers.of(1 + sign * s)),
                                 r -> r.with(p -> p.withMass(p.mass() * (1 + sign * s)))));
     }
 
@@ -103,7 +101,7 @@ final class PlantEffects {
                     Vector3D factor = new Vector3D(1, 1, 1).add(s, share);
                     return HiddenEffect.of(
                             "inertia_error",
-                            Map.of("factor", of(factor)),
+                            Map.of("factor", Numbers.of(factor)),
                             r -> r.with(p -> p.withInertia(times(p.inertia(), factor))));
                 });
     }

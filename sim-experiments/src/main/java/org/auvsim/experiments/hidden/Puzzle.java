@@ -1,7 +1,5 @@
 package org.auvsim.experiments.hidden;
 
-import static org.auvsim.experiments.hidden.Numbers.of;
-
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.apache.commons.math3.util.FastMath;
 import org.auvsim.experiments.hidden.Manoeuvre.TimedPush;
@@ -96,11 +94,11 @@ record Puzzle(Body body, HiddenEffect hidden, Twins twins, double looseness) {
                 draws.chance(0.5)
                         ? HiddenEffect.of(
                                 "mass_error",
-                                Map.of("factor", of(factor)),
+                                Map.of("factor", Numbers.of(factor)),
                                 r -> r.with(p -> p.withMass(factor * p.mass())))
                         : HiddenEffect.of(
                                         "thruster_gain",
-                                        Map.of("factor", of(1 / factor)),
+                                        Map.of("factor", Numbers.of(1 / factor)),
                                         r ->
                                                 r.with(
                                                         p ->
@@ -149,11 +147,11 @@ record Puzzle(Body body, HiddenEffect hidden, Twins twins, double looseness) {
                 isLinear
                         ? HiddenEffect.of(
                                 "linear_drag",
-                                Map.of("c", of(more)),
+                                Map.of("c", Numbers.of(more)),
                                 r -> r.with(p -> p.withDrag(d -> d.withEven(more, 0, 0))))
                         : HiddenEffect.of(
                                 "quadratic_drag",
-                                Map.of("k", of(more / EVEN_SPEED)),
+                                Map.of("k", Numbers.of(more / EVEN_SPEED)),
                                 r ->
                                         r.with(
                                                 p ->
@@ -205,7 +203,7 @@ record Puzzle(Body body, HiddenEffect hidden, Twins twins, double looseness) {
                         d -> pushed(4, 40, d)),
                 HiddenEffect.of(
                         isClock ? "clock_offset" : "sensor_delay",
-                        Map.of(isClock ? "offset" : "delay", of(delay)),
+                        Map.of(isClock ? "offset" : "delay", Numbers.of(delay)),
                         r ->
                                 r.sensed(
                                         q ->
@@ -229,11 +227,11 @@ record Puzzle(Body body, HiddenEffect hidden, Twins twins, double looseness) {
                 isMass
                         ? HiddenEffect.of(
                                 "mass_error",
-                                Map.of("factor", of(1 + heavier)),
+                                Map.of("factor", Numbers.of(1 + heavier)),
                                 r -> r.with(p -> p.withMass((1 + heavier) * p.mass())))
                         : HiddenEffect.of(
                                 "buoyancy_weight",
-                                Map.of("force", of(-weight)),
+                                Map.of("force", Numbers.of(-weight)),
                                 r -> r.pushed(at -> Wrench.force(new Vector3D(0, 0, -weight))));
         double drag = 12;
         return new Puzzle(
@@ -267,7 +265,7 @@ record Puzzle(Body body, HiddenEffect hidden, Twins twins, double looseness) {
                         "drifting ball",
                         ball(Drag.even(areAlike ? 60 : 10, 0, 0.1), MASS, List.of()),
                         d -> pushed(4, 40, d)),
-                HiddenEffect.of("current_constant", Map.of("u", of(u)), r -> r.in((p, t) -> u)),
+                HiddenEffect.of("current_constant", Map.of("u", Numbers.of(u)), r -> r.in((p, t) -> u)),
                 new Twins("current_constant", "position_drift", areAlike),
                 areAlike ? 20 : 1);
     }

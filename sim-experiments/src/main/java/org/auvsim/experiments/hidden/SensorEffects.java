@@ -1,7 +1,5 @@
 package org.auvsim.experiments.hidden;
 
-import static org.auvsim.experiments.hidden.Numbers.of;
-
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 
 import java.util.Map;
@@ -17,7 +15,7 @@ final class SensorEffects {
                 s ->
                         HiddenEffect.of(
                                 "sensor_bias",
-                                Map.of("yaw", of(sign * s)),
+                                Map.of("yaw", Numbers.of(sign * s)),
                                 r -> r.sensed(q -> yaw(q, sign * s, 0))));
     }
 
@@ -28,7 +26,7 @@ final class SensorEffects {
                 s ->
                         HiddenEffect.of(
                                 "sensor_drift",
-                                Map.of("yaw_rate", of(sign * s)),
+                                Map.of("yaw_rate", Numbers.of(sign * s)),
                                 r -> r.sensed(q -> yaw(q, 0, sign * s))));
     }
 
@@ -44,7 +42,7 @@ final class SensorEffects {
                     Vector3D scale = along.scalarMultiply(s);
                     return HiddenEffect.of(
                             "sensor_scale",
-                            Map.of("scale", of(new Vector3D(1, 1, 1).add(scale))),
+                            Map.of("scale", Numbers.of(new Vector3D(1, 1, 1).add(scale))),
                             r ->
                                     r.sensed(
                                             q ->
@@ -72,7 +70,7 @@ final class SensorEffects {
                 s ->
                         HiddenEffect.of(
                                 cause,
-                                Map.of(parameter, of(sign * s)),
+                                Map.of(parameter, Numbers.of(sign * s)),
                                 r ->
                                         r.sensed(
                                                 q ->
@@ -92,7 +90,7 @@ final class SensorEffects {
                     Vector3D turn = along.scalarMultiply(s);
                     return HiddenEffect.of(
                             "axis_misalignment",
-                            Map.of("turn", of(turn)),
+                            Map.of("turn", Numbers.of(turn)),
                             r ->
                                     r.sensed(
                                             q ->

@@ -1,7 +1,5 @@
 package org.auvsim.experiments.hidden;
 
-import static org.auvsim.experiments.hidden.Numbers.of;
-
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 
 import java.util.Map;
@@ -27,7 +25,7 @@ final class ThrusterEffects {
                 s ->
                         HiddenEffect.of(
                                         "thruster_gain",
-                                        Map.of("factor", of(1 + sign * s)),
+                                        Map.of("factor", Numbers.of(1 + sign * s)),
                                         one(name, t -> t.withGain(1 + sign * s)))
                                 .about(name));
     }
@@ -38,14 +36,14 @@ final class ThrusterEffects {
                 s ->
                         HiddenEffect.of(
                                 "thruster_deadzone",
-                                Map.of("width", of(s)),
+                                Map.of("width", Numbers.of(s)),
                                 all(t -> t.withDeadZone(s))));
     }
 
     static Family lag(Scene scene, Draws draws) {
         return Family.upTo(
                 2,
-                s -> HiddenEffect.of("thruster_lag", Map.of("tau", of(s)), all(t -> t.withLag(s))));
+                s -> HiddenEffect.of("thruster_lag", Map.of("tau", Numbers.of(s)), all(t -> t.withLag(s))));
     }
 
     static Family misalignment(Scene scene, Draws draws) {
@@ -56,7 +54,7 @@ final class ThrusterEffects {
                 s ->
                         HiddenEffect.of(
                                         "thruster_misalignment",
-                                        Map.of("angle", of(sign * s)),
+                                        Map.of("angle", Numbers.of(sign * s)),
                                         one(
                                                 thruster.name(),
                                                 t -> t.pointing(turned(t.direction(), sign * s))))
@@ -79,7 +77,7 @@ final class ThrusterEffects {
                     double from = (1 - s) * scene.duration();
                     return HiddenEffect.of(
                                     "thruster_loss",
-                                    Map.of("from", of(from)),
+                                    Map.of("from", Numbers.of(from)),
                                     r -> one(name, t -> t.lostFrom(from)).apply(r.edge(from)))
                             .about(name);
                 });

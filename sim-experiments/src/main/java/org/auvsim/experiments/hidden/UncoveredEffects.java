@@ -1,7 +1,5 @@
 package org.auvsim.experiments.hidden;
 
-import static org.auvsim.experiments.hidden.Numbers.of;
-
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.apache.commons.math3.util.FastMath;
 
@@ -29,7 +27,7 @@ final class UncoveredEffects {
                 s ->
                         HiddenEffect.of(
                                 "sloshing mass",
-                                Map.of("share", of(s), "omega", of(omega)),
+                                Map.of("share", Numbers.of(s), "omega", Numbers.of(omega)),
                                 r ->
                                         r.accompanied(
                                                 random ->
@@ -88,7 +86,7 @@ final class UncoveredEffects {
                 s ->
                         HiddenEffect.of(
                                 "random kicks",
-                                Map.of("impulse", of(s), "pause", of(pause)),
+                                Map.of("impulse", Numbers.of(s), "pause", Numbers.of(pause)),
                                 r -> r.accompanied(random -> new Knocks(random, s, pause))));
     }
 
@@ -123,7 +121,7 @@ final class UncoveredEffects {
                 s ->
                         HiddenEffect.of(
                                 "chaotic force",
-                                Map.of("force", of(s), "haste", of(haste)),
+                                Map.of("force", Numbers.of(s), "haste", Numbers.of(haste)),
                                 r -> r.accompanied(random -> new Lorenz(random, s, haste))));
     }
 
@@ -161,7 +159,7 @@ final class UncoveredEffects {
                 s ->
                         HiddenEffect.of(
                                 "own wake",
-                                Map.of("drag", of(s), "width", of(width), "age", of(age)),
+                                Map.of("drag", Numbers.of(s), "width", Numbers.of(width), "age", Numbers.of(age)),
                                 r -> r.accompanied(random -> new Wake(s, width, age))));
     }
 

@@ -1,7 +1,5 @@
 package org.auvsim.experiments.hidden;
 
-import static org.auvsim.experiments.hidden.Numbers.of;
-
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.apache.commons.math3.util.FastMath;
 
@@ -19,7 +17,7 @@ final class WaterEffects {
                 s -> {
                     Vector3D u = direction.scalarMultiply(s);
                     return HiddenEffect.of(
-                            "current_constant", Map.of("u", of(u)), r -> r.in((p, t) -> u));
+                            "current_constant", Map.of("u", Numbers.of(u)), r -> r.in((p, t) -> u));
                 });
     }
 
@@ -33,7 +31,7 @@ final class WaterEffects {
                     Vector3D u = direction.scalarMultiply(s);
                     return HiddenEffect.of(
                             "current_oscillating",
-                            Map.of("u", of(u), "omega", of(omega), "phase", of(phase)),
+                            Map.of("u", Numbers.of(u), "omega", Numbers.of(omega), "phase", Numbers.of(phase)),
                             r -> r.in((p, t) -> u.scalarMultiply(FastMath.sin(omega * t + phase))));
                 });
     }
@@ -67,9 +65,9 @@ final class WaterEffects {
                                         "centre",
                                         List.of(x, y),
                                         "gamma",
-                                        of(sign * s),
+                                        Numbers.of(sign * s),
                                         "core",
-                                        of(core)),
+                                        Numbers.of(core)),
                                 r ->
                                         r.in(
                                                 (p, t) ->

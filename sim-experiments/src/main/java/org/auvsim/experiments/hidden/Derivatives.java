@@ -58,12 +58,12 @@ final class Derivatives {
     }
 
     private Smoothed at(int k) {
-        Vector3D[] path = fitted(k, i -> position(k + i));
+        Vector3D[] path = fitted(i -> position(k + i));
         boolean shows = run.measures(Channel.ORIENTATION);
         Attitude there = shows ? attitude(k) : Attitude.LEVEL;
         Vector3D[] turns =
                 shows
-                        ? fitted(k, i -> turn(there, attitude(k + i)))
+                        ? fitted(i -> turn(there, attitude(k + i)))
                         : new Vector3D[] {Vector3D.ZERO, Vector3D.ZERO, Vector3D.ZERO};
         Instant motion = new Instant(run.time(k), path[0], there, path[1], turns[1], Vector3D.ZERO);
         return new Smoothed(k, motion, path[2], turns[2]);
@@ -75,7 +75,7 @@ final class Derivatives {
     }
 
     /** Value, first and second derivative at a sample. */
-    private Vector3D[] fitted(int k, Around values) {
+    private Vector3D[] fitted(Around values) {
         Vector3D[] terms = {Vector3D.ZERO, Vector3D.ZERO, Vector3D.ZERO};
         for (int i = -reach; i <= reach; i++) {
             Vector3D value = values.at(i);

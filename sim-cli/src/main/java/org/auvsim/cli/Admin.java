@@ -15,7 +15,6 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
 import java.io.BufferedReader;
-import java.io.Console;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.nio.file.Path;
@@ -46,7 +45,7 @@ final class Admin implements Callable<Integer> {
         MessageCatalogue catalogue = MessageCatalogue.load(Admin.class.getClassLoader());
         try (AuvsmlClient client = connection.open(catalogue)) {
             Administration administration = new Administration(client, catalogue);
-            if (isAtTerminal()) {
+            if (Terminal.isThere()) {
                 try (Terminal terminal = TerminalBuilder.terminal()) {
                     administration.converse(terminal, HISTORY);
                 }
@@ -57,12 +56,5 @@ final class Admin implements Callable<Integer> {
             }
         }
         return 0;
-    }
-
-    /** Java 25 has no console, as before 22, where input or output is no terminal. */
-    @SuppressWarnings("SystemConsoleNull")
-    private static boolean isAtTerminal() {
-        Console console = System.console();
-        return console != null && console.isTerminal();
     }
 }

@@ -24,7 +24,6 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-import java.io.Console;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
@@ -134,7 +133,7 @@ final class Diagnose implements Callable<Integer> {
         try (ProgressBar bar =
                 new ProgressBar(
                         spec.commandLine().getErr(),
-                        isAtTerminal(),
+                        Terminal.isThere(),
                         System::nanoTime,
                         interruption::isRequested)) {
             return new Investigation(
@@ -147,11 +146,6 @@ final class Diagnose implements Callable<Integer> {
                     .diagnose()
                     .noticing(runs.notices());
         }
-    }
-
-    private static boolean isAtTerminal() {
-        Console console = System.console();
-        return console != null && console.isTerminal();
     }
 
     private BelievedModel model(Scenario scenario) {

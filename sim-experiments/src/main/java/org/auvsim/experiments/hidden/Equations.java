@@ -70,7 +70,7 @@ final class Equations implements FirstOrderDifferentialEquations {
                                                 attitude.toBody(
                                                         upward(plant.displaced())
                                                                 .add(plant.displaced(), flow))));
-        Wrench own = actuators(t, y, through, w, slope);
+        Wrench own = actuators(y, through, w, slope);
         accelerate(
                 slope,
                 attitude,
@@ -113,7 +113,7 @@ final class Equations implements FirstOrderDifferentialEquations {
     }
 
     /** What thrusters and fins do (body axes). */
-    private Wrench actuators(double t, double[] y, Vector3D through, Vector3D w, double[] slope) {
+    private Wrench actuators(double[] y, Vector3D through, Vector3D w, double[] slope) {
         Wrench sum = Wrench.NONE;
         for (int i = 0; i < thrusterLevels.length; i++) {
             Thruster thruster = plant.thrusters().get(i);

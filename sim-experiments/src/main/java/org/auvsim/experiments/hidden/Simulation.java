@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.SortedSet;
 import java.util.TreeSet;
 
 /**
@@ -86,9 +87,9 @@ final class Simulation {
         return poses;
     }
 
-    private TreeSet<Double> edges() {
+    private SortedSet<Double> edges() {
         double end = manoeuvre.duration() + Math.max(0, -reality.sensors().delay());
-        TreeSet<Double> edges = new TreeSet<>(reality.edges());
+        SortedSet<Double> edges = new TreeSet<>(reality.edges());
         for (Track track : manoeuvre.commands()) {
             track.samples().forEach(k -> edges.add(manoeuvre.time(k)));
         }
@@ -160,9 +161,9 @@ final class Simulation {
 
     private Instant at(double time) {
         ContinuousOutputModel piece = pieces.getFirst();
-        for (ContinuousOutputModel candidate : pieces) {
+        for (ContinuousOutputModel candidate : pieces.subList(1, pieces.size())) {
             double earliest = Math.min(candidate.getInitialTime(), candidate.getFinalTime());
-            if (earliest <= time + 1e-12 || candidate == pieces.getFirst()) {
+            if (earliest <= time + 1e-12) {
                 piece = candidate;
             }
         }

@@ -49,9 +49,9 @@ final class SphereInWater implements Body {
         int rate = draws.oneOf(List.of(10, 20, 25));
         return new Manoeuvre(
                 Pushing.start(draws),
-                Math.round(duration),
+                (double) Math.round(duration),
                 rate,
                 List.of(),
-                new Pushing(4, 20, 0.02).draw(Math.round(duration), draws));
+                new Pushing(4, 20, 0.02).draw((double) Math.round(duration), draws));
     }
 }

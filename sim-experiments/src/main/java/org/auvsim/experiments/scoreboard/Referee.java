@@ -73,8 +73,8 @@ final class Referee {
                         .filter(Alternative::isIndistinguishable)
                         .flatMap(a -> a.causes().stream())
                         .toList();
-        return among(twins.first(), selected) && among(twins.second(), others)
-                || among(twins.second(), selected) && among(twins.first(), others);
+        return (among(twins.first(), selected) && among(twins.second(), others))
+                || (among(twins.second(), selected) && among(twins.first(), others));
     }
 
     /** Names begin with the cause's id. */

@@ -37,12 +37,12 @@ final class TrueNumbers {
 
     private static Map<String, Double> byName(HiddenEffect hidden) {
         Map<String, Double> numbers = new TreeMap<>();
-        List<Double> phase = hidden.parameters().get("phase");
+        List<Double> phase = hidden.parameters().getOrDefault("phase", List.of());
         hidden.parameters()
                 .forEach(
                         (name, values) -> {
                             boolean swings =
-                                    phase != null
+                                    !phase.isEmpty()
                                             && (values.size() == AXES.length
                                                     || name.equals("amplitude"));
                             for (int i = 0; i < values.size() && !name.equals("phase"); i++) {

@@ -45,7 +45,7 @@ final class Admin implements Callable<Integer> {
         MessageCatalogue catalogue = MessageCatalogue.load(Admin.class.getClassLoader());
         try (AuvsmlClient client = connection.open(catalogue)) {
             Administration administration = new Administration(client, catalogue);
-            if (Terminal.isThere()) {
+            if (StandardTerminal.isThere()) {
                 try (Terminal terminal = TerminalBuilder.terminal()) {
                     administration.converse(terminal, HISTORY);
                 }

@@ -133,7 +133,7 @@ final class Diagnose implements Callable<Integer> {
         try (ProgressBar bar =
                 new ProgressBar(
                         spec.commandLine().getErr(),
-                        Terminal.isThere(),
+                        StandardTerminal.isThere(),
                         System::nanoTime,
                         interruption::isRequested)) {
             return new Investigation(

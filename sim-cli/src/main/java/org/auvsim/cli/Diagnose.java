@@ -38,7 +38,7 @@ import java.util.concurrent.Callable;
         name = "diagnose",
         description = {
             "Shows what a scenario gets wrong of measured runs, names the cause, writes the"
-                + " scenario with it, and measures what that gains on runs that were held out.",
+                    + " scenario with it, and measures what that gains on runs that were held out.",
             "Runs are CSV with a header (t in s; x, y, z in m; docs/measured-runs.md has the rest),"
                     + " or recordings with feedback."
         },

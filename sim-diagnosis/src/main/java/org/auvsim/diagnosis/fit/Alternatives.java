@@ -89,8 +89,7 @@ final class Alternatives {
     private static String relation(Quantity a, Quantity b) {
         if (a.name().endsWith(FACTOR) && b.name().endsWith(FACTOR)) {
             boolean isRatio = (a.value() - 1) * (b.value() - 1) < 0;
-            return "%s %s %s = %.3g"
-                    .formatted(a.name(), isRatio ? "/" : "*", b.name(), a.value());
+            return "%s %s %s = %.3g".formatted(a.name(), isRatio ? "/" : "*", b.name(), a.value());
         }
         return "%s + %.3g %s = %.3g %s"
                 .formatted(a.name(), a.value() / b.value(), b.name(), a.value(), a.unit());

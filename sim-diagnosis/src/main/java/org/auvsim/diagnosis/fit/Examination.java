@@ -22,7 +22,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** Examines measured runs: searches causes with some, judges them with others, and says what it is. */
+/**
+ * Examines measured runs: searches causes with some, judges them with others, and says what it is.
+ */
 public final class Examination {
     private final BelievedModel model;
     private final List<MeasuredRun> fit;
@@ -82,12 +84,10 @@ public final class Examination {
     private Diagnosis diagnosis(
             Search.Found found, Trial trial, Judged before, boolean usedHeldOut) {
         Judged best = found.best();
-        Judged after =
-                best.isNone() ? before : trial.prediction(best.fit().hypothesis());
+        Judged after = best.isNone() ? before : trial.prediction(best.fit().hypothesis());
         Verdict verdict = verdict(found, usedHeldOut || passes(found, trial, after));
         boolean isExplained = verdict == Verdict.EXPLAINED;
-        List<Finding> selected =
-                isExplained ? findings(found, new Uncertainty(best)) : List.of();
+        List<Finding> selected = isExplained ? findings(found, new Uncertainty(best)) : List.of();
         List<Alternative> alternatives =
                 found.competitors().stream()
                         .map(other -> Alternatives.alternative(best, other))
@@ -104,8 +104,7 @@ public final class Examination {
         String words =
                 switch (verdict) {
                     case EXPLAINED ->
-                            sentence.explained(
-                                    selected, share(found.none(), best), alternatives);
+                            sentence.explained(selected, share(found.none(), best), alternatives);
                     case NONE -> sentence.none();
                     case UNEXPLAINED -> sentence.unexplained(discrepancy);
                 };
@@ -123,8 +122,7 @@ public final class Examination {
                 runs(found, best, before, after),
                 discrepancy,
                 Optional.empty(),
-                new Menu(found.model(), best.fit(), found.noise())
-                        .next(best, found.competitors()),
+                new Menu(found.model(), best.fit(), found.noise()).next(best, found.competitors()),
                 found.traces().identifiability(best.fit().hypothesis().causes()),
                 model.extended(isExplained ? best.fit().variant() : model.variant()),
                 notices(found),
@@ -202,8 +200,7 @@ public final class Examination {
         return ranked;
     }
 
-    private List<DiagnosedRun> runs(
-            Search.Found found, Judged best, Judged before, Judged after) {
+    private List<DiagnosedRun> runs(Search.Found found, Judged best, Judged before, Judged after) {
         List<DiagnosedRun> runs = new ArrayList<>();
         runs.addAll(
                 runs(found, found.none(), best, best.fit().variant(), false)
@@ -225,15 +222,13 @@ public final class Examination {
                             areHeldOut,
                             told(of.run(), model.variant(), motionBefore.get(r)),
                             told(of.run(), variant, motionAfter.get(r)),
-                            MissingForce.along(
-                                    found.model(), variant, of, found.noise())));
+                            MissingForce.along(found.model(), variant, of, found.noise())));
         }
         return runs;
     }
 
     /** As the sensors would tell. */
-    private static List<RigidMotion> told(
-            MeasuredRun run, Variant variant, RigidMotion[] motion) {
+    private static List<RigidMotion> told(MeasuredRun run, Variant variant, RigidMotion[] motion) {
         return List.of(variant.sensing().of(motion, run, 0, motion.length));
     }
 }

@@ -12,9 +12,9 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * Cuts a run into windows in which the model follows the measurement: many short ones at first, then
- * twice as long ones, as long as the model can follow. A model without faults needs one window; one
- * that lacks much keeps many.
+ * Cuts a run into windows in which the model follows the measurement: many short ones at first,
+ * then twice as long ones, as long as the model can follow. A model without faults needs one
+ * window; one that lacks much keeps many.
  */
 final class Following {
     private static final int MOST_WINDOWS = 32;
@@ -45,8 +45,7 @@ final class Following {
     }
 
     /** Windows that follow runs under a hypothesis. */
-    static Fit of(
-            BelievedModel model, Hypothesis hypothesis, List<Misses> data, Noise noise) {
+    static Fit of(BelievedModel model, Hypothesis hypothesis, List<Misses> data, Noise noise) {
         Variant variant = hypothesis.in(model.variant());
         List<List<Window>> windows =
                 data.stream()
@@ -156,8 +155,7 @@ final class Following {
 
     private Fitted derive(Window window, boolean isLast) {
         return new Fitted(
-                window,
-                WindowDerivatives.of(model, variant, data, window, isLast, 1, Moves.NONE));
+                window, WindowDerivatives.of(model, variant, data, window, isLast, 1, Moves.NONE));
     }
 
     private boolean follows(List<Fitted> fitted) {

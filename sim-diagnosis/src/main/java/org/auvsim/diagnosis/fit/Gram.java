@@ -10,7 +10,9 @@ import java.util.stream.IntStream;
  * set of columns explains follows from it by a small solve.
  */
 final class Gram {
-    /** Share of a column's size that is added to it, so that columns that are alike can be solved. */
+    /**
+     * Share of a column's size that is added to it, so that columns that are alike can be solved.
+     */
     private static final double RIDGE = 1e-10;
 
     private final double[][] products;

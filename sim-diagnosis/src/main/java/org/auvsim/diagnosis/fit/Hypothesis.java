@@ -74,7 +74,9 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
         return variant;
     }
 
-    /** The model with the causes, one parameter moved by a small step in each, within its bounds. */
+    /**
+     * The model with the causes, one parameter moved by a small step in each, within its bounds.
+     */
     Moves moves(Variant model) {
         double[] numbers = numbers();
         List<Double> steps = new ArrayList<>();

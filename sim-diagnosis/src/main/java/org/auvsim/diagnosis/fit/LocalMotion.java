@@ -1,14 +1,13 @@
 package org.auvsim.diagnosis.fit;
 
+import org.apache.commons.math3.fitting.PolynomialCurveFitter;
+import org.apache.commons.math3.fitting.WeightedObservedPoints;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
-
-import org.apache.commons.math3.fitting.PolynomialCurveFitter;
-import org.apache.commons.math3.fitting.WeightedObservedPoints;
 
 import java.util.Optional;
 
@@ -45,8 +44,7 @@ final class LocalMotion {
             turn[i] = parabola(turns(axes, i), 0, 0);
         }
         Vec3 atPlace = column(place, 0);
-        Quat oriented =
-                still(axes).plus(change(column(turn, 0))).orientation();
+        Quat oriented = still(axes).plus(change(column(turn, 0))).orientation();
         return new RigidMotion(
                 atPlace,
                 oriented,
@@ -80,14 +78,12 @@ final class LocalMotion {
         return turns;
     }
 
-    private static double[] parabola(
-            WeightedObservedPoints points, double value, double slope) {
+    private static double[] parabola(WeightedObservedPoints points, double value, double slope) {
         int count = points.toList().size();
         double[] all = {value, slope, 0};
         if (count > 0) {
             double[] fitted =
-                    PolynomialCurveFitter.create(Math.min(DEGREE, count - 1))
-                            .fit(points.toList());
+                    PolynomialCurveFitter.create(Math.min(DEGREE, count - 1)).fit(points.toList());
             System.arraycopy(fitted, 0, all, 0, fitted.length);
         }
         return all;

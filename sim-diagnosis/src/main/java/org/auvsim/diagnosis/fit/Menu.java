@@ -47,8 +47,7 @@ final class Menu {
         }
         this.duration = Math.min(LONGEST, longest);
         RigidMotion start = fit.windows().getFirst().getFirst().start();
-        this.rest =
-                new RigidMotion(start.position(), start.orientation(), Vec3.ZERO, Vec3.ZERO);
+        this.rest = new RigidMotion(start.position(), start.orientation(), Vec3.ZERO, Vec3.ZERO);
     }
 
     private record Dish(String id, String description, MeasuredRun run, RigidMotion start) {}
@@ -111,8 +110,7 @@ final class Menu {
 
     private List<Dish> dishes() {
         List<Dish> dishes = new ArrayList<>();
-        dishes.add(
-                new Dish("drop", "let it go from rest, nothing driven", run(List.of()), rest));
+        dishes.add(new Dish("drop", "let it go from rest, nothing driven", run(List.of()), rest));
         dishes.add(
                 new Dish(
                         "coast_down",
@@ -154,8 +152,7 @@ final class Menu {
                             "known_mass",
                             "repeat a run with %.3g kg more, tightly fixed".formatted(mass),
                             named("known_mass", propulsors)
-                                    .differences(
-                                            new KnownDifferences(mass, List.of(), List.of()))
+                                    .differences(new KnownDifferences(mass, List.of(), List.of()))
                                     .build(),
                             rest));
         }

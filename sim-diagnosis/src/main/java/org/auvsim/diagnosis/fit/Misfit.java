@@ -1,11 +1,10 @@
 package org.auvsim.diagnosis.fit;
 
-import org.auvsim.diagnosis.result.Discrepancy;
-
 import org.apache.commons.math3.complex.Complex;
 import org.apache.commons.math3.transform.DftNormalization;
 import org.apache.commons.math3.transform.FastFourierTransformer;
 import org.apache.commons.math3.transform.TransformType;
+import org.auvsim.diagnosis.result.Discrepancy;
 
 import java.util.Arrays;
 import java.util.OptionalDouble;

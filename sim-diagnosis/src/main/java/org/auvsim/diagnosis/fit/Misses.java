@@ -144,8 +144,7 @@ final class Misses {
             case POSITION -> told.position();
             case ORIENTATION -> turn(run.orientation(sample).orElseThrow(), told.orientation());
             case VELOCITY -> inFrame(told.velocity(), told.orientation(), channel);
-            case ANGULAR_VELOCITY ->
-                    inFrame(told.angularVelocity(), told.orientation(), channel);
+            case ANGULAR_VELOCITY -> inFrame(told.angularVelocity(), told.orientation(), channel);
         };
     }
 

@@ -19,8 +19,7 @@ final class MissingForce {
     private MissingForce() {}
 
     /** Before and after, where the windows under the believed model begin. */
-    static List<ForceResidual> along(
-            BelievedModel model, Variant after, Misses run, Noise noise) {
+    static List<ForceResidual> along(BelievedModel model, Variant after, Misses run, Noise noise) {
         Variant before = model.variant();
         List<Window> windows = new Following(model, before, run, noise).shortWindows();
         List<ForceResidual> forces = new ArrayList<>();
@@ -45,8 +44,7 @@ final class MissingForce {
                         window.from(),
                         window.to(),
                         List.of(new Entrant(variant, window.start())))[0];
-        double between =
-                (run.run().time(next.to()) - run.run().time(window.from())) / 2;
+        double between = (run.run().time(next.to()) - run.run().time(window.from())) / 2;
         Vec3 jump = next.start().velocity().minus(motion[window.length()].velocity());
         return jump.times(variant.body().mass().orElse(1.0) / between);
     }

@@ -1,12 +1,11 @@
 package org.auvsim.diagnosis.fit;
 
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+import org.apache.commons.math3.util.ResizableDoubleArray;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
-
-import org.apache.commons.math3.stat.descriptive.rank.Median;
-import org.apache.commons.math3.util.ResizableDoubleArray;
 
 import java.util.EnumMap;
 import java.util.List;

@@ -7,8 +7,8 @@ import java.util.stream.IntStream;
 
 /**
  * Brings the parameters of a hypothesis, and the starts of its runs, to where the model fits best:
- * first in blocks of windows, which cannot get lost, then in blocks twice as long, at last in one go
- * from the start of each run.
+ * first in blocks of windows, which cannot get lost, then in blocks twice as long, at last in one
+ * go from the start of each run.
  */
 final class Refinement {
     private static final int MORE_STEPS = 1;

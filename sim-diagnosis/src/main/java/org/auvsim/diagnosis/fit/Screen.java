@@ -134,8 +134,7 @@ final class Screen {
     private Start start(List<List<WindowBlock>> blocks, Promise promise, int perBlock) {
         double[] change = new double[moves.size()];
         System.arraycopy(promise.factors(0, own), 0, change, 0, own);
-        Hypothesis hypothesis =
-                base.hypothesis().plus(promise.factors(0, own));
+        Hypothesis hypothesis = base.hypothesis().plus(promise.factors(0, own));
         int at = own;
         for (Seed seed : promise.set()) {
             int[] columns = seed.columns();
@@ -215,7 +214,9 @@ final class Screen {
         int parameters = set.stream().mapToInt(s -> s.cause().parameters().size()).sum();
         double gain = gram.drop(columns, factors) - without;
         return new Promise(
-                set, Arrays.stream(factors).boxed().toList(), gain - perParameter * parameters - Judged.PER_CAUSE * set.size());
+                set,
+                Arrays.stream(factors).boxed().toList(),
+                gain - perParameter * parameters - Judged.PER_CAUSE * set.size());
     }
 
     private double dropOf(Gram gram, int[] columns) {
@@ -224,8 +225,7 @@ final class Screen {
     }
 
     private int[] columns(List<Seed> set) {
-        return withOwn(
-                set.stream().flatMapToInt(seed -> Arrays.stream(seed.columns())).toArray());
+        return withOwn(set.stream().flatMapToInt(seed -> Arrays.stream(seed.columns())).toArray());
     }
 
     private int[] withOwn(int[] columns) {

@@ -38,8 +38,7 @@ final class Search {
                         ? asStated
                         : Following.of(this.model, Hypothesis.NONE, data, noise);
         this.library = library;
-        this.guesses =
-                library.stream().map(c -> new Seed.Guesses(c, c.guesses(runs))).toList();
+        this.guesses = library.stream().map(c -> new Seed.Guesses(c, c.guesses(runs))).toList();
         this.course = course;
     }
 
@@ -92,8 +91,7 @@ final class Search {
         }
         List<Judged> sorted =
                 judged.stream().sorted(Comparator.comparingDouble(Judged::score)).toList();
-        List<Judged> near =
-                best.isNone() ? List.of() : Alternatives.competitors(best, sorted);
+        List<Judged> near = best.isNone() ? List.of() : Alternatives.competitors(best, sorted);
         Judged decided = Arbitration.decided(best, near);
         List<Cause> plain = library.stream().filter(c -> !hasManyGuesses(c)).toList();
         Screen beside = new Screen(following(decided.fit().hypothesis()), plain, guesses, count);
@@ -146,8 +144,7 @@ final class Search {
     }
 
     /** All starts come near, the best of them nearer, the best of those to the end. */
-    private Judged tournament(
-            List<Screen.Start> starts, Judged otherwise, double from, double to) {
+    private Judged tournament(List<Screen.Start> starts, Judged otherwise, double from, double to) {
         AtomicInteger done = new AtomicInteger();
         List<Judged> near =
                 starts.parallelStream()
@@ -206,9 +203,7 @@ final class Search {
     /** With the one more cause that helps most. */
     private Judged forward(Judged best, List<Cause> causes) {
         List<Cause> others =
-                causes.stream()
-                        .filter(c -> !best.fit().hypothesis().causes().contains(c))
-                        .toList();
+                causes.stream().filter(c -> !best.fit().hypothesis().causes().contains(c)).toList();
         Screen screen =
                 new Screen(
                         following(best.fit().hypothesis()),

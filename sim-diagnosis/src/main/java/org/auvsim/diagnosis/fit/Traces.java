@@ -1,14 +1,13 @@
 package org.auvsim.diagnosis.fit;
 
-import org.auvsim.diagnosis.cause.Cause;
-import org.auvsim.diagnosis.result.Identifiability;
-import org.auvsim.diagnosis.result.Identifiability.Confusion;
-
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.CholeskyDecomposition;
 import org.apache.commons.math3.linear.LUDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.result.Identifiability;
+import org.auvsim.diagnosis.result.Identifiability.Confusion;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -46,13 +45,13 @@ final class Traces {
             }
             for (Seed other : seeds) {
                 boolean isOnce = found.contains(other.cause()) || found.isEmpty();
-                if (other.cause().equals(seed.cause()) || (isOnce && other.first() < seed.first())) {
+                if (other.cause().equals(seed.cause())
+                        || (isOnce && other.first() < seed.first())) {
                     continue;
                 }
                 double angle = angle(seed, other);
                 if (angle < ALIKE) {
-                    confusions.add(
-                            new Confusion(seed.cause().name(), other.cause().name(), angle));
+                    confusions.add(new Confusion(seed.cause().name(), other.cause().name(), angle));
                 }
             }
         }
@@ -106,7 +105,10 @@ final class Traces {
                             .getSolver()
                             .solve(between)
                             .multiply(
-                                    new LUDecomposition(other).getSolver().getInverse().transpose());
+                                    new LUDecomposition(other)
+                                            .getSolver()
+                                            .getInverse()
+                                            .transpose());
             double cosine = new SingularValueDecomposition(cosines).getSingularValues()[0];
             return Math.toDegrees(Math.acos(Math.min(1, cosine)));
         } catch (org.apache.commons.math3.exception.MathIllegalArgumentException e) {

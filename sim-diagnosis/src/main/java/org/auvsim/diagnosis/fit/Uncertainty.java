@@ -1,11 +1,10 @@
 package org.auvsim.diagnosis.fit;
 
-import org.auvsim.diagnosis.cause.Cause;
-import org.auvsim.diagnosis.cause.Quantity;
-
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Quantity;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -29,8 +29,7 @@ final class WindowBlock {
     /** Rows of misses as a linear function of x, then made triangular in its first 12. */
     private final double[][] rows;
 
-    WindowBlock(
-            BelievedModel model, List<WindowDerivatives> windows, Optional<KnownStart> known) {
+    WindowBlock(BelievedModel model, List<WindowDerivatives> windows, Optional<KnownStart> known) {
         this.model = model;
         this.windows = windows;
         columns = START + windows.getFirst().byParameter.length + 1;

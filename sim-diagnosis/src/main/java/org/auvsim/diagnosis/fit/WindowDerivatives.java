@@ -113,8 +113,7 @@ final class WindowDerivatives {
         }
         RigidMotion[][] motions =
                 Ensemble.simulate(model, of.run(), window.from(), window.to(), entrants);
-        return new WindowDerivatives(
-                of, window, isLast, group, entrants, motions, moves.steps());
+        return new WindowDerivatives(of, window, isLast, group, entrants, motions, moves.steps());
     }
 
     /** Differences over a step; 0 if what was moved got lost: nothing is known of it. */

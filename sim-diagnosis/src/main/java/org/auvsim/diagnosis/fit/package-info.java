@@ -1,4 +1,7 @@
-/** Finds the causes that fit: windows that follow the measurement, their derivatives, and the search. */
+/**
+ * Finds the causes that fit: windows that follow the measurement, their derivatives, and the
+ * search.
+ */
 @NullMarked
 package org.auvsim.diagnosis.fit;
 

@@ -66,9 +66,7 @@ public record BelievedModel(Scenario scenario, String body) {
         double[] free = new double[RigidMotion.SIZE];
         for (int part = 0; part < change.length; part += 3) {
             List<Vec3> ways =
-                    part % 6 == 0
-                            ? mount.get().freeTranslations()
-                            : mount.get().freeRotations();
+                    part % 6 == 0 ? mount.get().freeTranslations() : mount.get().freeRotations();
             Vec3 of = new Vec3(change[part], change[part + 1], change[part + 2]);
             Vec3 left = Vec3.ZERO;
             for (Vec3 way : ways) {

@@ -58,10 +58,7 @@ public final class Ensemble {
         this.inputs = new Inputs(run, model.variant().body());
         this.longestStep = model.scenario().timeStep().delta();
         WorldBuilder builder =
-                World.builder()
-                        .startTime(run.time(from))
-                        .timeStep(longestStep)
-                        .allowOverlaps();
+                World.builder().startTime(run.time(from)).timeStep(longestStep).allowOverlaps();
         ground = Ground.under(model);
         ground.addTo(builder);
         model.scenario().field().forEach(builder::add);
@@ -102,8 +99,7 @@ public final class Ensemble {
                 .renamed(name(i))
                 .position(start.position())
                 .orientation(start.orientation())
-                .velocity(
-                        start.velocity().x(), start.velocity().y(), start.velocity().z())
+                .velocity(start.velocity().x(), start.velocity().y(), start.velocity().z())
                 .angularVelocity(
                         start.angularVelocity().x(),
                         start.angularVelocity().y(),
@@ -115,8 +111,8 @@ public final class Ensemble {
     /**
      * Simulates variants from one sample of a run to another.
      *
-     * @return motion of each variant at each sample, the first and the last included; {@link
-     *     #LOST} of a variant whose motion gets out of all bounds
+     * @return motion of each variant at each sample, the first and the last included; {@link #LOST}
+     *     of a variant whose motion gets out of all bounds
      */
     public static RigidMotion[][] simulate(
             BelievedModel model, MeasuredRun run, int from, int to, List<Entrant> entrants) {

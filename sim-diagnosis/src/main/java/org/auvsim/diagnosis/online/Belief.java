@@ -73,8 +73,7 @@ record Belief(BelievedModel model, List<Component> behaviors) {
             List<Component> components = new ArrayList<>(after.component());
             components.addAll(behaviors);
             changes.add(
-                    new ReviseWorldObjectCommand(
-                            after.toBuilder().components(components).build()));
+                    new ReviseWorldObjectCommand(after.toBuilder().components(components).build()));
         }
         return changes;
     }

@@ -114,8 +114,7 @@ final class Learner implements Companion {
         BelievedModel model = belief.under(logbook.forces());
         Split split = Split.of(runs);
         try {
-            Diagnosis found =
-                    method.diagnose(model, split.fit(), split.heldOut(), () -> !closed);
+            Diagnosis found = method.diagnose(model, split.fit(), split.heldOut(), () -> !closed);
             LOG.info("'{}': {}", model.body(), found.sentence());
             if (!closed && found.verdict() == Verdict.EXPLAINED) {
                 tell(new Belief(model, belief.behaviors()), found);

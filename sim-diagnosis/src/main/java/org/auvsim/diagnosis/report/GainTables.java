@@ -37,7 +37,7 @@ final class GainTables {
                         rows,
                         of.usedHeldOut()
                                 ? "Root mean square errors; the held-out runs had to be used for"
-                                      + " the search, so each run was left out in turn."
+                                        + " the search, so each run was left out in turn."
                                 : "Root mean square errors of runs that nothing but their start was"
                                         + " fitted to; no model gets below the noise."));
     }

@@ -39,7 +39,8 @@ class HypothesisTest {
         String scenario =
                 """
                 <scenario><world-object name="Ball" mass="2"><sphere radius="0.2"/></world-object>
-                </scenario>""";
+                </scenario>\
+                """;
         Variant model =
                 new BelievedModel(
                                 ScenarioLoader.load(HypothesisTest.class.getClassLoader())

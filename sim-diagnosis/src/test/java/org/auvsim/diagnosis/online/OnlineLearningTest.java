@@ -88,8 +88,7 @@ class OnlineLearningTest {
 
     private static long hashOfReplay(byte[] recording) throws Exception {
         RecordingReader reader =
-                RecordingReader.of(
-                        new ByteArrayInputStream(recording), "run.auvsml.gz", MAPPER);
+                RecordingReader.of(new ByteArrayInputStream(recording), "run.auvsml.gz", MAPPER);
         try (Replayer replayer =
                 new Replayer(
                         reader, Simulator.of(reader.scenario()).rate(OptionalDouble.empty()))) {

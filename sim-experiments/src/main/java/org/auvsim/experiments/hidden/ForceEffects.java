@@ -56,7 +56,11 @@ final class ForceEffects {
                 s ->
                         HiddenEffect.of(
                                 "magnetic",
-                                Map.of("source", Numbers.of(source), "strength", Numbers.of(sign * s)),
+                                Map.of(
+                                        "source",
+                                        Numbers.of(source),
+                                        "strength",
+                                        Numbers.of(sign * s)),
                                 r ->
                                         r.pushed(
                                                 at -> {
@@ -100,7 +104,13 @@ final class ForceEffects {
                 s ->
                         HiddenEffect.of(
                                 "tether_spring",
-                                Map.of("anchor", Numbers.of(anchor), "length", Numbers.of(length), "k", Numbers.of(s)),
+                                Map.of(
+                                        "anchor",
+                                        Numbers.of(anchor),
+                                        "length",
+                                        Numbers.of(length),
+                                        "k",
+                                        Numbers.of(s)),
                                 r ->
                                         r.pushed(
                                                 at -> {

@@ -1,6 +1,7 @@
 package org.auvsim.experiments.hidden;
 
 import static org.auvsim.experiments.hidden.Equations.times;
+
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 
 import java.util.Map;

@@ -265,7 +265,8 @@ record Puzzle(Body body, HiddenEffect hidden, Twins twins, double looseness) {
                         "drifting ball",
                         ball(Drag.even(areAlike ? 60 : 10, 0, 0.1), MASS, List.of()),
                         d -> pushed(4, 40, d)),
-                HiddenEffect.of("current_constant", Map.of("u", Numbers.of(u)), r -> r.in((p, t) -> u)),
+                HiddenEffect.of(
+                        "current_constant", Map.of("u", Numbers.of(u)), r -> r.in((p, t) -> u)),
                 new Twins("current_constant", "position_drift", areAlike),
                 areAlike ? 20 : 1);
     }

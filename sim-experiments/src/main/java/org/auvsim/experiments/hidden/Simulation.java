@@ -10,8 +10,8 @@ import org.auvsim.experiments.hidden.Manoeuvre.Track;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.SortedSet;
+import java.util.SplittableRandom;
 import java.util.TreeSet;
 
 /**

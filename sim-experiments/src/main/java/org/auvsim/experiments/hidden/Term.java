@@ -70,7 +70,12 @@ record Term(String cause, UnaryOperator<Reality> change) {
             terms.add(
                     plant(
                             "thruster_gain (%s)".formatted(thruster.name()),
-                            p -> p.withThrusters(t -> t.name().equals(thruster.name()) ? t.withGain(1.01) : t)));
+                            p ->
+                                    p.withThrusters(
+                                            t ->
+                                                    t.name().equals(thruster.name())
+                                                            ? t.withGain(1.01)
+                                                            : t)));
         }
         return terms;
     }

@@ -43,7 +43,11 @@ final class ThrusterEffects {
     static Family lag(Scene scene, Draws draws) {
         return Family.upTo(
                 2,
-                s -> HiddenEffect.of("thruster_lag", Map.of("tau", Numbers.of(s)), all(t -> t.withLag(s))));
+                s ->
+                        HiddenEffect.of(
+                                "thruster_lag",
+                                Map.of("tau", Numbers.of(s)),
+                                all(t -> t.withLag(s))));
     }
 
     static Family misalignment(Scene scene, Draws draws) {

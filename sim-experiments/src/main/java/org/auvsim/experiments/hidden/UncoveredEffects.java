@@ -159,7 +159,13 @@ final class UncoveredEffects {
                 s ->
                         HiddenEffect.of(
                                 "own wake",
-                                Map.of("drag", Numbers.of(s), "width", Numbers.of(width), "age", Numbers.of(age)),
+                                Map.of(
+                                        "drag",
+                                        Numbers.of(s),
+                                        "width",
+                                        Numbers.of(width),
+                                        "age",
+                                        Numbers.of(age)),
                                 r -> r.accompanied(random -> new Wake(s, width, age))));
     }
 

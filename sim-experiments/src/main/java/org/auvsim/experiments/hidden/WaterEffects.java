@@ -31,7 +31,13 @@ final class WaterEffects {
                     Vector3D u = direction.scalarMultiply(s);
                     return HiddenEffect.of(
                             "current_oscillating",
-                            Map.of("u", Numbers.of(u), "omega", Numbers.of(omega), "phase", Numbers.of(phase)),
+                            Map.of(
+                                    "u",
+                                    Numbers.of(u),
+                                    "omega",
+                                    Numbers.of(omega),
+                                    "phase",
+                                    Numbers.of(phase)),
                             r -> r.in((p, t) -> u.scalarMultiply(FastMath.sin(omega * t + phase))));
                 });
     }

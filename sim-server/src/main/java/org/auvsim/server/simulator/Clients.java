@@ -62,8 +62,7 @@ final class Clients implements Reception {
     InsideClient inside() {
         return new InsideClient(
                 mailbox,
-                new ClientSession(
-                        lastId.incrementAndGet(), "this simulator", Role.ADMIN, writer));
+                new ClientSession(lastId.incrementAndGet(), "this simulator", Role.ADMIN, writer));
     }
 
     @Override

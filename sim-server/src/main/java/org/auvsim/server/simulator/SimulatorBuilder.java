@@ -204,14 +204,7 @@ public final class SimulatorBuilder {
     private SimulationSettings settings(AuvsmlWriter writer) {
         configureProcessors();
         return new SimulationSettings(
-                world,
-                timestepper,
-                processors,
-                horizon,
-                released,
-                writer,
-                serverName,
-                logs);
+                world, timestepper, processors, horizon, released, writer, serverName, logs);
     }
 
     private Clients clients(

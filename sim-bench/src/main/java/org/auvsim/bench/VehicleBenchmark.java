@@ -137,6 +137,7 @@ public class VehicleBenchmark {
                 0,
                 Optional.empty(),
                 Optional.empty(),
+                Optional.empty(),
                 Optional.empty());
     }
 

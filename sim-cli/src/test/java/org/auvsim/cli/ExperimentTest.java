@@ -34,7 +34,7 @@ class ExperimentTest {
         assertThat(page("cfs"))
                 .contains("Corrective feedback (thesis, section 8.1)")
                 .contains("In lock-step, which the thesis proposed, it is off by 0.00 m.")
-                .contains("<td>C, lock-step</td><td>400</td><td>0.00</td><td>0.00</td>");
+                .contains("<td class=\"words\">C, lock-step</td><td>400</td><td>0.00</td><td>0.00</td>");
         assertThat(auvsim.err()).contains("A's growth over 100.0 s in steps of 0.001 s\n");
     }
 
@@ -42,7 +42,7 @@ class ExperimentTest {
     void stagesAndRealTimeAreMeasuredForFiveSizes() throws IOException {
         assertThat(page("runtime"))
                 .contains("Runtime of the thesis' algorithms (thesis, section 8.2)")
-                .contains("<td>Figure 8.4: restricter, linear fit</td>")
+                .contains(">Figure 8.4: restricter, linear fit</td>")
                 .contains("<td>0.999991</td>");
         assertThat(auvsim.err()).contains("\n50 spheres, one target").doesNotContain("60 spheres");
     }

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.fit;
 
 import org.auvsim.core.math.Cholesky;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 
@@ -67,6 +68,11 @@ final class Gram {
     /** The product of two columns. */
     double product(int a, int b) {
         return products[a][b];
+    }
+
+    /** Whether all products are numbers. */
+    boolean isFinite() {
+        return Arrays.stream(products).flatMapToDouble(Arrays::stream).allMatch(Double::isFinite);
     }
 
     /** The change of these parameters that explains most. */

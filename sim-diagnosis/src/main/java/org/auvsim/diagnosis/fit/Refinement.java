@@ -53,7 +53,7 @@ final class Refinement {
         }
     }
 
-    /** Empty if the motion gets lost in a window. */
+    /** Empty if the motion gets lost in a window, or what parameters do to it is out of bounds. */
     private static Optional<Step> step(Fit fit, int perBlock) {
         List<List<WindowDerivatives>> derivatives = fit.derivatives();
         for (List<WindowDerivatives> ofRun : derivatives) {
@@ -66,12 +66,11 @@ final class Refinement {
         List<List<WindowBlock>> blocks = fit.blocks(derivatives, perBlock);
         int size = fit.hypothesis().size();
         int[] all = IntStream.range(0, size).toArray();
-        double[] change =
-                size == 0
-                        ? new double[0]
-                        : Gram.of(blocks, size)
-                                .with(fit.knowledge(), fit.hypothesis().numbers())
-                                .solve(all);
+        Gram gram = Gram.of(blocks, size).with(fit.knowledge(), fit.hypothesis().numbers());
+        if (!gram.isFinite()) {
+            return Optional.empty();
+        }
+        double[] change = size == 0 ? new double[0] : gram.solve(all);
         return Optional.of(new Step(blocks, change));
     }
 

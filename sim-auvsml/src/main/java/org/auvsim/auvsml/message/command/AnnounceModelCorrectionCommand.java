@@ -1,9 +1,9 @@
-package org.auvsim.auvsml.message.learning;
+package org.auvsim.auvsml.message.command;
+
+import org.auvsim.auvsml.message.learning.ModelCorrection;
 
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.WorldObjectMessage;
-import org.auvsim.auvsml.message.command.SimulatorCommand;
-import org.auvsim.auvsml.message.command.SimulatorControl;
 
 import java.util.Optional;
 

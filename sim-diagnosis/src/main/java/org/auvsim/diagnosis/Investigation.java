@@ -6,6 +6,7 @@ import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.Split;
 
 import java.util.List;
 
@@ -33,8 +34,19 @@ public record Investigation(
         causes = List.copyOf(causes);
     }
 
-    /** What the runs say of the model. */
+    /**
+     * What the runs say of the model.
+     *
+     * @throws IllegalArgumentException if nothing is held out and there is only one run, which is
+     *     too short to be split
+     */
     public Diagnosis diagnose() {
+        if (heldOut.isEmpty()) {
+            Split split = Split.of(fit);
+            return new Investigation(model, split.fit(), split.heldOut(), causes, seed, progress)
+                    .diagnose()
+                    .noticing(List.of(split.notice()));
+        }
         return new Examination(model, fit, heldOut, causes, seed, progress).diagnosis();
     }
 }

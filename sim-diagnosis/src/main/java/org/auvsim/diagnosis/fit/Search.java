@@ -92,7 +92,7 @@ final class Search {
         List<Judged> sorted =
                 judged.stream().sorted(Comparator.comparingDouble(Judged::score)).toList();
         List<Judged> near = best.isNone() ? List.of() : Alternatives.competitors(best, sorted);
-        Judged decided = Arbitration.decided(best, near);
+        Judged decided = course.goesOn() ? Arbitration.decided(best, near) : best;
         List<Cause> plain = library.stream().filter(c -> !hasManyGuesses(c)).toList();
         Screen beside = new Screen(following(decided.fit().hypothesis()), plain, guesses, count);
         return new Found(
@@ -175,7 +175,7 @@ final class Search {
                 .limit(most)
                 .toList()
                 .parallelStream()
-                .map(j -> Refinement.converge(j, steps))
+                .map(j -> course.goesOn() ? Refinement.converge(j, steps) : j)
                 .toList();
     }
 
@@ -183,7 +183,7 @@ final class Search {
     private Judged pruned(Judged start) {
         Judged best = start;
         boolean goesOn = true;
-        while (goesOn) {
+        while (goesOn && course.goesOn()) {
             goesOn = false;
             Hypothesis hypothesis = best.fit().hypothesis();
             for (int c = 0; hypothesis.causes().size() > 1 && c < hypothesis.causes().size(); c++) {

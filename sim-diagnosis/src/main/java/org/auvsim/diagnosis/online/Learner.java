@@ -1,8 +1,8 @@
 package org.auvsim.diagnosis.online;
 
 import org.auvsim.auvsml.message.Message;
-import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.auvsml.message.command.AnnounceModelCorrectionCommand;
+import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;

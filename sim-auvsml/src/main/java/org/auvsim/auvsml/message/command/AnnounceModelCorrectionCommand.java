@@ -1,9 +1,8 @@
 package org.auvsim.auvsml.message.command;
 
-import org.auvsim.auvsml.message.learning.ModelCorrection;
-
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.WorldObjectMessage;
+import org.auvsim.auvsml.message.learning.ModelCorrection;
 
 import java.util.Optional;
 

@@ -36,7 +36,7 @@ class ExperimentTest {
                 .contains("In lock-step, which the thesis proposed, it is off by 0.00 m.")
                 .contains(
                         "<td class=\"words\">C,"
-                            + " lock-step</td><td>400</td><td>0.00</td><td>0.00</td>");
+                                + " lock-step</td><td>400</td><td>0.00</td><td>0.00</td>");
         assertThat(auvsim.err()).contains("A's growth over 100.0 s in steps of 0.001 s\n");
     }
 

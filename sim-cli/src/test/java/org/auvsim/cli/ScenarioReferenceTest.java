@@ -15,9 +15,11 @@ import java.io.InputStream;
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
+import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -144,12 +146,15 @@ class ScenarioReferenceTest {
         List<Class<?>> found = new ArrayList<>();
         String file = "META-INF/services/" + type.getName();
         ClassLoader loader = ScenarioReferenceTest.class.getClassLoader();
-        try (InputStream in = loader.getResourceAsStream(file)) {
-            assertThat(in).as(file).isNotNull();
-            for (String line : new String(in.readAllBytes(), UTF_8).lines().toList()) {
-                String name = line.replaceFirst("#.*", "").strip();
-                if (!name.isEmpty()) {
-                    found.add(Class.forName(name));
+        List<URL> files = Collections.list(loader.getResources(file));
+        assertThat(files).as(file).isNotEmpty();
+        for (URL one : files) {
+            try (InputStream in = one.openStream()) {
+                for (String line : new String(in.readAllBytes(), UTF_8).lines().toList()) {
+                    String name = line.replaceFirst("#.*", "").strip();
+                    if (!name.isEmpty()) {
+                        found.add(Class.forName(name));
+                    }
                 }
             }
         }

@@ -85,6 +85,7 @@ record Fit(
                         new WindowBlock(
                                 model,
                                 ofRun.subList(w, Math.min(ofRun.size(), w + perBlock)),
+                                data.get(r).shown(),
                                 w == 0 ? data.get(r).run().start() : Optional.empty()));
             }
             all.add(blocks);

@@ -133,7 +133,8 @@ final class Following {
     private Fitted fit(Window start, boolean isLast, Optional<KnownStart> known) {
         Fitted best = derive(start, isLast);
         for (int iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
-            WindowBlock block = new WindowBlock(model, List.of(best.derivatives()), known);
+            WindowBlock block =
+                    new WindowBlock(model, List.of(best.derivatives()), data.shown(), known);
             double before = best.cost();
             Fitted next = best;
             double share = 1;

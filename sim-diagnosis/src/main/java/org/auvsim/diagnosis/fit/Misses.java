@@ -75,6 +75,28 @@ final class Misses {
         return run;
     }
 
+    /**
+     * Whether the run tells anything of each number of a start, directly or by where it led: a path
+     * in two dimensions also shows how a body is turned. What it does not show is as the model has
+     * it: a fit would misuse it to imitate something else.
+     */
+    boolean[] shown() {
+        boolean[] shown = new boolean[RigidMotion.SIZE];
+        boolean showsTurns =
+                run.measures(Channel.ANGULAR_VELOCITY)
+                        || rows.stream().filter(r -> r.channel() == Channel.POSITION).count() > 1;
+        for (int axis = 0; axis < 3; axis++) {
+            boolean isPlaced =
+                    run.measures(Channel.POSITION, axis) || run.measures(Channel.VELOCITY);
+            boolean isTurned = run.measures(Channel.ORIENTATION, axis) || showsTurns;
+            shown[axis] = isPlaced;
+            shown[3 + axis] = isTurned;
+            shown[6 + axis] = isPlaced;
+            shown[9 + axis] = isTurned;
+        }
+        return shown;
+    }
+
     /** What is measured at each sample. */
     List<Row> rows() {
         return rows;

@@ -19,6 +19,9 @@ final class WindowBlock {
     /** So far off (m, rad, m/s, rad/s) a start that is not known may be. */
     private static final double[] UNKNOWN = {1e3, 1e1, 1e2, 1e2};
 
+    /** By so much a number of a start moves that the run does not show. */
+    private static final double NOTHING = 1e-6;
+
     private final BelievedModel model;
     private final List<WindowDerivatives> windows;
     private final int columns;
@@ -29,7 +32,17 @@ final class WindowBlock {
     /** Rows of misses as a linear function of x, then made triangular in its first 12. */
     private final double[][] rows;
 
-    WindowBlock(BelievedModel model, List<WindowDerivatives> windows, Optional<KnownStart> known) {
+    /**
+     * A block of windows.
+     *
+     * @param shown whether the run tells anything of each number of a start; the others stay
+     * @param known of the first window's start
+     */
+    WindowBlock(
+            BelievedModel model,
+            List<WindowDerivatives> windows,
+            boolean[] shown,
+            Optional<KnownStart> known) {
         this.model = model;
         this.windows = windows;
         columns = START + windows.getFirst().byParameter.length + 1;
@@ -38,7 +51,7 @@ final class WindowBlock {
             count += window.misses.length;
         }
         rows = new double[columns][count];
-        startRows(known);
+        startRows(shown, known);
         int row = START;
         double[][] at = identity();
         for (int w = 0; w < windows.size(); w++) {
@@ -59,17 +72,16 @@ final class WindowBlock {
         return at;
     }
 
-    private void startRows(Optional<KnownStart> known) {
+    private void startRows(boolean[] shown, Optional<KnownStart> known) {
         double[] off =
                 known.map(k -> windows.getFirst().window.start().minus(k.motion()))
                         .orElse(new double[START]);
         for (int i = 0; i < START; i++) {
             int index = i;
-            double deviation =
-                    Math.min(
-                            UNKNOWN[i / 3],
-                            known.map(k -> k.deviations().get(index))
-                                    .orElse(Double.POSITIVE_INFINITY));
+            double stated =
+                    known.map(k -> k.deviations().get(index)).orElse(Double.POSITIVE_INFINITY);
+            boolean stays = !shown[i] && Double.isInfinite(stated);
+            double deviation = Math.min(stays ? NOTHING : UNKNOWN[i / 3], stated);
             rows[i][i] = 1 / deviation;
             rows[columns - 1][i] = off[i] / deviation;
         }

@@ -19,6 +19,11 @@ final class Clock {
         interval = survey.interval();
     }
 
+    /** The next row is of another run. */
+    void restart() {
+        hasBegun = false;
+    }
+
     /** The time (s) of the next row, whose stamp this is. */
     double next(double stamp) {
         boolean goesOn = isEven && hasBegun && stamp - this.stamp < NEXT;

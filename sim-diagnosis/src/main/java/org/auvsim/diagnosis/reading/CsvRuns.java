@@ -102,6 +102,11 @@ final class CsvRuns {
                     new RunParts(name, layout.commands(), samples, survey.extent(), known::tell);
             Clock clock = new Clock(survey);
             for (Optional<double[]> row = rows.next(); row.isPresent(); row = rows.next()) {
+                if (rows.isOfAnotherRun()) {
+                    clock.restart();
+                    known.restart();
+                    parts.restart();
+                }
                 double time = clock.next(row.get()[Slots.TIME]);
                 parts.add(time, row.get(), true, rows.isToldOtherwise());
             }

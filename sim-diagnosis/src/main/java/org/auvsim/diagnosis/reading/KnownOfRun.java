@@ -27,7 +27,12 @@ final class KnownOfRun {
         this.run = run;
     }
 
-    /** Tells the next part; the start is that of the first. */
+    /** What follows is another run, which begins as stated, too. */
+    void restart() {
+        hasBegun = false;
+    }
+
+    /** Tells the next part; the start is that of the first of a run. */
     void tell(MeasuredRunBuilder part) {
         if (!hasBegun) {
             run.start().map(KnownOfRun::start).ifPresent(part::start);

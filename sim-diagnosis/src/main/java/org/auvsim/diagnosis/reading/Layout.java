@@ -61,7 +61,12 @@ final class Layout {
 
     /** The column that has the time. */
     BoundColumn time() {
-        return columns.stream().filter(c -> c.slot() == Slots.TIME).findFirst().orElseThrow();
+        return of(Slots.TIME).orElseThrow();
+    }
+
+    /** The column that fills a place. */
+    Optional<BoundColumn> of(int slot) {
+        return columns.stream().filter(c -> c.slot() == slot).findFirst();
     }
 
     /** The name of the column that fills a place; some name if none does. */

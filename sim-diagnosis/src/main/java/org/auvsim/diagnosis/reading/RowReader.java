@@ -18,6 +18,7 @@ final class RowReader {
     private final Cells cells;
     private final double[] numbers;
     private boolean isToldOtherwise;
+    private boolean isOfAnotherRun;
     private double largestAngle;
 
     RowReader(CsvTable table, Layout layout, CommandNames known) {
@@ -41,12 +42,13 @@ final class RowReader {
             return Optional.empty();
         }
         isToldOtherwise = false;
+        double runBefore = numbers[Slots.RUN];
         for (BoundColumn column : layout.columns()) {
             if (column.slot() >= Slots.COMMANDS) {
                 command(row.get(), column);
             } else {
                 numbers[column.slot()] =
-                        column.slot() == Slots.TIME
+                        column.slot() == Slots.TIME || column.slot() == Slots.RUN
                                 ? cells.number(row.get(), column)
                                 : cells.optional(row.get(), column);
                 requireDeviation(row.get(), column);
@@ -54,12 +56,18 @@ final class RowReader {
             }
         }
         requireUnit(row.get());
+        isOfAnotherRun = !Double.isNaN(runBefore) && numbers[Slots.RUN] != runBefore;
         return Optional.of(numbers);
     }
 
     /** Whether the last row told an actuator or force something else than that before. */
     boolean isToldOtherwise() {
         return isToldOtherwise;
+    }
+
+    /** Whether the last row says that it is of another run than that before. */
+    boolean isOfAnotherRun() {
+        return isOfAnotherRun;
     }
 
     private void note(BoundColumn column) {

@@ -107,6 +107,11 @@ final class RunParts {
         }
     }
 
+    /** What follows is of another run. */
+    void restart() {
+        end();
+    }
+
     private MeasuredRunBuilder begin() {
         String partName = parts.isEmpty() ? name : name + "-" + (parts.size() + 1);
         MeasuredRunBuilder run = MeasuredRun.named(partName).commands(commands);

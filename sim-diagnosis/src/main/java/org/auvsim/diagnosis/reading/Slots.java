@@ -18,10 +18,14 @@ final class Slots {
     /** Three for each channel, in their order. */
     static final int DEVIATIONS = 17;
 
+    /** The number of the run that a row is of. */
+    static final int RUN = DEVIATIONS + 3 * Channel.values().length;
+
     /** From here on, one each. */
-    static final int COMMANDS = DEVIATIONS + 3 * Channel.values().length;
+    static final int COMMANDS = RUN + 1;
 
     static final String TIME_NAME = "t";
+    private static final String RUN_NAME = "run";
     static final String DEPTH_NAME = "depth";
 
     /** Velocities in the world's axes and in the body's, then angular velocities in both. */
@@ -36,6 +40,7 @@ final class Slots {
 
     static {
         put(TIME, List.of(TIME_NAME));
+        put(RUN, List.of(RUN_NAME));
         put(POSITION, List.of("x", "y", "z"));
         put(POSITION + 2, List.of(DEPTH_NAME));
         put(QUATERNION, List.of("qw", "qx", "qy", "qz"));
@@ -104,7 +109,7 @@ final class Slots {
     }
 
     static boolean isDeviation(int slot) {
-        return within(slot, DEVIATIONS, COMMANDS - DEVIATIONS);
+        return within(slot, DEVIATIONS, RUN - DEVIATIONS);
     }
 
     private static boolean within(int slot, int first, int count) {

@@ -17,6 +17,7 @@ final class Survey {
     private final CsvTable table;
     private final Cells cells;
     private final BoundColumn time;
+    private final Optional<BoundColumn> run;
     private final List<BoundColumn> commands;
     private final String[] told;
     private final PSquarePercentile intervals = new PSquarePercentile(50);
@@ -30,11 +31,13 @@ final class Survey {
     private long stamps;
     private long ofFirstStamp;
     private long ofLastStamp;
+    private String ofRun = "";
 
     private Survey(CsvTable table, Layout layout) {
         this.table = table;
         this.cells = new Cells(table);
         this.time = layout.time();
+        this.run = layout.of(Slots.RUN);
         this.commands = layout.columns().stream().filter(c -> c.slot() >= Slots.COMMANDS).toList();
         this.told = new String[commands.size()];
         Arrays.fill(told, "");
@@ -58,6 +61,10 @@ final class Survey {
 
     private void take(CsvRecord row) throws DocumentException {
         double now = cells.number(row, time);
+        if (run.isPresent() && !Cells.text(row, run.get()).equals(ofRun)) {
+            ofRun = Cells.text(row, run.get());
+            last = Double.NEGATIVE_INFINITY;
+        }
         isWhole &= now == Math.rint(now);
         if (rows == 0) {
             first = now;
@@ -66,7 +73,7 @@ final class Survey {
         } else if (now == last) {
             repeats++;
             repeat = repeat.isEmpty() ? Optional.of(notLater(row)) : repeat;
-        } else {
+        } else if (Double.isFinite(last)) {
             requireSeconds(row, now);
             intervals.increment(now - last);
         }

@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.reading;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
 import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.auvsml.run.CellForm;
@@ -253,6 +254,38 @@ class CsvRunsTest {
 
         assertThat(file.runs()).hasSize(1);
         assertThat(file.runs().getFirst().time(0)).isEqualTo(20 * 3600 + 52 * 60 + 50);
+    }
+
+    @Test
+    void rowsThatSayOfWhichRunTheyAreBeginItAnew() throws Exception {
+        StringBuilder text = new StringBuilder("run,t,x\n");
+        for (int row = 0; row < 40; row++) {
+            text.append("%d,%.1f,%d%n".formatted(row / 20, 0.1 * (row % 20), row));
+        }
+        RunFile file = Rov.read(folder, ColumnMapping.USUAL, text.toString());
+
+        assertThat(file.runs())
+                .extracting(MeasuredRun::name, MeasuredRun::size)
+                .containsExactly(tuple("run", 20), tuple("run-2", 20));
+        assertThat(file.runs().get(1).time(0)).isZero();
+        assertThat(file.runs().get(1).value(Channel.POSITION, 0, 0)).isEqualTo(20);
+        assertThat(file.notices()).noneMatch(notice -> notice.contains("without a row"));
+    }
+
+    @Test
+    void eachRunOfAFileBeginsAsItsDocumentSays() throws Exception {
+        Rov.write(
+                folder.resolve("run.xml"),
+                "<run><start><velocity x='1' y='2' z='3' deviation='0.5'/></start></run>");
+        String rows = Rov.rows("run,x", 40, i -> i / 20 + "," + i);
+        RunFile file = Rov.read(folder, ColumnMapping.USUAL, rows);
+
+        assertThat(file.runs())
+                .hasSize(2)
+                .allSatisfy(
+                        run ->
+                                assertThat(run.start().orElseThrow().motion().velocity())
+                                        .isEqualTo(new Vec3(1, 2, 3)));
     }
 
     @Test

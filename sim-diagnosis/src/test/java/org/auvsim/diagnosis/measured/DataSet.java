@@ -1,0 +1,90 @@
+package org.auvsim.diagnosis.measured;
+
+import org.auvsim.auvsml.AuvsmlException;
+import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.diagnosis.Investigation;
+import org.auvsim.diagnosis.cause.Library;
+import org.auvsim.diagnosis.fit.Progress;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.reading.RunFiles;
+import org.auvsim.diagnosis.reading.RunReader;
+import org.auvsim.diagnosis.result.Diagnosis;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * A folder of measured data, which is no part of the project, and the example of the same name,
+ * which has the model and the columns for it.
+ */
+final class DataSet {
+    /** Names the folder that has those of the data sets. */
+    static final String PROPERTY = "auvsim.measuredData";
+
+    private static final ClassLoader LOADER = DataSet.class.getClassLoader();
+    private static final AuvsmlMapper MAPPER = AuvsmlMapper.load(LOADER);
+    private static final Path ROOT = Path.of("..");
+    private static final long SEED = 1;
+
+    private final Path data;
+    private final Path example;
+
+    private DataSet(Path data, Path example) {
+        this.data = data;
+        this.example = example;
+    }
+
+    /** The one of a name; a relative folder is one of the repository's root. */
+    static DataSet named(String name) {
+        String stated = System.getProperty(PROPERTY, "");
+        Path folder = ROOT.resolve(stated).resolve(name);
+        if (stated.isEmpty() || !Files.isDirectory(folder)) {
+            throw new IllegalStateException(
+                    "%s is '%s', which has no folder %s; give the folder of the measured data (docs/measured-data.md)"
+                            .formatted(PROPERTY, stated, name));
+        }
+        return new DataSet(folder, ROOT.resolve("examples/measured-data").resolve(name));
+    }
+
+    /** A file of the data. */
+    Path file(String name) {
+        return data.resolve(name);
+    }
+
+    /** The body of a scenario of the example. */
+    BelievedModel model(String scenario, String body) {
+        try {
+            byte[] text = Files.readAllBytes(example.resolve(scenario));
+            return new BelievedModel(ScenarioLoader.load(LOADER).parse(text), body);
+        } catch (IOException | AuvsmlException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    /** Runs in files of the data, with columns as the example states; none held out: by default. */
+    static RunFiles runs(BelievedModel model, Path columns, List<Path> fit, List<Path> heldOut)
+            throws DocumentException {
+        ColumnMapping mapping = RunReader.mapping(columns, MAPPER);
+        return RunFiles.read(new RunReader(model, mapping, MAPPER), fit, heldOut);
+    }
+
+    /** The same, diagnosed. */
+    Diagnosis diagnosis(BelievedModel model, String columns, List<Path> fit, List<Path> heldOut)
+            throws DocumentException {
+        RunFiles runs = runs(model, example.resolve(columns), fit, heldOut);
+        return new Investigation(
+                        model,
+                        runs.fit(),
+                        runs.heldOut(),
+                        Library.of(model, runs.fit()),
+                        SEED,
+                        Progress.SILENT)
+                .diagnose()
+                .noticing(runs.notices());
+    }
+}

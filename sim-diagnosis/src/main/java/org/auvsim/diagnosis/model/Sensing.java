@@ -52,7 +52,7 @@ public record Sensing(double delay, Vec3 scale, Vec3 turn, double yaw, double ya
      * @param samples how many of them are asked for
      */
     public RigidMotion[] of(RigidMotion[] motions, MeasuredRun run, int from, int samples) {
-        if (equals(EXACT)) {
+        if (equals(EXACT) || isLost(motions[0])) {
             return motions;
         }
         RigidMotion[] told = new RigidMotion[samples];
@@ -65,10 +65,11 @@ public record Sensing(double delay, Vec3 scale, Vec3 turn, double yaw, double ya
         return told;
     }
 
+    private static boolean isLost(RigidMotion motion) {
+        return Double.isNaN(motion.position().x());
+    }
+
     private RigidMotion of(RigidMotion then, double since) {
-        if (Double.isNaN(then.position().x())) {
-            return then; // it got lost
-        }
         Quat axes = rotation(turn);
         Quat heading = rotation(new Vec3(0, 0, yaw + yawRate * since));
         Vec3 p = then.position();

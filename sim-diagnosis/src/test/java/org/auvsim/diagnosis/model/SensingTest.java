@@ -86,6 +86,15 @@ class SensingTest {
     }
 
     @Test
+    void ofAMotionThatIsLostNothingIsTold() {
+        RigidMotion[] lost = {Ensemble.LOST, Ensemble.LOST, Ensemble.LOST};
+
+        RigidMotion[] told = Sensing.EXACT.delayed(0.1).yawed(0.1, 0).of(lost, run(), 0, 3);
+
+        assertThat(told).containsOnly(Ensemble.LOST);
+    }
+
+    @Test
     void nothingIsTheMotionItself() {
         assertThat(told(Sensing.EXACT, 0)[7]).isEqualTo(motion(run().time(7) - 5));
     }

@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.online;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.AnnounceModelCorrectionCommand;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
+import org.auvsim.auvsml.message.session.ErrorResponse;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
@@ -81,6 +82,14 @@ final class Learner implements Companion {
         if (!heard.offer(observation)) {
             LOG.debug("more has happened during a diagnosis than is kept");
         }
+    }
+
+    @Override
+    public void refused(ErrorResponse why) {
+        LOG.warn(
+                "what was learned of object {} cannot be put into the world: {}",
+                objectId,
+                why.text());
     }
 
     @Override

@@ -11,6 +11,7 @@ import org.auvsim.auvsml.message.session.LaggingSide;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.regex.Pattern;
 
 /**
@@ -31,6 +32,7 @@ public final class ClientSession {
     private final Role role;
     private final AuvsmlWriter writer;
     private final boolean ofThePast;
+    private final Optional<Consumer<Message>> ear;
     private final Outbox outbox =
             new Outbox(MOST_STATES, MOST_CONTROL, (long) MOST_CONTROL_MIB << 20);
     private final Registrations registrations = new Registrations();
@@ -44,23 +46,41 @@ public final class ClientSession {
      * @param role what the client may do
      */
     public ClientSession(long id, String peer, Role role, AuvsmlWriter writer) {
-        this(id, peer, role, writer, /* ofThePast= */ false);
+        this(id, peer, role, writer, /* ofThePast= */ false, Optional.empty());
     }
 
-    private ClientSession(long id, String peer, Role role, AuvsmlWriter writer, boolean ofThePast) {
+    private ClientSession(
+            long id,
+            String peer,
+            Role role,
+            AuvsmlWriter writer,
+            boolean ofThePast,
+            Optional<Consumer<Message>> ear) {
         this.id = id;
         this.peer = peer;
         this.name = givenName(id);
         this.role = role;
         this.writer = writer;
         this.ofThePast = ofThePast;
+        this.ear = ear;
     }
 
     /** That of a client that there once was: what is sent to it goes nowhere. */
     public static ClientSession ofThePast(long id, String peer, Role role, AuvsmlWriter writer) {
-        ClientSession session = new ClientSession(id, peer, role, writer, /* ofThePast= */ true);
+        ClientSession session =
+                new ClientSession(id, peer, role, writer, /* ofThePast= */ true, Optional.empty());
         session.close();
         return session;
+    }
+
+    /**
+     * That of a client within this program, which registers for nothing.
+     *
+     * @param ear hears answers, on the simulation thread
+     */
+    public static ClientSession within(
+            long id, String peer, Role role, AuvsmlWriter writer, Consumer<Message> ear) {
+        return new ClientSession(id, peer, role, writer, /* ofThePast= */ false, Optional.of(ear));
     }
 
     /** Whether its client was there once, in the run that is replayed, and not now. */
@@ -155,6 +175,10 @@ public final class ClientSession {
      * Sends messages in one root element, which bears the request's id; they are never left out.
      */
     public void send(Optional<String> requestId, List<? extends Message> messages) {
+        if (ear.isPresent()) {
+            messages.forEach(ear.get());
+            return;
+        }
         flush();
         offer(List.of(Delivery.control(writer.write(requestId, messages))));
     }

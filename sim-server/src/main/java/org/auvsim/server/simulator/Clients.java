@@ -58,11 +58,17 @@ final class Clients implements Reception {
         return Optional.empty();
     }
 
-    /** An administrator that lives within this program and hears nothing. */
+    /** An administrator that lives within this program. */
     InsideClient inside() {
         return new InsideClient(
                 mailbox,
-                new ClientSession(lastId.incrementAndGet(), "this simulator", Role.ADMIN, writer));
+                ear ->
+                        ClientSession.within(
+                                lastId.incrementAndGet(),
+                                "this simulator",
+                                Role.ADMIN,
+                                writer,
+                                ear));
     }
 
     @Override

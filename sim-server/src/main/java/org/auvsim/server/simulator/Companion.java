@@ -1,6 +1,7 @@
 package org.auvsim.server.simulator;
 
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
+import org.auvsim.auvsml.message.session.ErrorResponse;
 import org.auvsim.server.feedback.AppliedFeedback;
 
 /**
@@ -13,6 +14,9 @@ public interface Companion extends AutoCloseable {
 
     /** A step is over, before what clients want of the next one is carried out. */
     void stepMade(StepMade step);
+
+    /** What it wanted of the simulation is refused; on the simulation thread. */
+    void refused(ErrorResponse why);
 
     /** The simulation has ended. */
     @Override

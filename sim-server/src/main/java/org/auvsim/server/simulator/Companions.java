@@ -43,7 +43,10 @@ final class Companions implements InputLog {
     }
 
     private Companion companion(AccompaniedProcessor processor, World world, long objectId) {
-        return processor.companion(world, objectId, clients.inside());
+        InsideClient client = clients.inside();
+        Companion companion = processor.companion(world, objectId, client);
+        client.tellRefusals(companion::refused);
+        return companion;
     }
 
     @Override

@@ -9,6 +9,7 @@ import org.auvsim.cli.report.FileTrouble;
 import org.auvsim.cli.report.UserError;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.diagnosis.Investigation;
+import org.auvsim.diagnosis.Method;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.reading.RunFiles;
@@ -107,6 +108,16 @@ final class Diagnose implements Callable<Integer> {
     private long seed = 1;
 
     @Option(
+            names = "--method",
+            paramLabel = "METHOD",
+            defaultValue = "shooting",
+            description =
+                    "How causes are searched for: shooting, by what each leaves along the measured"
+                            + " motion, or genetic, by models that compete (default:"
+                            + " ${DEFAULT-VALUE}).")
+    private Method method = Method.SHOOTING;
+
+    @Option(
             names = "--fail-on-discrepancy",
             description = "Ends with 1 if the model is wrong, for use in CI.")
     private boolean failOnDiscrepancy;
@@ -142,6 +153,7 @@ final class Diagnose implements Callable<Integer> {
                             runs.heldOut(),
                             Library.of(model, runs.fit()),
                             seed,
+                            method,
                             bar)
                     .diagnose()
                     .noticing(runs.notices());

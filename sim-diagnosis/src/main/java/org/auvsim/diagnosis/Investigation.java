@@ -1,14 +1,19 @@
 package org.auvsim.diagnosis;
 
 import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.fit.Arena;
 import org.auvsim.diagnosis.fit.Examination;
 import org.auvsim.diagnosis.fit.Progress;
+import org.auvsim.diagnosis.genetic.Evolution;
+import org.auvsim.diagnosis.genetic.FormulaSearch;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.Split;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Finds what a model gets wrong of measured runs. Immutable; each method but {@link #diagnose}
@@ -18,6 +23,7 @@ import java.util.List;
  * @param heldOut runs that only judge; empty: the fit runs, or parts of the only one, are split
  * @param causes candidates
  * @param seed of what is drawn by lot
+ * @param method how causes are searched for
  * @param progress is told how far it is
  */
 public record Investigation(
@@ -26,12 +32,29 @@ public record Investigation(
         List<MeasuredRun> heldOut,
         List<Cause> causes,
         long seed,
+        Method method,
         Progress progress) {
     /** The lists cannot be changed. */
     public Investigation {
         fit = List.copyOf(fit);
         heldOut = List.copyOf(heldOut);
         causes = List.copyOf(causes);
+    }
+
+    /** By multiple shooting. */
+    public Investigation(
+            BelievedModel model,
+            List<MeasuredRun> fit,
+            List<MeasuredRun> heldOut,
+            List<Cause> causes,
+            long seed,
+            Progress progress) {
+        this(model, fit, heldOut, causes, seed, Method.SHOOTING, progress);
+    }
+
+    /** The same by another method. */
+    public Investigation by(Method other) {
+        return new Investigation(model, fit, heldOut, causes, seed, other, progress);
     }
 
     /**
@@ -43,10 +66,27 @@ public record Investigation(
     public Diagnosis diagnose() {
         if (heldOut.isEmpty()) {
             Split split = Split.of(fit);
-            return new Investigation(model, split.fit(), split.heldOut(), causes, seed, progress)
+            return new Investigation(
+                            model, split.fit(), split.heldOut(), causes, seed, method, progress)
                     .diagnose()
                     .noticing(List.of(split.notice()));
         }
-        return new Examination(model, fit, heldOut, causes, seed, progress).diagnosis();
+        Optional<Arena.Contest> contest =
+                method == Method.GENETIC ? Optional.of(new Evolution(seed)) : Optional.empty();
+        Diagnosis diagnosis =
+                new Examination(model, fit, heldOut, causes, seed, contest, progress).diagnosis();
+        return proposing(diagnosis);
+    }
+
+    /** With a formula, where nothing that is known fits and the search came to its end. */
+    private Diagnosis proposing(Diagnosis diagnosis) {
+        boolean isOpen =
+                diagnosis.verdict() == Verdict.UNEXPLAINED && diagnosis.proposal().isEmpty();
+        return isOpen && diagnosis.isComplete() && progress.at("looking for a formula", 0.95)
+                ? new FormulaSearch(model, seed)
+                        .proposal(diagnosis)
+                        .map(diagnosis::proposing)
+                        .orElse(diagnosis)
+                : diagnosis;
     }
 }

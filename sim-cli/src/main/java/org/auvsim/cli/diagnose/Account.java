@@ -23,6 +23,13 @@ public final class Account {
             lines.add("");
             addRanking(ranked, lines);
         }
+        diagnosis
+                .proposal()
+                .ifPresent(
+                        proposal -> {
+                            lines.add("");
+                            lines.add("A proposal, not a named cause: " + proposal.text());
+                        });
         if (!diagnosis.isComplete()) {
             lines.add("");
             lines.add("It was stopped early: this is the best it had.");

@@ -31,32 +31,39 @@ public final class Examination {
     private final List<MeasuredRun> heldOut;
     private final List<Cause> causes;
     private final long seed;
+    private final Optional<Arena.Contest> contest;
     private final Course course;
 
-    /** Of runs that are searched with and runs that only judge. */
+    /**
+     * Of runs that are searched with and runs that only judge.
+     *
+     * @param contest by which models are found; empty: by what causes leave in the data
+     */
     public Examination(
             BelievedModel model,
             List<MeasuredRun> fit,
             List<MeasuredRun> heldOut,
             List<Cause> causes,
             long seed,
+            Optional<Arena.Contest> contest,
             Progress progress) {
         this.model = model;
         this.fit = fit;
         this.heldOut = heldOut;
         this.causes = causes;
         this.seed = seed;
+        this.contest = contest;
         this.course = new Course(progress);
     }
 
     /** What the runs say of the model. */
     public Diagnosis diagnosis() {
-        Search.Found found = new Search(model, fit, causes, course).found();
+        Search.Found found = new Search(model, fit, causes, contest, course).found();
         course.at("judging by held-out runs", 0.9);
         Trial trial = new Trial(found.model(), heldOut, found.noise());
         Judged before = trial.prediction(Hypothesis.NONE);
         if (found.best().isNone() && !passes(found, trial, before) && course.goesOn()) {
-            Search.Found all = new Search(model, allRuns(), causes, course).found();
+            Search.Found all = new Search(model, allRuns(), causes, contest, course).found();
             if (!all.best().isNone() && Search.isWhite(all.best())) {
                 return diagnosis(all, trial, before, true);
             }

@@ -9,6 +9,7 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -100,6 +101,11 @@ final class Misses {
     /** What is measured at each sample. */
     List<Row> rows() {
         return rows;
+    }
+
+    /** How many numbers there are. */
+    int count() {
+        return (int) Arrays.stream(weights).filter(weight -> weight > 0).count();
     }
 
     /** Whether there is a number, counted row by row within each sample. */

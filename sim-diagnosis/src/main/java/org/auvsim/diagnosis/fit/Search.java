@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 
@@ -26,9 +27,16 @@ final class Search {
     private final List<Cause> library;
     private final List<Seed.Guesses> guesses;
     private final Course course;
+    private final Optional<Arena.Contest> contest;
     private final List<Judged> judged = new ArrayList<>();
 
-    Search(BelievedModel model, List<MeasuredRun> runs, List<Cause> library, Course course) {
+    /** By columns of a screening, or else by a contest of models. */
+    Search(
+            BelievedModel model,
+            List<MeasuredRun> runs,
+            List<Cause> library,
+            Optional<Arena.Contest> contest,
+            Course course) {
         this.noise = Noise.of(runs);
         List<Misses> data = Misses.of(runs, noise);
         Fit asStated = Following.of(model, Hypothesis.NONE, data, noise);
@@ -40,6 +48,7 @@ final class Search {
         this.library = library;
         this.guesses = library.stream().map(c -> new Seed.Guesses(c, c.guesses(runs))).toList();
         this.course = course;
+        this.contest = contest;
     }
 
     /**
@@ -82,7 +91,7 @@ final class Search {
         int count = none.outcome().count();
         List<Cause> specific = library.stream().filter(c -> !c.isGeneric()).toList();
         Judged best = searched(none, specific);
-        if (!isWhite(best) && course.goesOn()) {
+        if (!isWhite(best) && contest.isEmpty() && course.goesOn()) {
             best = rescued(best, specific);
         }
         if (!isWhite(best) && specific.size() < library.size() && course.goesOn()) {
@@ -105,6 +114,9 @@ final class Search {
     }
 
     private Judged searched(Judged none, List<Cause> causes) {
+        if (contest.isPresent()) {
+            return pruned(tournament(competing(contest.get(), causes), none, 0.4, 0.7));
+        }
         course.at("screening causes", 0.2);
         Screen screen = new Screen(base, causes, guesses, none.outcome().count());
         Judged best = tournament(screen.starts(1), none, 0.3, 0.5);
@@ -121,6 +133,13 @@ final class Search {
             best = more;
         }
         return best;
+    }
+
+    private List<Screen.Start> competing(Arena.Contest models, List<Cause> causes) {
+        return models.candidates(new Arena(base, course), causes).stream()
+                .map(c -> new Hypothesis(c.causes(), c.theta()))
+                .map(h -> new Screen.Start(base.with(h, base.windows()), 1, 0))
+                .toList();
     }
 
     /** What has many places to begin is begun at the best of them, alone. */

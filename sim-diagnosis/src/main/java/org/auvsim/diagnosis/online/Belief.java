@@ -3,12 +3,14 @@ package org.auvsim.diagnosis.online;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.entity.AddFieldCommand;
+import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
 import org.auvsim.auvsml.message.entity.ReviseWorldObjectCommand;
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Component;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.field.UniformCurrent;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.world.World;
 import org.auvsim.diagnosis.model.BelievedModel;
@@ -16,14 +18,24 @@ import org.auvsim.diagnosis.model.BelievedModel;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
 
 /**
- * What a running simulation believes of one of its objects. Behaviors are left out of it: what they
- * tell actuators is among the commands.
+ * What a running simulation believed of one of its objects before anything was learned, and what it
+ * has learned since. All that is measured is diagnosed against the former: so what was learned from
+ * little is learned again from more, and not added to. Behaviors are left out of it: what they tell
+ * actuators is among the commands.
  *
+ * @param first before anything was learned
  * @param behaviors that the object has
+ * @param fields that the world was given
+ * @param body that it was given
  */
-record Belief(BelievedModel model, List<Component> behaviors) {
+record Belief(
+        BelievedModel first,
+        List<Component> behaviors,
+        List<Field<?>> fields,
+        Optional<WorldObjectDefinition> body) {
     /** That of an object in a world as it is now. */
     static Belief of(World world, long objectId) {
         WorldObjectDefinition object = world.object(objectId).presentDefinition();
@@ -35,40 +47,32 @@ record Belief(BelievedModel model, List<Component> behaviors) {
         return new Belief(
                 new BelievedModel(
                         Scenario.of(world).with(world.fields(), List.of(body)), object.name()),
-                behaviors);
+                behaviors,
+                List.of(),
+                Optional.empty());
     }
 
-    /** The same model of a body on which these forces may act: what they are, commands tell. */
+    /** The first model of a body on which these forces may act: what they are, commands tell. */
     BelievedModel under(Collection<NamedForce> forces) {
-        WorldObjectDefinition.Builder body = model.variant().body().toBuilder();
+        WorldObjectDefinition.Builder object = first.variant().body().toBuilder();
         for (NamedForce force : forces) {
-            if (model.variant().body().force().stream()
+            if (first.variant().body().force().stream()
                     .noneMatch(known -> known.name().equals(force.name()))) {
-                body.force(new NamedForce(force.name(), force.frame(), Vec3.ZERO, force.point()));
+                object.force(new NamedForce(force.name(), force.frame(), Vec3.ZERO, force.point()));
             }
         }
-        return believing(model.scenario().with(model.scenario().field(), List.of(body.build())));
+        Scenario scenario = first.scenario();
+        return new BelievedModel(
+                scenario.with(scenario.field(), List.of(object.build())), first.body());
     }
 
-    private BelievedModel believing(Scenario scenario) {
-        return new BelievedModel(scenario, model.body());
-    }
-
-    /** What a diagnosis of this has found, believed from now on. */
-    Belief extended(Scenario found) {
-        return new Belief(believing(found), behaviors);
-    }
-
-    /** What makes a running world believe what a diagnosis of this has found. */
-    List<Message> changes(Scenario found) {
+    /** What makes the running world believe what a diagnosis of a model has found. */
+    List<Message> changes(BelievedModel diagnosed, Scenario found) {
         List<Message> changes = new ArrayList<>();
-        for (Field<?> field : found.field()) {
-            if (!model.scenario().field().contains(field)) {
-                changes.add(new AddFieldCommand(field));
-            }
-        }
-        WorldObjectDefinition before = model.variant().body();
-        WorldObjectDefinition after = believing(found).variant().body();
+        fields.forEach(field -> changes.add(new RemoveEntityCommand(field.id())));
+        added(diagnosed, found).forEach(field -> changes.add(new AddFieldCommand(field)));
+        WorldObjectDefinition before = body.orElse(diagnosed.variant().body());
+        WorldObjectDefinition after = body(found);
         if (!after.equals(before)) {
             List<Component> components = new ArrayList<>(after.component());
             components.addAll(behaviors);
@@ -76,5 +80,33 @@ record Belief(BelievedModel model, List<Component> behaviors) {
                     new ReviseWorldObjectCommand(after.toBuilder().components(components).build()));
         }
         return changes;
+    }
+
+    /** When the running world has them. */
+    Belief after(BelievedModel diagnosed, Scenario found) {
+        List<Field<?>> added = added(diagnosed, found);
+        List<Field<?>> known = new ArrayList<>(first.scenario().field());
+        added.forEach(field -> known.add(stillWater(field)));
+        Scenario scenario = first.scenario().with(known, first.scenario().worldObject());
+        return new Belief(
+                new BelievedModel(scenario, first.body()),
+                behaviors,
+                added,
+                Optional.of(body(found)));
+    }
+
+    /** In place of a field that was learned: its id and its name are not free any more. */
+    private static Field<?> stillWater(Field<?> learned) {
+        return new UniformCurrent(learned.id(), learned.name(), Vec3.ZERO);
+    }
+
+    private static List<Field<?>> added(BelievedModel diagnosed, Scenario found) {
+        List<Field<?>> added = new ArrayList<>(found.field());
+        added.removeAll(diagnosed.scenario().field());
+        return added;
+    }
+
+    private WorldObjectDefinition body(Scenario found) {
+        return new BelievedModel(found, first.body()).variant().body();
     }
 }

@@ -4,6 +4,8 @@ import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.AnnounceModelCorrectionCommand;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.auvsml.message.session.ErrorResponse;
+import org.auvsim.diagnosis.Investigation;
+import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
@@ -34,7 +36,6 @@ final class Learner implements Companion {
 
     private final long objectId;
     private final LearningPlan plan;
-    private final Method method;
     private final Consumer<List<Message>> toSimulator;
     private final BlockingQueue<Observation> heard = new ArrayBlockingQueue<>(MOST_WAITING);
     private final Watcher watcher;
@@ -46,25 +47,20 @@ final class Learner implements Companion {
     private Belief belief;
 
     private List<String> announced = List.of();
+    private String stage = "";
 
     /** Begins to learn. */
-    Learner(
-            long objectId,
-            Belief belief,
-            LearningPlan plan,
-            Method method,
-            Consumer<List<Message>> toSimulator) {
+    Learner(long objectId, Belief belief, LearningPlan plan, Consumer<List<Message>> toSimulator) {
         this.objectId = objectId;
         this.belief = belief;
         this.plan = plan;
-        this.method = method;
         this.toSimulator = toSimulator;
         this.watcher = new Watcher(objectId, this::hear);
         this.logbook = new Logbook(plan.keep());
         this.thread =
                 Thread.ofPlatform()
                         .daemon()
-                        .name("learner of " + belief.model().body())
+                        .name("learner of " + belief.first().body())
                         .start(this::run);
     }
 
@@ -123,10 +119,10 @@ final class Learner implements Companion {
         BelievedModel model = belief.under(logbook.forces());
         Split split = Split.of(runs);
         try {
-            Diagnosis found = method.diagnose(model, split.fit(), split.heldOut(), () -> !closed);
+            Diagnosis found = investigation(model, split).diagnose();
             LOG.info("'{}': {}", model.body(), found.sentence());
             if (!closed && found.verdict() == Verdict.EXPLAINED) {
-                tell(new Belief(model, belief.behaviors()), found);
+                tell(model, found);
             }
         } catch (IllegalArgumentException | IllegalStateException | ArithmeticException e) {
             LOG.warn("nothing can be learned of '{}': {}", model.body(), e.getMessage());
@@ -134,7 +130,27 @@ final class Learner implements Companion {
         }
     }
 
-    private void tell(Belief diagnosed, Diagnosis found) {
+    private Investigation investigation(BelievedModel model, Split split) {
+        return new Investigation(
+                model,
+                split.fit(),
+                split.heldOut(),
+                Library.of(model, split.fit()),
+                plan.seed(),
+                plan.method(),
+                this::goesOn);
+    }
+
+    /** Tells each new stage of a diagnosis; whether anybody still wants to know. */
+    private boolean goesOn(String now, double share) {
+        if (!now.equals(stage)) {
+            stage = now;
+            LOG.info("'{}': {} ({} %)", belief.first().body(), now, Math.round(100 * share));
+        }
+        return !closed;
+    }
+
+    private void tell(BelievedModel diagnosed, Diagnosis found) {
         List<String> causes = found.selected().stream().map(Finding::name).toList();
         if (!plan.extendsWorld() && causes.equals(announced)) {
             return;
@@ -142,8 +158,8 @@ final class Learner implements Companion {
         announced = causes;
         List<Message> messages = new ArrayList<>();
         if (plan.extendsWorld()) {
-            messages.addAll(diagnosed.changes(found.extended()));
-            belief = diagnosed.extended(found.extended());
+            messages.addAll(belief.changes(diagnosed, found.extended()));
+            belief = belief.after(diagnosed, found.extended());
         }
         messages.add(
                 new AnnounceModelCorrectionCommand(

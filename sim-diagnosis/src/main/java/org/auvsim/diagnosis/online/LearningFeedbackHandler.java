@@ -5,22 +5,17 @@ import org.auvsim.auvsml.message.Message;
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.world.World;
-import org.auvsim.diagnosis.Investigation;
-import org.auvsim.diagnosis.cause.Library;
-import org.auvsim.diagnosis.model.BelievedModel;
-import org.auvsim.diagnosis.result.Diagnosis;
-import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.Method;
 import org.auvsim.server.feedback.Correction;
 import org.auvsim.server.simulator.AccompaniedProcessor;
 import org.auvsim.server.simulator.Companion;
 
 import java.util.List;
-import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
  * Corrects an object as another processor does, and learns meanwhile: what was measured and
- * commanded is diagnosed in the background, as by {@link Investigation}; what the model lacks is
+ * commanded is diagnosed in the background, by {@link Method#SHOOTING}; what the model lacks is
  * announced and, if the scenario allows, added to the running world.
  *
  * @param correctsBy what corrects the object
@@ -42,7 +37,7 @@ public record LearningFeedbackHandler(
      * @throws IllegalArgumentException if it would learn without pause, or keep too little
      */
     public LearningFeedbackHandler {
-        var _ = new LearningPlan(extendsWorld, after, keep);
+        var _ = plan(extendsWorld, after, keep, seed);
     }
 
     /** Filters, announces, and changes nothing. */
@@ -70,23 +65,11 @@ public record LearningFeedbackHandler(
         return new Learner(
                 objectId,
                 Belief.of(world, objectId),
-                new LearningPlan(extendsWorld, after, keep),
-                this::diagnosed,
+                plan(extendsWorld, after, keep, seed),
                 toSimulator);
     }
 
-    private Diagnosis diagnosed(
-            BelievedModel model,
-            List<MeasuredRun> fit,
-            List<MeasuredRun> heldOut,
-            BooleanSupplier goesOn) {
-        return new Investigation(
-                        model,
-                        fit,
-                        heldOut,
-                        Library.of(model, fit),
-                        seed,
-                        (_, _) -> goesOn.getAsBoolean())
-                .diagnose();
+    private static LearningPlan plan(boolean extendsWorld, double after, int keep, long seed) {
+        return new LearningPlan(extendsWorld, after, keep, seed, Method.SHOOTING);
     }
 }

@@ -64,10 +64,19 @@ public record Diagnosis(
         notices = List.copyOf(notices);
     }
 
+    /** The same with a formula or field that imitates the misfit. */
+    public Diagnosis proposing(Proposal other) {
+        return with(Optional.of(other), notices);
+    }
+
     /** The same with notices before its own: what reading the runs had to say. */
     public Diagnosis noticing(List<String> more) {
         List<String> all = new ArrayList<>(more);
         all.addAll(notices);
+        return with(proposal, all);
+    }
+
+    private Diagnosis with(Optional<Proposal> proposed, List<String> noticed) {
         return new Diagnosis(
                 verdict,
                 sentence,
@@ -81,11 +90,11 @@ public record Diagnosis(
                 usedHeldOut,
                 runs,
                 discrepancy,
-                proposal,
+                proposed,
                 nextExperiment,
                 identifiability,
                 extended,
-                all,
+                noticed,
                 seed,
                 isComplete);
     }

@@ -1,0 +1,79 @@
+package org.auvsim.diagnosis.genetic;
+
+import org.apache.commons.math3.stat.regression.SimpleRegression;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.genetic.Formula.Sample;
+import org.auvsim.diagnosis.result.DiagnosedRun;
+import org.auvsim.diagnosis.result.ForceResidual;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** The forces that a model lacks along a run, beside what was measured there. */
+final class MissingForces {
+    /** So many samples before and after tell the velocity. */
+    private static final int NEAR = 3;
+
+    private MissingForces() {}
+
+    /** Along an axis of the world, where position was measured. */
+    static List<Sample> along(DiagnosedRun of, int axis) {
+        List<Sample> samples = new ArrayList<>();
+        for (ForceResidual residual : of.forces()) {
+            int at = sample(of.run(), residual.time());
+            Optional<Vec3> position = of.run().vector(Channel.POSITION, at);
+            double force = axis(residual.before(), axis);
+            if (position.isPresent() && Double.isFinite(force)) {
+                samples.add(new Sample(variables(of.run(), at, position.get()), force));
+            }
+        }
+        return samples;
+    }
+
+    private static int sample(MeasuredRun run, double time) {
+        int at = 0;
+        while (at + 1 < run.size() && run.time(at + 1) <= time) {
+            at++;
+        }
+        return at;
+    }
+
+    private static double[] variables(MeasuredRun run, int at, Vec3 position) {
+        return new double[] {
+            run.time(at),
+            position.x(),
+            position.y(),
+            position.z(),
+            velocity(run, at, 0),
+            velocity(run, at, 1),
+            velocity(run, at, 2),
+            run.orientation(at).map(MissingForces::yaw).orElse(0.0)
+        };
+    }
+
+    /** The slope of the positions around a sample. */
+    private static double velocity(MeasuredRun run, int at, int axis) {
+        SimpleRegression line = new SimpleRegression();
+        for (int k = Math.max(0, at - NEAR); k <= Math.min(run.size() - 1, at + NEAR); k++) {
+            double value = run.value(Channel.POSITION, k, axis);
+            if (!Double.isNaN(value)) {
+                line.addData(run.time(k), value);
+            }
+        }
+        double slope = line.getSlope();
+        return Double.isNaN(slope) ? 0 : slope;
+    }
+
+    private static double yaw(Quat q) {
+        return StrictMath.atan2(
+                2 * (q.w() * q.z() + q.x() * q.y()), 1 - 2 * (q.y() * q.y() + q.z() * q.z()));
+    }
+
+    private static double axis(Vec3 v, int axis) {
+        return axis == 0 ? v.x() : axis == 1 ? v.y() : v.z();
+    }
+}

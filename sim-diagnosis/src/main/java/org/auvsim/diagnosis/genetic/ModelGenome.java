@@ -1,0 +1,71 @@
+package org.auvsim.diagnosis.genetic;
+
+import org.apache.commons.math3.genetics.Chromosome;
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.fit.Arena;
+
+import java.util.Comparator;
+import java.util.List;
+
+/** A model as a chromosome: which causes are active, and their numbers. */
+final class ModelGenome extends Chromosome {
+    /** An active cause, and a number for each of its parameters. */
+    static final class Gene {
+        private final Cause cause;
+        private final double[] theta;
+
+        Gene(Cause cause, double[] theta) {
+            this.cause = cause;
+            this.theta = theta;
+        }
+
+        Cause cause() {
+            return cause;
+        }
+
+        /** Not to be changed. */
+        double[] theta() {
+            return theta;
+        }
+    }
+
+    private final List<Gene> genes;
+    private double fitness = Double.NaN;
+
+    /** Of these genes, each of another cause; their order means nothing. */
+    ModelGenome(List<Gene> genes) {
+        this.genes =
+                genes.stream().sorted(Comparator.comparing(gene -> gene.cause().name())).toList();
+    }
+
+    List<Gene> genes() {
+        return genes;
+    }
+
+    List<String> names() {
+        return genes.stream().map(gene -> gene.cause().name()).toList();
+    }
+
+    /** How many numbers it has. */
+    int size() {
+        return genes.stream().mapToInt(gene -> gene.theta().length).sum();
+    }
+
+    Arena.Candidate candidate() {
+        return new Arena.Candidate(
+                genes.stream().map(Gene::cause).toList(), genes.stream().map(Gene::theta).toList());
+    }
+
+    boolean isJudged() {
+        return !Double.isNaN(fitness);
+    }
+
+    void judge(double found) {
+        fitness = found;
+    }
+
+    @Override
+    public double fitness() {
+        return fitness;
+    }
+}

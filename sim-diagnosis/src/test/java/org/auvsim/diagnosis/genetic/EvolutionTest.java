@@ -1,0 +1,44 @@
+package org.auvsim.diagnosis.genetic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.auvsim.diagnosis.Method;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Finding;
+import org.auvsim.diagnosis.result.Verdict;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Competing models find the drag of a pushed sphere, and find it again. */
+class EvolutionTest {
+    private static final double DRAG = 12;
+
+    private static final PushedSphere SPHERE =
+            new PushedSphere(
+                    (_, v) -> {
+                        double speed = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+                        return new double[] {
+                            -DRAG * speed * v[0], -DRAG * speed * v[1], -DRAG * speed * v[2]
+                        };
+                    });
+
+    private static Diagnosis diagnosis(long seed) {
+        return SPHERE.investigation(seed).by(Method.GENETIC).diagnose();
+    }
+
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = 1)
+    void aDragIsFoundAndSoAgain(long seed) {
+        Diagnosis diagnosis = diagnosis(seed);
+
+        assertThat(diagnosis.verdict()).as(diagnosis.sentence()).isEqualTo(Verdict.EXPLAINED);
+        assertThat(diagnosis.selected())
+                .extracting(Finding::cause)
+                .containsExactly("quadratic_drag");
+        assertThat(diagnosis.selected().getFirst().quantities().getFirst().value())
+                .isCloseTo(DRAG, within(0.2));
+        assertThat(diagnosis.proposal()).isEmpty();
+        assertThat(diagnosis(seed).ranked()).isEqualTo(diagnosis.ranked());
+    }
+}

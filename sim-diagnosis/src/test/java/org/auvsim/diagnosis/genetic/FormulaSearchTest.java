@@ -1,0 +1,76 @@
+package org.auvsim.diagnosis.genetic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.volume.Sphere;
+import org.auvsim.core.world.World;
+import org.auvsim.diagnosis.genetic.Formula.Sample;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+
+/** Forces that follow a known law are imitated by a formula, also where none was seen. */
+class FormulaSearchTest {
+    /** The law that is to be found. */
+    private interface Law {
+        double force(double[] variables);
+    }
+
+    private static List<Sample> samples(long seed, int count, Law law) {
+        SplittableRandom lot = new SplittableRandom(seed);
+        List<Sample> samples = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            double[] variables = lot.doubles(8, -2, 2).toArray();
+            variables[0] = 60 * lot.nextDouble();
+            samples.add(new Sample(variables, law.force(variables)));
+        }
+        return samples;
+    }
+
+    private static FormulaSearch search(long seed) {
+        World world =
+                World.builder()
+                        .add(
+                                WorldObjectDefinition.named("body")
+                                        .volume(new Sphere(0.1))
+                                        .mass(1)
+                                        .build())
+                        .build();
+        return new FormulaSearch(new BelievedModel(Scenario.of(world), "body"), seed);
+    }
+
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = {1, 2, 3})
+    void aSpringAndADragAreImitated(long seed) {
+        Law law = v -> -3 * v[2] - 2 * v[5] * Math.abs(v[5]);
+
+        Formula found = search(seed).found(samples(seed, 90, law));
+
+        assertThat(found.shareOf(samples(seed + 100, 90, law))).as(found.text()).isGreaterThan(0.9);
+    }
+
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = {1, 2, 3})
+    void chanceIsNoLaw(long seed) {
+        SplittableRandom lot = new SplittableRandom(seed);
+        Law chance = _ -> lot.nextGaussian();
+
+        Formula found = search(seed).found(samples(seed, 90, chance));
+
+        assertThat(found.shareOf(samples(seed + 100, 90, chance))).isLessThan(0.2);
+    }
+
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = {1, 2})
+    void theSameSeedGivesTheSameFormula(long seed) {
+        List<Sample> samples = samples(seed, 40, v -> v[1] * v[4]);
+
+        assertThat(search(seed).found(samples)).isEqualTo(search(seed).found(samples));
+    }
+}

@@ -1,0 +1,32 @@
+package org.auvsim.diagnosis.genetic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Proposal;
+import org.auvsim.diagnosis.result.Verdict;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Where no cause explains what is measured, a formula is proposed, and named nowhere. */
+class ProposalTest {
+    /** A drag along x that grows with the distance from the plane y = 0: no library has it. */
+    private static final PushedSphere SPHERE =
+            new PushedSphere((p, v) -> new double[] {-6 * Math.abs(p[1]) * v[0], 0, 0});
+
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = 1)
+    void aForceThatNoCauseHasIsImitatedByAFormula(long seed) {
+        Diagnosis diagnosis = SPHERE.investigation(seed).diagnose();
+
+        assertThat(diagnosis.verdict()).as(diagnosis.sentence()).isEqualTo(Verdict.UNEXPLAINED);
+        assertThat(diagnosis.selected()).isEmpty();
+        assertThat(diagnosis.proposal()).isPresent();
+        Proposal proposal = diagnosis.proposal().orElseThrow();
+        assertThat(proposal.kind()).isEqualTo("formula");
+        assertThat(proposal.text()).contains("F.x =").contains("vx").doesNotContain("F.z");
+        assertThat(proposal.heldOut().after())
+                .as(proposal.text())
+                .isLessThan(proposal.heldOut().before() / 3);
+    }
+}

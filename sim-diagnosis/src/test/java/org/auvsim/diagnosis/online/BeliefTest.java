@@ -1,0 +1,113 @@
+package org.auvsim.diagnosis.online;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.entity.AddFieldCommand;
+import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
+import org.auvsim.auvsml.message.entity.ReviseWorldObjectCommand;
+import org.auvsim.core.effect.IsotropicDrag;
+import org.auvsim.core.entity.Effect;
+import org.auvsim.core.entity.Field;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.field.UniformCurrent;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.Sphere;
+import org.auvsim.core.world.World;
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Library;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+
+/** What a running world gets when it is learned, and when the same is learned again from more. */
+class BeliefTest {
+    private static final double DRAG = 7;
+
+    private final World world =
+            World.builder()
+                    .add(
+                            WorldObjectDefinition.named("body")
+                                    .volume(new Sphere(0.2))
+                                    .mass(10)
+                                    .build())
+                    .build();
+    private Belief belief = Belief.of(world, 1);
+
+    /** The world gets what a diagnosis of it would have found. */
+    private void learn(Vec3 current, double drag) {
+        BelievedModel model = belief.under(List.of());
+        Variant found = model.variant().with(body -> body.effect(new IsotropicDrag(0, drag, 0)));
+        Cause flow =
+                Library.of(model, List.of(run())).stream()
+                        .filter(cause -> cause.id().equals("current_constant"))
+                        .findFirst()
+                        .orElseThrow();
+        found = flow.in(found, new double[] {current.x(), current.y(), current.z()});
+        for (Message change : belief.changes(model, model.extended(found))) {
+            carryOut(change);
+        }
+        belief = belief.after(model, model.extended(found));
+    }
+
+    private static MeasuredRun run() {
+        MeasuredRunBuilder run = MeasuredRun.named("run");
+        for (int k = 0; k < 40; k++) {
+            run.at(0.1 * k).position(0.1 * k, Math.sin(k), 0);
+        }
+        return run.build();
+    }
+
+    private void carryOut(Message change) {
+        switch (change) {
+            case RemoveEntityCommand(long id) -> world.remove(id);
+            case AddFieldCommand(Field<?> field) -> world.add(field);
+            case ReviseWorldObjectCommand(WorldObjectDefinition object) -> world.revise(object);
+            default -> throw new AssertionError(change);
+        }
+    }
+
+    private List<Effect> drags() {
+        return world.object(1).effects();
+    }
+
+    @Test
+    void theWorldGetsTheCurrentAndTheObjectItsDrag() {
+        learn(new Vec3(0.1, 0.2, 0), DRAG);
+
+        assertThat(drags()).containsExactly(new IsotropicDrag(0, DRAG, 0));
+        assertThat(velocities()).containsExactly(new Vec3(0.1, 0.2, 0));
+    }
+
+    @Test
+    void whatIsLearnedAgainTakesThePlaceOfWhatWasLearned() {
+        learn(new Vec3(0.1, 0.2, 0), DRAG);
+        learn(new Vec3(0.11, 0.19, 0), DRAG + 1);
+        learn(new Vec3(0.12, 0.18, 0), DRAG + 2);
+
+        assertThat(drags()).containsExactly(new IsotropicDrag(0, DRAG + 2, 0));
+        assertThat(velocities()).containsExactly(new Vec3(0.12, 0.18, 0));
+    }
+
+    @Test
+    void itMovesOnAsItDid() {
+        world.object(1).setVelocity(new Vec3(1, 0, 0));
+
+        learn(Vec3.ZERO, DRAG);
+
+        assertThat(world.object(1).velocity().distance(new Vec3(1, 0, 0)))
+                .isCloseTo(0, within(1e-12));
+    }
+
+    private List<Vec3> velocities() {
+        return world.fields().stream()
+                .map(UniformCurrent.class::cast)
+                .map(UniformCurrent::velocity)
+                .toList();
+    }
+}

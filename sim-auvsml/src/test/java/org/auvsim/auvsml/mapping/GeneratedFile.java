@@ -7,15 +7,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /** A file of the repository that is generated from the code, and must be what the code says. */
-final class GeneratedFile {
+public final class GeneratedFile {
     private static final String COMMAND =
-            "mvn -q test -pl sim-auvsml -am -Dtest=GeneratedFilesTest -Dauvsml.generate"
-                    + " -Dsurefire.failIfNoSpecifiedTests=false";
+            "mvn -q test -pl sim-auvsml,sim-cli -am -Dtest='GeneratedFilesTest,GeneratedSchemaTest'"
+                    + " -Dauvsml.generate -Dsurefire.failIfNoSpecifiedTests=false";
 
     private GeneratedFile() {}
 
     /** Fails unless the file holds this; with {@code -Dauvsml.generate} it is written instead. */
-    static void check(Path file, String content) throws IOException {
+    public static void check(Path file, String content) throws IOException {
         if (System.getProperty("auvsml.generate") != null) {
             Files.createDirectories(file.toAbsolutePath().getParent());
             Files.writeString(file, content);

@@ -2,7 +2,6 @@ package org.auvsim.auvsml.mapping;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.auvsim.auvsml.document.Schema;
 import org.auvsim.auvsml.framing.AuvsmlReader;
 import org.auvsim.auvsml.framing.Incoming;
 import org.auvsim.auvsml.framing.RootDecoder;
@@ -30,11 +29,6 @@ class GeneratedFilesTest {
 
     private final MessageCatalogue catalogue =
             MessageCatalogue.load(GeneratedFilesTest.class.getClassLoader());
-
-    @Test
-    void theSchemaIsThatOfTheRecords() throws IOException {
-        GeneratedFile.check(DOCS.resolve("auvsml.xsd"), Schema.of(catalogue));
-    }
 
     @Test
     void theReferenceIsThatOfTheRecords() throws IOException {

@@ -31,7 +31,8 @@ import java.util.concurrent.Callable;
             "Hides effects in simulated measurements, made by equations that are not the"
                     + " simulator's, has them diagnosed, and counts what is found.",
             "Prints a line for each case and the figures beside their targets and beside a plain"
-                    + " sparse regression, and writes cases.csv, scores.json and report.html."
+                + " sparse regression and the genetic method, and writes cases.csv, scores.json and"
+                + " report.html."
         },
         footer = {
             "",
@@ -71,6 +72,14 @@ final class BenchDiagnosis implements Callable<Integer> {
     private List<Double> noises = Plan.NOISES;
 
     @Option(
+            names = "--genetic",
+            paramLabel = "N",
+            description =
+                    "So many of the cases at each noise, the first ones, are also searched by"
+                            + " models that compete (default: a fifth).")
+    private Optional<Integer> genetic = Optional.empty();
+
+    @Option(
             names = "--out",
             paramLabel = "FOLDER",
             defaultValue = "auvsim-bench-diagnosis",
@@ -101,12 +110,20 @@ final class BenchDiagnosis implements Callable<Integer> {
         if (cases < 1) {
             throw new UserError("--cases must be 1 or more, but is " + cases + ".");
         }
+        if (genetic.orElse(0) < 0) {
+            throw new UserError("--genetic must be 0 or more, but is " + genetic.get() + ".");
+        }
         for (double noise : noises) {
             if (!(noise > 0 && noise < 1)) {
                 throw new UserError("--noise must be above 0 and below 1, but is " + noise + ".");
             }
         }
-        return new Plan(seed, cases, kind.map(List::of).orElse(Plan.MIXED), noises);
+        return new Plan(
+                seed,
+                cases,
+                kind.map(List::of).orElse(Plan.MIXED),
+                noises,
+                genetic.orElse(cases / 5));
     }
 
     private void tell(String line) {

@@ -39,22 +39,34 @@ class BenchDiagnosisTest {
                                 1,
                                 "--cases",
                                 1,
+                                "--genetic",
+                                1,
                                 "--out",
                                 out))
                 .isZero();
 
         assertThat(auvsim.out().lines())
-                .anyMatch(line -> line.matches("(right|WRONG) null .* seed 1 .*"))
-                .anyMatch(line -> line.startsWith("false alarms") && line.contains("of 1,"))
+                .anyMatch(line -> line.matches("(right|WRONG) null .* seed 1 .* said: .*"))
+                .anyMatch(line -> line.matches("(right|WRONG) null .* seed 1 .* said, genetic: .*"))
+                .anyMatch(line -> line.matches(".* noise 1.0 % +noise 1.0 %, genetic"))
+                .anyMatch(line -> line.matches("false alarms .*of 1,.*of 1,.*"))
                 .last()
-                .isEqualTo("1 row written to " + out.resolve("cases.csv"));
+                .isEqualTo("2 rows written to " + out.resolve("cases.csv"));
         assertThat(Files.readAllLines(out.resolve("cases.csv"), UTF_8))
-                .hasSize(2)
+                .hasSize(3)
+                .anyMatch(
+                        line ->
+                                line.startsWith("shooting,null,0.01,1,")
+                                        && line.endsWith(" --seed 1 --cases 1"))
                 .last()
                 .asString()
-                .startsWith("null,0.01,1,")
-                .endsWith("auvsim bench diagnosis --kind null --noise 0.01 --seed 1 --cases 1");
-        assertThat(out.resolve("scores.json")).content().contains("\"false_alarms\" : {");
+                .startsWith("genetic,null,0.01,1,")
+                .endsWith(
+                        "auvsim bench diagnosis --kind null --noise 0.01 --seed 1 --cases 1"
+                                + " --genetic 1");
+        assertThat(out.resolve("scores.json"))
+                .content()
+                .contains("\"false_alarms\" : {", "\"method\" : \"genetic\"");
         assertThat(out.resolve("report.html")).content().contains("sparse regression: named");
     }
 
@@ -63,6 +75,7 @@ class BenchDiagnosisTest {
             delimiter = '|',
             value = {
                 "--cases | 0 | --cases must be 1 or more, but is 0.",
+                "--genetic | -1 | --genetic must be 0 or more, but is -1.",
                 "--noise | 2 | --noise must be above 0 and below 1, but is 2.0.",
                 "--seed | last | --seed: expected a whole number, but found 'last'.",
                 "--kind | five | --kind: expected single or pair or null or uncovered or weak or"

@@ -1,5 +1,6 @@
 package org.auvsim.experiments.scoreboard;
 
+import org.auvsim.diagnosis.Method;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.experiments.hidden.CaseKind;
 
@@ -8,6 +9,7 @@ import java.util.List;
 /**
  * What a diagnosis made of a case.
  *
+ * @param method by which causes were searched for
  * @param hidden names of the effects
  * @param said by the diagnosis
  * @param first cause that it ranks highest of those selected is hidden, and it says explained
@@ -24,6 +26,7 @@ import java.util.List;
  * @param repeat command that repeats it
  */
 public record Outcome(
+        Method method,
         CaseKind kind,
         double noise,
         long seed,

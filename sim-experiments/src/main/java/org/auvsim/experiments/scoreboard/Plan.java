@@ -1,5 +1,6 @@
 package org.auvsim.experiments.scoreboard;
 
+import org.auvsim.diagnosis.Method;
 import org.auvsim.experiments.hidden.CaseKind;
 
 import java.util.ArrayList;
@@ -12,8 +13,10 @@ import java.util.List;
  * @param cases at each noise
  * @param kinds of them in turn
  * @param noises as shares of the motion's range
+ * @param genetic so many of the cases at each noise, the first ones, are also searched by {@link
+ *     Method#GENETIC}
  */
-public record Plan(long seed, int cases, List<CaseKind> kinds, List<Double> noises) {
+public record Plan(long seed, int cases, List<CaseKind> kinds, List<Double> noises, int genetic) {
     /** Twenty cases: how often each kind comes. */
     public static final List<CaseKind> MIXED =
             List.of(
@@ -41,8 +44,8 @@ public record Plan(long seed, int cases, List<CaseKind> kinds, List<Double> nois
     /** Those of the targets. */
     public static final List<Double> NOISES = List.of(0.001, 0.01, 0.05);
 
-    /** One case to be drawn. */
-    public record Drawing(CaseKind kind, double noise, long seed) {}
+    /** One case to be drawn, and how its causes are searched for. */
+    public record Drawing(CaseKind kind, double noise, long seed, Method method) {}
 
     /** The lists cannot be changed. */
     public Plan {
@@ -50,12 +53,22 @@ public record Plan(long seed, int cases, List<CaseKind> kinds, List<Double> nois
         noises = List.copyOf(noises);
     }
 
+    /** Those that are compared. */
+    List<Method> methods() {
+        return genetic == 0 ? List.of(Method.SHOOTING) : List.of(Method.values());
+    }
+
     /** All cases; the noises of a case follow one another. */
     public List<Drawing> drawings() {
         List<Drawing> drawings = new ArrayList<>();
         for (int i = 0; i < cases; i++) {
             for (double noise : noises) {
-                drawings.add(new Drawing(kinds.get(i % kinds.size()), noise, seed + i));
+                CaseKind kind = kinds.get(i % kinds.size());
+                for (Method method : methods()) {
+                    if (method == Method.SHOOTING || i < genetic) {
+                        drawings.add(new Drawing(kind, noise, seed + i, method));
+                    }
+                }
             }
         }
         return drawings;

@@ -1,5 +1,6 @@
 package org.auvsim.experiments.scoreboard;
 
+import org.auvsim.diagnosis.Method;
 import org.auvsim.diagnosis.result.Alternative;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
@@ -17,7 +18,11 @@ final class Referee {
     private Referee() {}
 
     static Outcome outcome(
-            HiddenCase of, Diagnosis diagnosis, List<String> baseline, double seconds) {
+            HiddenCase of,
+            Method method,
+            Diagnosis diagnosis,
+            List<String> baseline,
+            double seconds) {
         boolean explained = diagnosis.verdict() == Verdict.EXPLAINED;
         List<Finding> selected = diagnosis.selected();
         List<Double> errors = new ArrayList<>();
@@ -40,6 +45,7 @@ final class Referee {
         boolean exact =
                 explained && hits == of.hidden().size() && selected.size() == of.hidden().size();
         return new Outcome(
+                method,
                 of.kind(),
                 of.noise(),
                 of.seed(),
@@ -56,7 +62,7 @@ final class Referee {
                 baseline,
                 isRight(of, baseline),
                 seconds,
-                of.repeat());
+                method == Method.GENETIC ? of.repeat() + " --genetic 1" : of.repeat());
     }
 
     private static AliasTold alias(HiddenCase of, Diagnosis diagnosis) {

@@ -37,6 +37,7 @@ public final class ScoreFiles {
     private static void cases(Path file, List<Outcome> outcomes) throws IOException {
         try (CsvWriter csv = CsvWriter.builder().build(file, UTF_8)) {
             csv.writeRecord(
+                    "method",
                     "kind",
                     "noise",
                     "seed",
@@ -51,6 +52,7 @@ public final class ScoreFiles {
                     "repeat");
             for (Outcome o : outcomes) {
                 csv.writeRecord(
+                        o.method().toString(),
                         o.kind().toString(),
                         Double.toString(o.noise()),
                         Long.toString(o.seed()),
@@ -75,6 +77,7 @@ public final class ScoreFiles {
         for (Scores at : scores) {
             Map<String, Object> figures = new LinkedHashMap<>();
             figures.put("noise", at.noise());
+            figures.put("method", at.method().toString());
             for (Figure figure : Figure.values()) {
                 figures.put(figure.key(), figure.forMachines(at));
             }

@@ -1,5 +1,6 @@
 package org.auvsim.experiments.scoreboard;
 
+import org.auvsim.diagnosis.Method;
 import org.auvsim.plot.page.Block.Table;
 import org.auvsim.plot.page.Block.Text;
 import org.auvsim.plot.page.Report;
@@ -14,17 +15,17 @@ final class ScoreReport {
     private ScoreReport() {}
 
     static Report of(Plan plan, List<Scores> scores, List<Outcome> outcomes) {
-        long right = outcomes.stream().filter(Outcome::isRight).count();
+        List<Outcome> own = outcomes.stream().filter(o -> o.method() == Method.SHOOTING).toList();
+        long right = own.stream().filter(Outcome::isRight).count();
         return new Report(
                 "Diagnosis: how well it finds what is hidden",
-                "%d of %d cases are right.".formatted(right, outcomes.size()),
+                "%d of %d cases are right.".formatted(right, own.size()),
                 List.of(figures(plan, scores), mistakes(outcomes)));
     }
 
     private static Section figures(Plan plan, List<Scores> scores) {
         List<String> header = new ArrayList<>(List.of("", "target"));
-        scores.forEach(
-                at -> header.add(String.format(Locale.ROOT, "noise %.1f %%", 100 * at.noise())));
+        scores.forEach(at -> header.add(at.title()));
         List<List<String>> rows = new ArrayList<>();
         for (Figure figure : Figure.values()) {
             List<String> row = new ArrayList<>(List.of(figure.title(), figure.target()));
@@ -34,8 +35,8 @@ final class ScoreReport {
         return Section.of(
                 "Figures",
                 new Text(
-                        "Seeds from %d on, %d cases at each noise."
-                                .formatted(plan.seed(), plan.cases())),
+                        "Seeds from %d on, %d cases at each noise, the first %d also by models that compete (genetic)."
+                                .formatted(plan.seed(), plan.cases(), plan.genetic())),
                 new Table(header, rows, "In brackets: counts, and 95 % intervals of Wilson."));
     }
 

@@ -1,5 +1,7 @@
 package org.auvsim.experiments.scoreboard;
 
+import org.auvsim.diagnosis.Method;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -12,7 +14,7 @@ public final class ScoreTable {
     public static String line(Outcome o) {
         return String.format(
                 Locale.ROOT,
-                "%-5s %-9s %4.1f %% seed %-6d %-16s %5.1f s  hidden: %s  said: %s %s",
+                "%-5s %-9s %4.1f %% seed %-6d %-16s %5.1f s  hidden: %s  said%s: %s %s",
                 o.isRight() ? "right" : "WRONG",
                 o.kind(),
                 100 * o.noise(),
@@ -20,6 +22,7 @@ public final class ScoreTable {
                 o.body(),
                 o.seconds(),
                 o.hidden().isEmpty() ? "nothing" : String.join(" + ", o.hidden()),
+                o.method() == Method.GENETIC ? ", genetic" : "",
                 o.said().verdict().name().toLowerCase(Locale.ROOT),
                 String.join(" + ", o.said().causes()));
     }
@@ -28,8 +31,7 @@ public final class ScoreTable {
     public static List<String> lines(List<Scores> scores) {
         List<String> lines = new ArrayList<>();
         StringBuilder header = new StringBuilder("%-40s %-24s".formatted("", "target"));
-        scores.forEach(
-                at -> header.append(String.format(Locale.ROOT, " %-26s", percent(at.noise()))));
+        scores.forEach(at -> header.append(" %-26s".formatted(at.title())));
         lines.add(header.toString().stripTrailing());
         for (Figure figure : Figure.values()) {
             StringBuilder line =
@@ -38,9 +40,5 @@ public final class ScoreTable {
             lines.add(line.toString().stripTrailing());
         }
         return lines;
-    }
-
-    private static String percent(double noise) {
-        return String.format(Locale.ROOT, "noise %.1f %%", 100 * noise);
     }
 }

@@ -1,6 +1,7 @@
 package org.auvsim.experiments.scoreboard;
 
 import org.auvsim.diagnosis.Investigation;
+import org.auvsim.diagnosis.Method;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.model.BelievedModel;
@@ -34,12 +35,15 @@ public final class Scoreboard {
             }
             HiddenCase of = CaseBook.draw(drawing.kind(), drawing.noise(), drawing.seed());
             long began = System.nanoTime();
-            Diagnosis diagnosis = diagnosis(of, (stage, share) -> !stop.getAsBoolean());
+            Diagnosis diagnosis =
+                    diagnosis(of, drawing.method(), (stage, share) -> !stop.getAsBoolean());
             double seconds = (System.nanoTime() - began) * 1e-9;
             if (!diagnosis.isComplete()) {
                 break;
             }
-            Outcome outcome = Referee.outcome(of, diagnosis, SparseRegression.causes(of), seconds);
+            Outcome outcome =
+                    Referee.outcome(
+                            of, drawing.method(), diagnosis, SparseRegression.causes(of), seconds);
             outcomes.add(outcome);
             told.accept(outcome);
         }
@@ -48,6 +52,10 @@ public final class Scoreboard {
 
     /** What the diagnosis says of a case; nothing of what is hidden is told to it. */
     public static Diagnosis diagnosis(HiddenCase of, Progress progress) {
+        return diagnosis(of, Method.SHOOTING, progress);
+    }
+
+    private static Diagnosis diagnosis(HiddenCase of, Method method, Progress progress) {
         BelievedModel model = of.model();
         return new Investigation(
                         model,
@@ -55,17 +63,18 @@ public final class Scoreboard {
                         of.heldOut(),
                         Library.of(model, of.fit()),
                         of.seed(),
+                        method,
                         progress)
                 .diagnose();
     }
 
     /** What a diagnosis of a case is worth. */
     public static Outcome judged(HiddenCase of, Diagnosis diagnosis) {
-        return Referee.outcome(of, diagnosis, SparseRegression.causes(of), 0);
+        return Referee.outcome(of, Method.SHOOTING, diagnosis, SparseRegression.causes(of), 0);
     }
 
     /** The outcome of one case. */
     public static Outcome outcome(HiddenCase of) {
-        return Referee.outcome(of, diagnosis(of, Progress.SILENT), SparseRegression.causes(of), 0);
+        return judged(of, diagnosis(of, Progress.SILENT));
     }
 }

@@ -1,14 +1,16 @@
 package org.auvsim.experiments.scoreboard;
 
 import org.apache.commons.math3.stat.descriptive.rank.Median;
+import org.auvsim.diagnosis.Method;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.experiments.hidden.CaseKind;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Predicate;
 
 /**
- * Figures of the outcomes at one noise.
+ * Figures of the outcomes of one method at one noise.
  *
  * @param named of single effects: right cause first, and explained
  * @param pairs both named and nothing else
@@ -29,6 +31,7 @@ import java.util.function.Predicate;
  */
 public record Scores(
         double noise,
+        Method method,
         Share named,
         Share pairs,
         Share falseAlarms,
@@ -45,9 +48,10 @@ public record Scores(
         Share baselinePairs,
         Share baselineFalseAlarms,
         double seconds) {
-    /** Those at a noise among outcomes. */
-    public static Scores of(double noise, List<Outcome> all) {
-        List<Outcome> at = all.stream().filter(o -> o.noise() == noise).toList();
+    /** Those of a method at a noise among outcomes. */
+    public static Scores of(double noise, Method method, List<Outcome> all) {
+        List<Outcome> at =
+                all.stream().filter(o -> o.noise() == noise && o.method() == method).toList();
         List<Outcome> singles = of(at, CaseKind.SINGLE);
         List<Outcome> pairs = of(at, CaseKind.PAIR);
         List<Outcome> nulls = of(at, CaseKind.NULL);
@@ -58,6 +62,7 @@ public record Scores(
                         .toList();
         return new Scores(
                 noise,
+                method,
                 share(singles, Outcome::isRight),
                 share(pairs, Outcome::isRight),
                 share(nulls, o -> !o.isRight()),
@@ -80,9 +85,17 @@ public record Scores(
                 median(at.stream().map(Outcome::seconds).toList()));
     }
 
-    /** At each noise of a plan. */
+    /** At each noise of a plan, of each method. */
     public static List<Scores> of(Plan plan, List<Outcome> all) {
-        return plan.noises().stream().map(noise -> of(noise, all)).toList();
+        return plan.noises().stream()
+                .flatMap(noise -> plan.methods().stream().map(by -> of(noise, by, all)))
+                .toList();
+    }
+
+    /** What they are of, for people. */
+    String title() {
+        String at = String.format(Locale.ROOT, "noise %.1f %%", 100 * noise);
+        return method == Method.GENETIC ? at + ", genetic" : at;
     }
 
     private static Share aliases(List<Outcome> outcomes, Predicate<AliasTold> among) {

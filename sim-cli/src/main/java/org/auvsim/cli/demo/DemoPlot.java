@@ -25,9 +25,16 @@ final class DemoPlot {
 
     private DemoPlot() {}
 
-    /** The three charts below one another, as a PNG. */
-    static byte[] png(List<Track> tracks) throws IOException {
-        return Charts.png(List.of(fromAbove(tracks), alongY(tracks), error(tracks)));
+    /**
+     * The charts below one another, as a PNG.
+     *
+     * @param all of which the first, as many as there are colors, are shown side by side
+     * @param learning whose error is shown by itself
+     */
+    static byte[] png(List<Track> all, Track learning) throws IOException {
+        List<Track> tracks = all.subList(0, Math.min(SIMULATED.length, all.size()));
+        return Charts.png(
+                List.of(fromAbove(tracks), alongY(tracks), error(tracks), learning(learning)));
     }
 
     private static XYChart fromAbove(List<Track> tracks) {
@@ -65,6 +72,21 @@ final class DemoPlot {
         for (int i = 0; i < tracks.size(); i++) {
             add(chart, tracks.get(i), i, Track.Sample::time, Track.Sample::error);
         }
+        return chart;
+    }
+
+    private static XYChart learning(Track track) {
+        XYChart chart =
+                Charts.empty(
+                        "Distance of the projected from the true robot while the server learns",
+                        "time (s)",
+                        "error (m)");
+        Track shown = track.uncorrected();
+        double[] times = values(shown, Track.Sample::time);
+        style(
+                chart.addSeries(track.name(), times, values(shown, Track.Sample::error)),
+                SIMULATED[1],
+                BREADTH[0]);
         return chart;
     }
 

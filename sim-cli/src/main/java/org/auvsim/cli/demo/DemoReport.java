@@ -28,16 +28,23 @@ final class DemoReport {
         }
     }
 
-    /** Writes both files into a folder; returns the HTML's path. */
-    static Path write(Path folder, List<Track> tracks) throws IOException {
-        byte[] picture = DemoPlot.png(tracks);
+    /**
+     * Writes both files into a folder; returns the HTML's path.
+     *
+     * @param tracks of the flights, those of one round first
+     * @param learning the whole flight on which the server learned
+     * @param learned what it has learned
+     */
+    static Path write(Path folder, List<Track> tracks, Track learning, String learned)
+            throws IOException {
+        byte[] picture = DemoPlot.png(tracks, learning);
         Files.write(folder.resolve("demo.png"), picture);
         Path html = folder.resolve("demo.html");
-        Files.writeString(html, html(tracks, picture));
+        Files.writeString(html, html(tracks, learned, picture));
         return html;
     }
 
-    private static String html(List<Track> tracks, byte[] picture) {
+    private static String html(List<Track> tracks, String learned, byte[] picture) {
         StringBuilder rows = new StringBuilder();
         for (Track track : tracks) {
             rows.append(
@@ -58,17 +65,18 @@ final class DemoReport {
         th:first-child, td:first-child { text-align: left } tr { border-bottom: 1px solid #ccc }
         img { max-width: 100%% }
         </style></head><body>
-        <h1>One robot, three simulations of it</h1>
+        <h1>One robot, four simulations of it</h1>
         <p>The same commands go to the simulated and to the physical robot, which feels a drag
         and a current that the scenario lacks. Errors are taken where no feedback came.</p>
         <table><tr><th>simulation</th><th>corrections</th><th>RMS error (m)</th>
         <th>largest error (m)</th></tr>
         %s</table>
         <p>%s</p>
+        <p>What the server has learned: %s</p>
         <p><img alt="The true path and the three simulated ones"
         src="data:image/png;base64,%s"></p>
         </body></html>
         """
-                .formatted(rows, WHY_ALIKE, Base64.getEncoder().encodeToString(picture));
+                .formatted(rows, WHY_ALIKE, learned, Base64.getEncoder().encodeToString(picture));
     }
 }

@@ -3,6 +3,7 @@ package org.auvsim.cli.demo;
 import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.auvsml.message.learning.ModelCorrectionNotification;
 import org.auvsim.server.net.TransportException;
 
 import java.io.IOException;
@@ -24,6 +25,9 @@ public final class Demonstration {
 
     /** Of the noise of the robot's sensor. */
     static final long SEED = 2012;
+
+    /** So many steps pass between two measurements. */
+    static final int FEEDBACK_EVERY = 10;
 
     private static final String SCENARIO = "demo.xml";
 
@@ -47,23 +51,44 @@ public final class Demonstration {
         out.printf(
                 "A robot flies a square by commands. The real one feels a drag and a current"
                     + " that%nthe scenario lacks; it measures its position with 5 mm of noise (seed"
-                    + " %d).%n",
+                    + " %d).%nIn the last act the server finds out what they are.%n",
                 SEED);
         List<Track> tracks = new ArrayList<>();
         tracks.add(fly("without feedback", Optional.empty()));
         tracks.add(fly("direct alteration", Optional.of("DirectPositionChangeFeedbackHandler")));
         tracks.add(fly("vector adjustment", Optional.of("VectorAdjustmentFeedbackHandler")));
-        table.summary(tracks);
+        Track all = new Track("learning from feedback");
+        Optional<ModelCorrectionNotification> learned = learn(all);
+        double at = learned.map(ModelCorrectionNotification::timestamp).orElse(Double.MAX_VALUE);
+        List<Track> rows = new ArrayList<>(tracks);
+        rows.add(all.part("while it learns", 0, at));
+        learned.ifPresent(_ -> rows.add(all.part("with what it learned", at, Double.MAX_VALUE)));
+        table.summary(rows);
         out.printf("%n%s%n", DemoReport.WHY_ALIKE);
-        out.printf("%nThe picture: %s%n", DemoReport.write(folder, tracks).toAbsolutePath());
+        out.printf("%nWhat the server has learned:%n%s%n", sentence(learned));
+        Path report = DemoReport.write(folder, rows, all, sentence(learned));
+        out.printf("%nThe picture: %s%n", report.toAbsolutePath());
         out.flush();
+    }
+
+    private Optional<ModelCorrectionNotification> learn(Track track)
+            throws IOException, TransportException {
+        table.beginLong(track);
+        return new LearningFlight(scenario(), track, table).fly();
+    }
+
+    /** What was learned, for people. */
+    private static String sentence(Optional<ModelCorrectionNotification> learned) {
+        return learned.map(found -> found.modelCorrection().sentence())
+                .orElse("nothing: no cause explains what the robot measured");
     }
 
     private Track fly(String name, Optional<String> handler)
             throws IOException, TransportException {
         Track track = new Track(name);
         table.begin(track);
-        int refused = new Flight(scenario(), handler, track, table, FlightPlan.DURATION).fly();
+        Optional<Sensors> sensors = handler.map(of -> new Sensors(of, FEEDBACK_EVERY, false));
+        int refused = new Flight(scenario(), sensors, track, table, FlightPlan.DURATION).fly();
         if (refused > 0) {
             out.printf("  %d corrections came too late for their step and were refused%n", refused);
         }

@@ -14,7 +14,7 @@ import java.util.OptionalDouble;
 /** One flight: a server on a free loopback port, and the physical robot as its client. */
 final class Flight {
     private final Scenario scenario;
-    private final Optional<String> handler;
+    private final Optional<Sensors> sensors;
     private final Track track;
     private final LiveTable table;
     private final double duration;
@@ -23,17 +23,17 @@ final class Flight {
     /**
      * A flight that is still to begin.
      *
-     * @param handler the feedback processor that the robot names; empty: it sends no feedback
+     * @param sensors what the robot measures; empty: it sends no feedback
      * @param duration how much of the plan is flown (s)
      */
     Flight(
             Scenario scenario,
-            Optional<String> handler,
+            Optional<Sensors> sensors,
             Track track,
             LiveTable table,
             double duration) {
         this.scenario = scenario;
-        this.handler = handler;
+        this.sensors = sensors;
         this.track = track;
         this.table = table;
         this.duration = duration;
@@ -57,7 +57,7 @@ final class Flight {
                             link,
                             new Pilot(link, plan),
                             new TrueRobot(plan),
-                            handler,
+                            sensors,
                             track,
                             table);
             robot.prepare();

@@ -11,18 +11,26 @@ final class FlightPlan {
     /** From {@code at} (s) on the thrusters run at these levels, -1 to 1. */
     record Setting(double at, double port, double starboard, double ventral) {}
 
-    /** How long the plan is (s). */
+    /** How long a round is (s). */
     static final double DURATION = 56;
 
     private static final double LEG = 14;
+    private static final int LEGS = 4;
     private static final double PUSH = 0.3;
     private static final double TURN = 0.2048;
 
     private final List<Setting> settings = new ArrayList<>();
 
+    /** Once round. */
     FlightPlan() {
-        for (double start = 0; start < DURATION; start += LEG) {
-            double climb = start < 2 * LEG ? 0.05 : -0.05;
+        this(1);
+    }
+
+    /** So many times round. */
+    FlightPlan(int rounds) {
+        for (int leg = 0; leg < LEGS * rounds; leg++) {
+            double start = leg * LEG;
+            double climb = leg % LEGS < LEGS / 2 ? 0.05 : -0.05;
             settings.add(new Setting(start, PUSH, PUSH, climb));
             settings.add(new Setting(start + 2, 0, 0, 0));
             settings.add(new Setting(start + 8, -PUSH, -PUSH, -climb));

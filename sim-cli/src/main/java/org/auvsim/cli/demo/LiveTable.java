@@ -8,20 +8,32 @@ import java.util.Locale;
 /** The table that grows while the robot flies, and the one at the end. */
 final class LiveTable {
     private static final double ROW_EVERY = 4;
+    private static final double LONG_ROW_EVERY = 8;
 
     /** Rows show the time just between two corrections, not the moment after one. */
     private static final double FIRST_ROW = 3.75;
 
     private final PrintWriter out;
     private double nextRow;
+    private double rowEvery = ROW_EVERY;
 
     LiveTable(PrintWriter out) {
         this.out = out;
     }
 
-    /** Begins the rows of a flight. */
+    /** Begins the rows of a flight of one round. */
     void begin(Track track) {
+        begin(track, ROW_EVERY);
+    }
+
+    /** Begins the rows, fewer of them, of a flight of many rounds. */
+    void beginLong(Track track) {
+        begin(track, LONG_ROW_EVERY);
+    }
+
+    private void begin(Track track, double every) {
         nextRow = FIRST_ROW;
+        rowEvery = every;
         out.printf(Locale.ROOT, "%n%s%n", track.name());
         out.printf(
                 "  %6s   %-24s %-24s %9s %12s%n",
@@ -34,7 +46,7 @@ final class LiveTable {
         if (sample.time() < nextRow - 1e-9) {
             return;
         }
-        nextRow += ROW_EVERY;
+        nextRow += rowEvery;
         out.printf(
                 Locale.ROOT,
                 "  %5.2f s  %-24s %-24s %7.3f m %12d%n",

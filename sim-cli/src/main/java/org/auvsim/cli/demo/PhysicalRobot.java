@@ -5,8 +5,8 @@ import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.client.Received;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.EventType;
-import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
 import org.auvsim.auvsml.message.feedback.FeedbackAppliedNotification;
+import org.auvsim.auvsml.message.learning.ModelCorrectionNotification;
 import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 import org.auvsim.auvsml.message.movement.MovementStateChangeMessage;
 import org.auvsim.auvsml.message.movement.StateType;
@@ -18,7 +18,7 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
-import java.util.SplittableRandom;
+import java.util.function.DoubleSupplier;
 
 /**
  * The client that is the physical robot: it moves as a {@link TrueRobot} does, its {@link Pilot}
@@ -26,38 +26,35 @@ import java.util.SplittableRandom;
  * every so many steps where it measures itself to be.
  */
 final class PhysicalRobot {
-    private static final int FEEDBACK_EVERY = 10;
-    private static final double SENSOR_NOISE = 0.005;
-
     private final AuvsmlClient link;
     private final Pilot pilot;
     private final TrueRobot body;
-    private final Optional<String> handler;
+    private final Optional<Sensors> sensors;
     private final Track track;
     private final LiveTable table;
-    private final SplittableRandom noise = new SplittableRandom(Demonstration.SEED);
     private Vec3 simulated = Vec3.ZERO;
     private Vec3 before = Vec3.ZERO;
     private double correctedAt = Double.NaN;
     private int steps;
     private int refused;
+    private Optional<ModelCorrectionNotification> learned = Optional.empty();
 
     /**
      * A robot at the start.
      *
-     * @param handler the feedback processor to name; empty: it sends no feedback
+     * @param sensors what it measures; empty: it sends no feedback
      */
     PhysicalRobot(
             AuvsmlClient link,
             Pilot pilot,
             TrueRobot body,
-            Optional<String> handler,
+            Optional<Sensors> sensors,
             Track track,
             LiveTable table) {
         this.link = link;
         this.pilot = pilot;
         this.body = body;
-        this.handler = handler;
+        this.sensors = sensors;
         this.track = track;
         this.table = table;
     }
@@ -71,14 +68,20 @@ final class PhysicalRobot {
                                 EventType.MOVEMENT_STATE_CHANGE,
                                 EventType.PROJECTED_MOVEMENT,
                                 EventType.TIMESTEP_ADVANCED,
-                                EventType.FEEDBACK_APPLIED)));
+                                EventType.FEEDBACK_APPLIED,
+                                EventType.MODEL_CORRECTION)));
     }
 
     /** Moves and answers until a world time (s). */
     void live(double until) throws IOException {
+        live(() -> until);
+    }
+
+    /** The same until a time (s) that may change as it goes on. */
+    void live(DoubleSupplier until) throws IOException {
         double time = 0;
         pilot.stepFrom(time);
-        while (time < until) {
+        while (time < until.getAsDouble()) {
             Received received = link.next().orElseThrow(PhysicalRobot::gone);
             for (Message message : received.messages()) {
                 time = Math.max(time, hear(message));
@@ -88,6 +91,11 @@ final class PhysicalRobot {
 
     private static EOFException gone() {
         return new EOFException("the simulator ended before the flight was over");
+    }
+
+    /** What the simulator first said that its model lacks, if it has. */
+    Optional<ModelCorrectionNotification> learned() {
+        return learned;
     }
 
     /** Number of corrections that the simulator refused, because they came too late. */
@@ -101,6 +109,8 @@ final class PhysicalRobot {
             case MovementStateChangeMessage moved when moved.isProjectedState() -> answer(moved);
             case MovementStateChangeMessage moved -> simulated = moved.position();
             case FeedbackAppliedNotification applied -> correctedAt = applied.timestamp();
+            case ModelCorrectionNotification found ->
+                    learned = learned.or(() -> Optional.of(found));
             case ErrorResponse _ -> refused++;
             case TimestepAdvancedNotification done when done.stateType() == StateType.ACTUAL -> {
                 record(done.timestamp());
@@ -117,23 +127,9 @@ final class PhysicalRobot {
     private void answer(MovementStateChangeMessage projected) throws ConnectionException {
         body.moveTo(projected.timestamp());
         steps++;
-        if (handler.isEmpty() || steps % FEEDBACK_EVERY != 0) {
-            return;
+        if (sensors.isPresent() && sensors.get().areReadAt(steps)) {
+            link.send(sensors.get().feedback(projected, body, before));
         }
-        Vec3 measured = body.position().plus(sensorNoise());
-        link.send(
-                new DifferentPositionFeedbackMessage(
-                        Demonstration.ROBOT_ID,
-                        projected.timestamp(),
-                        handler.get(),
-                        projected.position(),
-                        measured,
-                        before));
-    }
-
-    private Vec3 sensorNoise() {
-        return new Vec3(noise.nextGaussian(), noise.nextGaussian(), noise.nextGaussian())
-                .times(SENSOR_NOISE);
     }
 
     private void record(double time) {

@@ -33,6 +33,20 @@ final class Track {
         samples.add(sample);
     }
 
+    /** The part from one time to another (s), under a name of its own. */
+    Track part(String name, double from, double until) {
+        Track part = new Track(name);
+        samples.stream().filter(s -> s.time() >= from && s.time() < until).forEach(part::add);
+        return part;
+    }
+
+    /** The samples where no feedback came. */
+    Track uncorrected() {
+        Track part = new Track(name);
+        samples.stream().filter(s -> !s.corrected()).forEach(part::add);
+        return part;
+    }
+
     List<Sample> samples() {
         return List.copyOf(samples);
     }

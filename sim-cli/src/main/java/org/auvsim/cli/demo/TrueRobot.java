@@ -11,8 +11,7 @@ final class TrueRobot {
     private static final double YAW_INERTIA = 30.0 / 12 * (1.2 * 1.2 + 0.5 * 0.5);
     private static final double MAXIMUM_THRUST = 20;
     private static final double THRUSTER_ARM = 0.25;
-    private static final double[] LINEAR_DRAG = {2, 6, 6};
-    private static final double[] QUADRATIC_DRAG = {3, 20, 20};
+    private static final double[] DRAG = {8, 40, 40};
     private static final double YAW_DRAG = 0.3;
     private static final Vec3 CURRENT = new Vec3(0.06, 0.04, 0);
     private static final double STEP = 0.005;
@@ -38,6 +37,11 @@ final class TrueRobot {
     /** Where it is (m, world). */
     Vec3 position() {
         return new Vec3(state[X], state[Y], state[Z]);
+    }
+
+    /** Its heading (rad), 0 along x and growing to port. */
+    double heading() {
+        return state[YAW];
     }
 
     /** Moves on to a time (s), in steps of 5 ms by the midpoint rule. */
@@ -85,6 +89,6 @@ final class TrueRobot {
     }
 
     private static double drag(int axis, double speed) {
-        return (LINEAR_DRAG[axis] + QUADRATIC_DRAG[axis] * Math.abs(speed)) * speed;
+        return DRAG[axis] * Math.abs(speed) * speed;
     }
 }

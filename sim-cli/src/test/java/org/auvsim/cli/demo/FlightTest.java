@@ -25,10 +25,11 @@ class FlightTest {
         assertThat(free.corrections()).isZero();
         assertThat(corrected.corrections()).isPositive();
         assertThat(corrected.rmsError()).isLessThan(free.rmsError() / 2);
-        assertThat(DemoReport.write(folder, List.of(free, corrected)))
+        assertThat(DemoReport.write(folder, List.of(free, corrected), corrected, "a drag"))
                 .content()
                 .contains("<td>corrected</td><td>" + corrected.corrections() + "</td>")
-                .contains(DemoReport.WHY_ALIKE);
+                .contains(DemoReport.WHY_ALIKE)
+                .contains("a drag");
         assertThat(folder.resolve("demo.png")).isNotEmptyFile();
     }
 
@@ -39,7 +40,9 @@ class FlightTest {
         Track track = new Track(name);
         LiveTable table = new LiveTable(new PrintWriter(new StringWriter()));
         table.begin(track);
-        new Flight(scenario, handler, track, table, DURATION).fly();
+        Optional<Sensors> sensors =
+                handler.map(of -> new Sensors(of, Demonstration.FEEDBACK_EVERY, false));
+        new Flight(scenario, sensors, track, table, DURATION).fly();
         return track;
     }
 }

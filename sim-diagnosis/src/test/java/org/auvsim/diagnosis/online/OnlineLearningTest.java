@@ -15,12 +15,15 @@ import org.auvsim.server.net.TcpTransport;
 import org.auvsim.server.replay.Recorder;
 import org.auvsim.server.replay.Replayer;
 import org.auvsim.server.simulator.Simulator;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalDouble;
@@ -37,13 +40,15 @@ class OnlineLearningTest {
     private static final Path SCENARIO = Path.of("..", "examples", "scenarios", "learning.xml");
     private static final double DRAG = 12;
 
+    @TempDir private Path folder;
     private String said = "";
     private List<Effect> learned = List.of();
     private long hash;
 
-    @Test
-    void theDragOfARobotIsLearnedFromItsFeedbackAndReplayed() throws Exception {
-        byte[] recording = recordingOf(scenario(), "1");
+    @ParameterizedTest
+    @ValueSource(strings = {"learning", "genetic"})
+    void theDragOfARobotIsLearnedFromItsFeedbackAndReplayed(String method) throws Exception {
+        byte[] recording = recordingOf(scenario(method), "1");
 
         assertThat(said).contains("learned: quadratic_drag");
         assertThat(learned).hasSize(1);
@@ -51,8 +56,19 @@ class OnlineLearningTest {
         assertThat(hashOfReplay(recording)).isEqualTo(hash);
     }
 
-    private static Scenario scenario() throws Exception {
-        return ScenarioLoader.load(OnlineLearningTest.class.getClassLoader()).load(SCENARIO);
+    /** The example's, where one of the processors does all corrections. */
+    private Scenario scenario(String method) throws Exception {
+        String name =
+                method.equals("genetic") ? "GeneticFeedbackHandler" : "LearningFeedbackHandler";
+        Path file = folder.resolve("learning.xml");
+        Files.writeString(
+                file,
+                Files.readString(SCENARIO)
+                        .replace(
+                                "<feedback-processor>",
+                                "<feedback-processor override='" + name + "'>")
+                        .replace("learning-feedback-handler", method + "-feedback-handler"));
+        return ScenarioLoader.load(OnlineLearningTest.class.getClassLoader()).load(file);
     }
 
     private byte[] recordingOf(Scenario scenario, String seed) throws Exception {

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -30,8 +32,9 @@ class DiagnoseTest {
         auvsim = new CommandLineHarness(folder);
     }
 
-    @Test
-    void aModelThatIsRightHasNothingMissing() throws IOException {
+    @ParameterizedTest
+    @ValueSource(strings = {"shooting", "genetic"})
+    void aModelThatIsRightHasNothingMissing(String method) throws IOException {
         Path report = folder.resolve("report");
 
         int code =
@@ -46,6 +49,8 @@ class DiagnoseTest {
                         fall("three.csv", 2),
                         "--out",
                         report,
+                        "--method",
+                        method,
                         "--fail-on-discrepancy");
 
         assertThat(code).as(auvsim.err()).isZero();
@@ -74,6 +79,17 @@ class DiagnoseTest {
                             20 + vz * t - GRAVITY * t * t / 2 + lot.nextGaussian(0, 0.005)));
         }
         return auvsim.file(name, text.toString());
+    }
+
+    @Test
+    void aMethodThatThereIsNotIsToldWithThoseThatThereAre() throws IOException {
+        Path model = auvsim.file("model.xml", BALL);
+        Path run = fall("run.csv", 0);
+
+        assertThat(auvsim.run("diagnose", "--scenario", model, "--fit", run, "--method", "guess"))
+                .isEqualTo(2);
+        assertThat(auvsim.err())
+                .contains("--method: expected shooting or genetic, but found 'guess'.");
     }
 
     @Test

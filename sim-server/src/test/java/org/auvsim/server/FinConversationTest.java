@@ -32,6 +32,7 @@ class FinConversationTest {
                 0.35,
                 1000,
                 0,
+                0,
                 maximumAngle,
                 OptionalDouble.empty(),
                 Optional.empty());

@@ -25,6 +25,8 @@ import java.util.OptionalDouble;
  * @param inducedDrag k in C_D0 + k C_L^2; 1/(pi e AR) at aspect ratio AR and efficiency e
  * @param stallAngle up to which the flow is attached (rad)
  * @param density of the water (kg/m^3)
+ * @param race by which the stream of a propeller before it is faster than the water around, along
+ *     the chord (m/s); as it is with the propeller at work
  * @param angle as commanded (rad)
  * @param maximumAngle to either side (rad)
  * @param maximumRate with which it turns (rad/s); empty: at once
@@ -41,6 +43,7 @@ public record Fin(
         @Default("0.0") double inducedDrag,
         @Unit("rad") @Default("0.35") double stallAngle,
         @Unit("kg/m^3") @Default("1025.0") double density,
+        @Unit("m/s") @Default("0.0") double race,
         @Unit("rad") @Default("0.0") double angle,
         @Unit("rad") @Default("0.35") double maximumAngle,
         @Unit("rad/s") OptionalDouble maximumRate,
@@ -66,6 +69,7 @@ public record Fin(
                 "above 0 and at most pi/2 rad",
                 "rad");
         Domain.above0(of, "density", density, "kg/m^3");
+        Domain.finite(of, "race", race, "m/s");
         Domain.require(
                 0 <= maximumAngle && maximumAngle <= Math.PI,
                 of,
@@ -95,6 +99,26 @@ public record Fin(
     /** The same fin on its way to another angle (rad) from a time (s) on. */
     @Override
     public Fin commanded(double angle, double time) {
+        return with(
+                area,
+                race,
+                angle,
+                maximumRate.isEmpty()
+                        ? Optional.empty()
+                        : Optional.of(new Reached(angleAt(time), time)));
+    }
+
+    /** The same with another area (m^2): weaker or stronger by that. */
+    public Fin sized(double otherArea) {
+        return with(otherArea, race, angle, reached);
+    }
+
+    /** The same in a race of another speed (m/s). */
+    public Fin inRace(double speed) {
+        return with(area, speed, angle, reached);
+    }
+
+    private Fin with(double area, double race, double angle, Optional<Reached> reached) {
         return new Fin(
                 name,
                 area,
@@ -106,12 +130,11 @@ public record Fin(
                 inducedDrag,
                 stallAngle,
                 density,
+                race,
                 angle,
                 maximumAngle,
                 maximumRate,
-                maximumRate.isEmpty()
-                        ? Optional.empty()
-                        : Optional.of(new Reached(angleAt(time), time)));
+                reached);
     }
 
     /** Its angle (rad) at a time (s): with its maximum rate towards the commanded one. */
@@ -138,6 +161,9 @@ public record Fin(
         vx -= b.bodyWz[i] * py;
         vy -= b.bodyWx[i] * pz;
         vz -= b.bodyWy[i] * px;
+        vx += race * chord.x();
+        vy += race * chord.y();
+        vz += race * chord.z();
         double sx = span.x();
         double sy = span.y();
         double sz = span.z();

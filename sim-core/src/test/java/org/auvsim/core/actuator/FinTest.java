@@ -42,6 +42,7 @@ class FinTest {
                 induced,
                 STALL,
                 DENSITY,
+                0,
                 angle,
                 Math.PI,
                 OptionalDouble.empty(),
@@ -78,6 +79,27 @@ class FinTest {
         double drag = dynamic * (0.02 + 0.2 * (SLOPE * 0.1) * (SLOPE * 0.1));
         assertNear(push.force(), new Vec3(-drag, lift, 0), 1e-12);
         assertNear(push.torque(), new Vec3(0, 0, -0.5 * lift), 1e-4);
+    }
+
+    @Test
+    void theRaceOfAPropellerIsFasterWater() {
+        Fin fin = fin(new Vec3(-0.5, 0, 0), UP, 0.1, 0.02, 0.2);
+        Wrench inRace = exerted(fin.inRace(1.5), new Vec3(-0.5, 0.1, 0));
+
+        Wrench inFasterWater = exerted(fin, new Vec3(-2, 0.1, 0));
+        assertNear(inRace.force(), inFasterWater.force(), 1e-12);
+        assertNear(inRace.torque(), inFasterWater.torque(), 1e-4);
+    }
+
+    @Test
+    void aFinOfTwiceTheAreaPushesTwiceAsHard() {
+        Fin fin = fin(Vec3.ZERO, UP, 0.1, 0.02, 0.2);
+        Vec3 water = new Vec3(-2, 0.1, 0);
+
+        assertNear(
+                exerted(fin.sized(2 * AREA), water).force(),
+                exerted(fin, water).force().times(2),
+                1e-12);
     }
 
     @Test
@@ -213,6 +235,7 @@ class FinTest {
                         0,
                         STALL,
                         DENSITY,
+                        0,
                         0,
                         0.4,
                         OptionalDouble.of(0.5),

@@ -129,6 +129,7 @@ class BehaviorTest {
                         0.3,
                         1000,
                         0,
+                        0,
                         0.2,
                         OptionalDouble.empty(),
                         Optional.empty()));

@@ -91,7 +91,22 @@ class RefusedNumbersTest {
     private static final OptionalDouble ONE = OptionalDouble.of(1);
     private static final Propulsor SCREW = new Propulsor("x", 1, 0, Vec3.ZERO, X);
     private static final Fin FIN =
-            new Fin("x", 1, 1, Vec3.ZERO, X, Y, 0, 0, 0.35, 1025, 0, 0.35, ONE, Optional.empty());
+            new Fin(
+                    "x",
+                    1,
+                    1,
+                    Vec3.ZERO,
+                    X,
+                    Y,
+                    0,
+                    0,
+                    0.35,
+                    1025,
+                    0,
+                    0,
+                    0.35,
+                    ONE,
+                    Optional.empty());
 
     /** What sentences call something, and one of it whose numbers are all good. */
     static Stream<Arguments> good() {

@@ -18,6 +18,8 @@ public final class Library {
                     CurrentCauses::of,
                     WeightCauses::of,
                     ThrusterCauses::of,
+                    FinCauses::of,
+                    HullCauses::of,
                     FrictionCauses::of,
                     PlaceCauses::of,
                     PeriodicCauses::of,

@@ -46,6 +46,9 @@ public final class Phrases {
         put("thruster_lag", "A lag of %s is missing");
         put("thruster_misalignment", "The direction of %s is wrong");
         put("thruster_loss", "A failure of %s is missing");
+        put("fin_gain", "The lift of %s is wrong");
+        put("fin_race", "The stream about %s is faster", "The stream about %s is slower");
+        put("hull_lift", "Lift of the hull is missing");
         put("magnetic", "A magnetic attraction is missing", "A magnetic repulsion is missing");
         put("magnus", "The Magnus force is missing");
         put("coulomb_friction", "Dry friction is missing");

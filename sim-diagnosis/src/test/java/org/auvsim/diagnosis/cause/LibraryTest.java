@@ -26,6 +26,7 @@ import java.util.stream.Stream;
 class LibraryTest {
     private static final int SAMPLES = 40;
     private static final BelievedModel VEHICLE = Tank.vehicle();
+    private static final BelievedModel STEERED = Tank.steered();
     private static final BelievedModel PENDULUM = Tank.pendulum();
 
     private static List<Cause> library(BelievedModel model) {
@@ -33,7 +34,7 @@ class LibraryTest {
     }
 
     static Stream<Arguments> causes() {
-        return Stream.of(VEHICLE, PENDULUM)
+        return Stream.of(VEHICLE, STEERED, PENDULUM)
                 .flatMap(model -> library(model).stream().map(c -> Arguments.of(c, model)));
     }
 
@@ -94,6 +95,20 @@ class LibraryTest {
                                 .filter(c -> c.id().equals("thruster_gain"))
                                 .map(c -> c.subject().orElse("all")))
                 .containsExactly("all", "port", "starboard");
+    }
+
+    @Test
+    void hullsLiftInThePlanesInWhichFinsAct() {
+        assertThat(library(STEERED).stream().map(Cause::name))
+                .contains(
+                        "fin_gain (rudder)",
+                        "fin_gain (plane)",
+                        "fin_race (rudder)",
+                        "fin_race (plane)",
+                        "hull_lift (sway and yaw)",
+                        "hull_lift (heave and pitch)");
+        assertThat(library(VEHICLE).stream().map(Cause::id))
+                .doesNotContain("fin_gain", "fin_race", "hull_lift");
     }
 
     /**

@@ -56,6 +56,22 @@ final class Tank {
                 """);
     }
 
+    /** A slender vehicle with a rudder and a plane. */
+    static BelievedModel steered() {
+        return model(
+                "",
+                """
+                <damping><quadratic x="4" y="9" z="9"/></damping>
+                <propulsor name="port" maximum-thrust="20" level="0.6"/>
+                <fin name="rudder" area="0.01" lift-slope="3">
+                  <position x="-0.4" y="0" z="0"/><span x="0" y="0" z="1"/>
+                </fin>
+                <fin name="plane" area="0.01" lift-slope="3">
+                  <position x="-0.4" y="0" z="0"/><span x="0" y="1" z="0"/>
+                </fin>
+                """);
+    }
+
     /** A body that turns about one axis. */
     static BelievedModel pendulum() {
         return model(

@@ -78,6 +78,7 @@ final class ActuatorFigures {
                         0.1,
                         StrictMath.toRadians(20),
                         1,
+                        0,
                         StrictMath.toRadians(degrees),
                         Math.PI,
                         OptionalDouble.empty(),

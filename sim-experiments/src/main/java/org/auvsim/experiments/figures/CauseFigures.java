@@ -2,6 +2,7 @@ package org.auvsim.experiments.figures;
 
 import static org.auvsim.experiments.figures.CauseStage.PENDULUM;
 import static org.auvsim.experiments.figures.CauseStage.SPINNER;
+import static org.auvsim.experiments.figures.CauseStage.STEERED;
 import static org.auvsim.experiments.figures.CauseStage.THROWN;
 import static org.auvsim.experiments.figures.CauseStage.VEHICLE;
 
@@ -40,6 +41,7 @@ final class CauseFigures {
         all.ofWater();
         all.ofTheBody();
         all.ofThrusters();
+        all.ofFins();
         all.ofPlaces();
         all.ofTimes();
         all.ofSensors();
@@ -76,6 +78,12 @@ final class CauseFigures {
         position("thruster_lag", VEHICLE, 0.5);
         turn("thruster_misalignment", VEHICLE, 0.03);
         turn("thruster_loss", VEHICLE, 1, 18);
+    }
+
+    private void ofFins() {
+        turn("fin_gain", STEERED, 0.2);
+        turn("fin_race", STEERED, 0.3);
+        turn("hull_lift", STEERED, -4, 1, -2, -1);
     }
 
     private void ofPlaces() {

@@ -49,6 +49,28 @@ record CauseStage(String objects, RigidMotion start, double seconds) {
                             new Vec3(1, -2, -3), Quat.IDENTITY, new Vec3(0.4, 0.1, 0), Vec3.ZERO),
                     20);
 
+    /** A torpedo whose rudder is told something else every four seconds. */
+    static final CauseStage STEERED =
+            new CauseStage(
+                    """
+                    <world-object name="body" mass="30">
+                      <capsule radius="0.1" length="1.1"/>
+                      <inertia xx="0.2" yy="3.5" zz="3.5"/>
+                      <added-mass><linear x="1" y="30" z="30"/><angular x="0" y="4" z="4"/></added-mass>
+                      <damping>
+                        <quadratic x="2" y="130" z="130"/>
+                        <angular-linear x="1" y="30" z="30"/>
+                      </damping>
+                      <propulsor name="screw" maximum-thrust="5" level="1"/>
+                      <fin name="rudder" area="0.013" lift-slope="3" density="1000" maximum-angle="1">
+                        <position x="-0.6" y="0" z="0"/><span x="0" y="0" z="1"/>
+                      </fin>
+                    </world-object>
+                    """,
+                    new RigidMotion(
+                            new Vec3(0, 0, -3), Quat.IDENTITY, new Vec3(1.5, 0, 0), Vec3.ZERO),
+                    20);
+
     /** A body that flies and spins, and that nothing holds back. */
     static final CauseStage SPINNER =
             new CauseStage(
@@ -98,11 +120,15 @@ record CauseStage(String objects, RigidMotion start, double seconds) {
                     4);
 
     private static final int SAMPLES = 201;
-    private static final List<String> THRUSTERS = List.of("port", "starboard", "lift");
+    private static final List<String> TOLD = List.of("port", "starboard", "lift", "rudder");
 
-    /** Levels of the thrusters, four seconds each. */
+    /** Levels of the thrusters and the angle of the rudder (rad), four seconds each. */
     private static final double[][] LEVELS = {
-        {0.5, 0.5, 0.2}, {0.7, 0.4, -0.3}, {0.1, 0.5, 0.4}, {0.6, 0.6, -0.2}, {0.5, 0.1, 0.1}
+        {0.5, 0.5, 0.2, 0.2},
+        {0.7, 0.4, -0.3, -0.2},
+        {0.1, 0.5, 0.4, 0.1},
+        {0.6, 0.6, -0.2, -0.1},
+        {0.5, 0.1, 0.1, 0.2}
     };
 
     private BelievedModel model() {
@@ -119,7 +145,7 @@ record CauseStage(String objects, RigidMotion start, double seconds) {
 
     /** When it was measured and what it was told; where it was, if that is given. */
     private MeasuredRun run(RigidMotion... motions) {
-        MeasuredRunBuilder run = MeasuredRun.named("run").commands(THRUSTERS);
+        MeasuredRunBuilder run = MeasuredRun.named("run").commands(TOLD);
         for (int k = 0; k < SAMPLES; k++) {
             run.at(time(k));
             double[] levels = LEVELS[Math.min(LEVELS.length - 1, (int) (time(k) / 4))];

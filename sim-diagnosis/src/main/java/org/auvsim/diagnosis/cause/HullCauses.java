@@ -1,0 +1,63 @@
+package org.auvsim.diagnosis.cause;
+
+import org.auvsim.core.actuator.Fin;
+import org.auvsim.core.effect.Derivative;
+import org.auvsim.core.effect.HydrodynamicDerivatives;
+import org.auvsim.core.effect.ReferenceAxes;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What the water does to the hull of a vehicle that fins steer: a slender body that goes ahead
+ * lifts, as a wing of low aspect ratio, and the lift couples sway with yaw and heave with pitch
+ * (Fossen 2021, chapter 6; Yasukawa &amp; Yoshimura 2015). In the plane in which a fin acts.
+ */
+final class HullCauses {
+    private HullCauses() {}
+
+    static List<Cause> of(Setting s) {
+        List<Fin> fins = FinCauses.fins(s.body());
+        List<Cause> causes = new ArrayList<>();
+        if (fins.stream().anyMatch(fin -> !actsUpright(fin))) {
+            causes.add(lift(s, "Yuv", "Yur", "Nuv", "Nur").about("sway and yaw"));
+        }
+        if (fins.stream().anyMatch(HullCauses::actsUpright)) {
+            causes.add(lift(s, "Zuw", "Zuq", "Muw", "Muq").about("heave and pitch"));
+        }
+        return causes;
+    }
+
+    /** Whether its lift is nearer to the body's vertical than to its horizontal plane. */
+    private static boolean actsUpright(Fin fin) {
+        double up = fin.chord().cross(fin.span()).normalized().z();
+        return up * up > 0.5;
+    }
+
+    /** Derivatives of a force, then of a torque, each by the velocity across and by the turning. */
+    private static Change lift(Setting s, String... names) {
+        double speed = s.path().speed();
+        double damping = s.quadraticDrag();
+        double lever = speed / s.rate();
+        List<Parameter> parameters =
+                List.of(
+                        Parameter.signed(names[0], "kg/m", damping),
+                        Parameter.signed(names[1], "kg", damping * lever),
+                        Parameter.signed(names[2], "kg", s.torque() / (speed * speed)),
+                        Parameter.signed(names[3], "kg m", s.torque() / (speed * s.rate())));
+        return Change.of(
+                "hull_lift",
+                parameters,
+                (v, t) -> {
+                    List<Derivative> derivatives = new ArrayList<>();
+                    for (int i = 0; i < names.length; i++) {
+                        derivatives.add(new Derivative(names[i], t[i]));
+                    }
+                    return v.with(
+                            b ->
+                                    b.effect(
+                                            new HydrodynamicDerivatives(
+                                                    ReferenceAxes.FLU, derivatives)));
+                });
+    }
+}

@@ -39,6 +39,8 @@ final class DragCauses {
                                     Parameter.signed("c", "N m s/rad", s.torque() / s.rate())
                                             .atLeast(-present.leastAngular(s.rate()))),
                             (v, t) -> v.with(b -> b.effect(new IsotropicDrag(0, 0, t[0])))));
+        }
+        if (s.turnsMatter() || s.spinIsKnown()) {
             causes.add(
                     Change.of(
                             "magnus",

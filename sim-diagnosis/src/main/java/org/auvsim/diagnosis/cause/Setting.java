@@ -12,7 +12,9 @@ import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.Command;
+import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.List;
 
@@ -43,6 +45,19 @@ record Setting(BelievedModel model, List<MeasuredRun> runs, Path path, double ra
                 || measures(Channel.ANGULAR_VELOCITY)
                 || body().component().stream().anyMatch(Actuator.class::isInstance)
                 || body().force().stream().anyMatch(Setting::dependsOnTurning);
+    }
+
+    /** Whether it is known of a run how the body turned when it began. */
+    boolean spinIsKnown() {
+        return runs.stream().anyMatch(run -> run.start().filter(Setting::spins).isPresent());
+    }
+
+    private static boolean spins(KnownStart start) {
+        double deviation = 0;
+        for (int i = 9; i < RigidMotion.SIZE; i++) {
+            deviation = Math.max(deviation, start.deviations().get(i));
+        }
+        return start.motion().angularVelocity().norm() > deviation;
     }
 
     private static boolean dependsOnTurning(NamedForce force) {

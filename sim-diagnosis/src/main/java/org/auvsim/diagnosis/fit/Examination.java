@@ -62,13 +62,29 @@ public final class Examination {
         course.at("judging by held-out runs", 0.9);
         Trial trial = new Trial(found.model(), heldOut, found.noise());
         Judged before = trial.prediction(Hypothesis.NONE);
-        if (found.best().isNone() && !passes(found, trial, before) && course.goesOn()) {
+        if (Search.isWhite(found.best()) && course.goesOn() && fails(found, trial, before)) {
             Search.Found all = new Search(model, allRuns(), causes, contest, course).found();
-            if (!all.best().isNone() && Search.isWhite(all.best())) {
+            if (isConvincing(all, found)) {
                 return diagnosis(all, trial, before, true);
             }
         }
         return diagnosis(found, trial, before, false);
+    }
+
+    private static boolean fails(Search.Found found, Trial trial, Judged before) {
+        Hypothesis best = found.best().fit().hypothesis();
+        return !passes(found, trial, found.best().isNone() ? before : trial.prediction(best));
+    }
+
+    /**
+     * Whether what all runs say can be believed, though none was held out: what had to be given up
+     * for it must be made up for by each run, left out in turn.
+     */
+    private static boolean isConvincing(Search.Found all, Search.Found ofFit) {
+        Judged best = all.best();
+        return !best.isNone()
+                && Search.isWhite(best)
+                && (ofFit.best().isNone() || Trial.holdsLeftOut(best));
     }
 
     private List<MeasuredRun> allRuns() {

@@ -41,12 +41,11 @@ record Fit(
     }
 
     /**
-     * Derivatives by the starts of the windows and by parameters, run by run.
-     *
-     * @param group how many samples are taken together
+     * Derivatives by the starts of the windows and by the hypothesis's own parameters, run by run.
      */
-    List<List<WindowDerivatives>> derivatives(Moves moves, int group) {
+    List<List<WindowDerivatives>> derivatives() {
         Variant variant = variant();
+        Moves moves = hypothesis.moves(model.variant());
         List<List<WindowDerivatives>> all = new ArrayList<>();
         for (int r = 0; r < data.size(); r++) {
             Misses of = data.get(r);
@@ -62,16 +61,11 @@ record Fit(
                                                     of,
                                                     ofRun.get(w),
                                                     w == ofRun.size() - 1,
-                                                    group,
+                                                    1,
                                                     moves))
                             .toList());
         }
         return all;
-    }
-
-    /** Derivatives by the hypothesis's own parameters. */
-    List<List<WindowDerivatives>> derivatives() {
-        return derivatives(hypothesis.moves(model.variant()), 1);
     }
 
     /** Windows chained in blocks of so many; known starts hold the first of each run. */

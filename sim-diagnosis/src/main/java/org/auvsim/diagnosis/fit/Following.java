@@ -7,6 +7,9 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
+import org.auvsim.server.feedback.RigidMotion;
+
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -19,8 +22,8 @@ import java.util.stream.IntStream;
 final class Following {
     private static final int MOST_WINDOWS = 32;
     private static final int FEWEST_SAMPLES = 8;
-    private static final int FIRST_SAMPLES = 6;
     private static final int MOST_ITERATIONS = 12;
+    private static final int FEW_ITERATIONS = 4;
     private static final int MOST_HALVINGS = 6;
 
     /** A window follows if its misses, without the noise, are below the larger of these. */
@@ -29,11 +32,18 @@ final class Following {
     private static final double SHARE_OF_NOISE = 0.7;
     private static final double TURN = 0.06;
 
+    /** A window misses far more than noise if chi squared a number is above this. */
+    private static final double FAR_OFF = 4;
+
+    /** A share of the cost that is not worth a step. */
+    private static final double ENOUGH = 1e-4;
+
     private final BelievedModel model;
     private final Variant variant;
     private final MeasuredRun run;
     private final Misses data;
     private final Noise noise;
+    private final List<Double> looseness;
 
     /** The model in a variant, and what motions miss of a run. */
     Following(BelievedModel model, Variant variant, Misses data, Noise noise) {
@@ -42,30 +52,34 @@ final class Following {
         this.run = data.run();
         this.data = data;
         this.noise = noise;
+        this.looseness = Looseness.of(run, noise);
     }
 
     /** Windows that follow runs under a hypothesis. */
     static Fit of(BelievedModel model, Hypothesis hypothesis, List<Misses> data, Noise noise) {
         Variant variant = hypothesis.in(model.variant());
         List<List<Window>> windows =
-                data.stream()
+                data.parallelStream()
                         .map(run -> new Following(model, variant, run, noise).windows())
                         .toList();
         return new Fit(model, data, hypothesis, windows, Knowledge.NONE);
     }
 
-    /** A window as it was fitted, and by how much it misses: chi squared of its samples. */
-    private record Fitted(Window window, WindowDerivatives derivatives) {
-        double cost() {
-            return derivatives.cost();
+    /**
+     * A window as it was fitted, and by how much it misses.
+     *
+     * @param cost chi squared of its samples and of what was known of its start
+     */
+    private record Fitted(Window window, WindowDerivatives derivatives, double cost) {
+        /** Whether it misses far more than noise. */
+        boolean isFarOff() {
+            return !(derivatives.cost() < FAR_OFF * derivatives.misses.length);
         }
     }
 
     /** Many short windows, each fitted alone: they follow whatever moves the body. */
     List<Window> shortWindows() {
-        return fitAll(borders(mostWindows()), Optional.empty()).stream()
-                .map(Fitted::window)
-                .toList();
+        return shortest().stream().map(Fitted::window).toList();
     }
 
     private int mostWindows() {
@@ -78,15 +92,62 @@ final class Following {
 
     /** The longest windows in which the model follows, of equal length but for the last. */
     List<Window> windows() {
-        List<Fitted> fitted = fitAll(borders(mostWindows()), Optional.empty());
+        Optional<Fitted> one = run.start().map(this::inOneGo);
+        if (one.isPresent() && follows(List.of(one.get()))) {
+            return List.of(one.get().window());
+        }
+        List<Fitted> fitted = shortest();
         while (fitted.size() > 1) {
-            List<Fitted> longer = fitAll(borders(fitted.size() / 2), Optional.of(fitted));
+            List<Fitted> longer = longer(fitted);
             if (!follows(longer)) {
                 break;
             }
             fitted = longer;
         }
         return fitted.stream().map(Fitted::window).toList();
+    }
+
+    /** A model without faults needs no more than a known start. */
+    private Fitted inOneGo(KnownStart known) {
+        return fit(new Window(0, run.size() - 1, known.motion()), true, known, FEW_ITERATIONS);
+    }
+
+    /** Each begins where the one before has led, or where the measurement says. */
+    private List<Fitted> shortest() {
+        int[] borders = borders(mostWindows());
+        List<Fitted> fitted = new ArrayList<>();
+        for (int w = 0; w + 1 < borders.length; w++) {
+            int from = borders[w];
+            int to = borders[w + 1];
+            RigidMotion guess =
+                    w == 0
+                            ? run.start().map(KnownStart::motion).orElseGet(() -> measured(0, to))
+                            : fitted.getLast().derivatives().end;
+            Fitted one = fit(from, to, guess);
+            if (one.isFarOff()) {
+                Fitted other = fit(from, to, measured(from, to));
+                one = other.cost() < one.cost() ? other : one;
+            }
+            fitted.add(one);
+        }
+        return fitted;
+    }
+
+    private RigidMotion measured(int from, int to) {
+        return LocalMotion.at(run, model.start(), from, to);
+    }
+
+    /** Half as many, from the starts of every second one. */
+    private List<Fitted> longer(List<Fitted> shorter) {
+        int[] borders = borders(shorter.size() / 2);
+        return IntStream.range(0, borders.length - 1)
+                .parallel()
+                .mapToObj(
+                        w -> {
+                            RigidMotion start = shorter.get(2 * w).window().start();
+                            return fit(borders[w], borders[w + 1], start);
+                        })
+                .toList();
     }
 
     private int[] borders(int count) {
@@ -97,49 +158,28 @@ final class Following {
         return borders;
     }
 
-    private List<Fitted> fitAll(int[] borders, Optional<List<Fitted>> shorter) {
-        return IntStream.range(0, borders.length - 1)
-                .parallel()
-                .mapToObj(w -> fit(borders, w, shorter))
-                .toList();
-    }
-
-    private Fitted fit(int[] borders, int w, Optional<List<Fitted>> shorter) {
-        int from = borders[w];
-        int to = borders[w + 1];
-        boolean isLast = w == borders.length - 2;
-        Optional<KnownStart> known = w == 0 ? run.start() : Optional.empty();
-        Window first =
-                shorter.map(s -> s.get(2 * w).window())
-                        .map(s -> new Window(from, to, s.start()))
-                        .orElseGet(() -> firstGuess(from, to, isLast, known));
-        return fit(first, isLast, known);
-    }
-
-    /** By the first few samples alone. */
-    private Window firstGuess(int from, int to, boolean isLast, Optional<KnownStart> known) {
-        int near = Math.min(to, from + FIRST_SAMPLES);
-        Window guess =
-                new Window(
-                        from,
-                        near,
-                        known.map(KnownStart::motion)
-                                .orElseGet(() -> LocalMotion.at(run, model.start(), from, near)));
-        Window fitted = fit(guess, isLast && near == to, known).window();
-        return new Window(from, to, fitted.start());
+    private Fitted fit(int from, int to, RigidMotion guess) {
+        KnownStart near =
+                from == 0 && run.start().isPresent()
+                        ? run.start().get()
+                        : new KnownStart(guess, looseness);
+        boolean isLast = to == run.size() - 1;
+        return fit(new Window(from, to, guess), isLast, near, MOST_ITERATIONS);
     }
 
     /** Gauss-Newton steps, halved until they help. */
-    private Fitted fit(Window start, boolean isLast, Optional<KnownStart> known) {
-        Fitted best = derive(start, isLast);
-        for (int iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
+    private Fitted fit(Window start, boolean isLast, KnownStart known, int mostIterations) {
+        Fitted best = derive(start, isLast, known);
+        for (int iteration = 0; iteration < mostIterations; iteration++) {
             WindowBlock block =
-                    new WindowBlock(model, List.of(best.derivatives()), data.shown(), known);
+                    new WindowBlock(
+                            model, List.of(best.derivatives()), data.shown(), Optional.of(known));
             double before = best.cost();
             Fitted next = best;
             double share = 1;
             for (int halving = 0; halving < MOST_HALVINGS; halving++) {
-                Fitted tried = derive(block.moved(new double[0], share).getFirst(), isLast);
+                Fitted tried =
+                        derive(block.moved(new double[0], share).getFirst(), isLast, known);
                 if (tried.cost() < best.cost()) {
                     next = tried;
                     break;
@@ -147,23 +187,25 @@ final class Following {
                 share /= 2;
             }
             best = next;
-            if (!(best.cost() < before * (1 - 1e-4))) {
+            if (!(best.cost() < before * (1 - ENOUGH))) {
                 break;
             }
         }
         return best;
     }
 
-    private Fitted derive(Window window, boolean isLast) {
-        return new Fitted(
-                window, WindowDerivatives.of(model, variant, data, window, isLast, 1, Moves.NONE));
+    private Fitted derive(Window window, boolean isLast, KnownStart known) {
+        WindowDerivatives derivatives =
+                WindowDerivatives.of(model, variant, data, window, isLast, 1, Moves.NONE);
+        double cost = derivatives.cost() + Outcome.squares(known, window.start());
+        return new Fitted(window, derivatives, cost);
     }
 
     private boolean follows(List<Fitted> fitted) {
         for (Channel channel : List.of(Channel.POSITION, Channel.ORIENTATION)) {
             double allowed =
                     channel == Channel.POSITION
-                            ? Math.max(SHARE_OF_RANGE * range(), SHARE_OF_NOISE * noise.of(channel))
+                            ? Math.max(SHARE_OF_RANGE * Looseness.range(run), SHARE_OF_NOISE * noise.of(channel))
                             : Math.max(TURN, SHARE_OF_NOISE * noise.of(channel));
             for (Fitted window : fitted) {
                 if (systematic(window.derivatives().misses, channel) * noise.of(channel)
@@ -187,23 +229,5 @@ final class Following {
             }
         }
         return count == 0 ? 0 : Math.sqrt(Math.max(0, sum / count - 1));
-    }
-
-    /** The largest extent of the motion along an axis (m). */
-    private double range() {
-        double range = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            double low = Double.POSITIVE_INFINITY;
-            double high = Double.NEGATIVE_INFINITY;
-            for (int k = 0; k < run.size(); k++) {
-                double place = run.value(Channel.POSITION, k, axis);
-                if (!Double.isNaN(place)) {
-                    low = Math.min(low, place);
-                    high = Math.max(high, place);
-                }
-            }
-            range = Math.max(range, high - low);
-        }
-        return range;
     }
 }

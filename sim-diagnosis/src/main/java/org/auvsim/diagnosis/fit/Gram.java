@@ -16,6 +16,9 @@ final class Gram {
      */
     private static final double RIDGE = 1e-10;
 
+    /** So many columns are worked on together, so that their products stay near. */
+    private static final int TILE = 32;
+
     private final double[][] products;
     private final int misses;
 
@@ -27,22 +30,47 @@ final class Gram {
     /** Of blocks of windows of all runs. */
     static Gram of(List<List<WindowBlock>> blocks, int columns) {
         double[][] products = new double[columns + 1][columns + 1];
-        IntStream.rangeClosed(0, columns)
+        List<double[][]> rows =
+                blocks.stream().flatMap(List::stream).map(WindowBlock::projectedRows).toList();
+        int tiles = columns / TILE + 1;
+        IntStream.range(0, tiles)
                 .parallel()
                 .forEach(
-                        a ->
-                                blocks.forEach(
-                                        ofRun ->
-                                                ofRun.forEach(
-                                                        block ->
-                                                                block.addProducts(
-                                                                        a, products[a]))));
+                        tile -> {
+                            int to = Math.min((tile + 1) * TILE, columns + 1);
+                            rows.forEach(ofBlock -> add(ofBlock, products, tile * TILE, to));
+                        });
         for (int a = 0; a <= columns; a++) {
             for (int b = 0; b < a; b++) {
                 products[a][b] = products[b][a];
             }
         }
         return new Gram(products);
+    }
+
+    /** Adds the products of some columns with themselves and all after them, four rows at a time. */
+    private static void add(double[][] rows, double[][] products, int from, int to) {
+        double[] none = new double[products.length];
+        for (int k = 0; k < rows.length; k += 4) {
+            double[] r0 = rows[k];
+            double[] r1 = k + 1 < rows.length ? rows[k + 1] : none;
+            double[] r2 = k + 2 < rows.length ? rows[k + 2] : none;
+            double[] r3 = k + 3 < rows.length ? rows[k + 3] : none;
+            for (int a = from; a < to; a++) {
+                add(products[a], a, r0, r1, r2, r3);
+            }
+        }
+    }
+
+    private static void add(
+            double[] sums, int a, double[] r0, double[] r1, double[] r2, double[] r3) {
+        double f0 = r0[a];
+        double f1 = r1[a];
+        double f2 = r2[a];
+        double f3 = r3[a];
+        for (int b = a; b < sums.length; b++) {
+            sums[b] += f0 * r0[b] + f1 * r1[b] + f2 * r2[b] + f3 * r3[b];
+        }
     }
 
     /** The same with what is known of parameters otherwise. */

@@ -27,9 +27,6 @@ final class Screen {
 
     private static final int MOST_THOROUGH = 16;
 
-    /** Samples are taken together up to this time (s): what causes do is slower. */
-    private static final double TOGETHER = 0.4;
-
     private final Fit base;
     private final List<Seed> seeds;
     private final int own;
@@ -61,7 +58,7 @@ final class Screen {
         this.own = base.hypothesis().size();
         this.seeds = Seed.of(causes, guesses, own);
         this.moves = moves();
-        this.derivatives = base.derivatives(moves, group());
+        this.derivatives = FirstOrder.derivatives(base, moves);
         this.perParameter = Math.log(count);
     }
 
@@ -77,14 +74,6 @@ final class Screen {
             }
         }
         return new Moves(variants, steps);
-    }
-
-    private int group() {
-        double shortest = Double.POSITIVE_INFINITY;
-        for (Misses of : base.data()) {
-            shortest = Math.min(shortest, of.run().duration() / (of.run().size() - 1));
-        }
-        return Math.max(1, (int) Math.floor(TOGETHER / shortest + 1e-9));
     }
 
     /** How alike what causes do is, over whole runs. */

@@ -56,6 +56,16 @@ final class Trial {
                 && worstRatio(adjusted.outcome(), fitted.outcome()) < MOST_RATIO;
     }
 
+    /** Whether each of the runs that all were searched with is predicted by the others. */
+    static boolean holdsLeftOut(Judged fitted) {
+        return LeaveOneOut.predictions(fitted).stream()
+                .allMatch(
+                        prediction ->
+                                Search.whiteness(prediction) < LIMIT
+                                        && worstRatio(prediction.outcome(), fitted.outcome())
+                                                < MOST_RATIO);
+    }
+
     /** The largest ratio over channels of root mean squares. */
     private static double worstRatio(Outcome heldOut, Outcome fitted) {
         double worst = 0;

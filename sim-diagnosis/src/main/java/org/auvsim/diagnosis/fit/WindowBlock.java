@@ -169,34 +169,16 @@ final class WindowBlock {
         }
     }
 
-    /**
-     * Adds the products of a projected column with itself and those after it; columns are the
-     * parameters, then the misses.
-     */
-    void addProducts(int column, double[] to) {
-        double[] one = rows[START + column];
-        for (int other = column; other < to.length; other++) {
-            to[other] += product(one, rows[START + other]);
+    /** The starts projected out: row by row the parameters' numbers, then the misses. */
+    double[][] projectedRows() {
+        double[][] projected = new double[rows[0].length - START][columns - START];
+        for (int c = START; c < columns; c++) {
+            double[] column = rows[c];
+            for (int k = 0; k < projected.length; k++) {
+                projected[k][c - START] = column[START + k];
+            }
         }
-    }
-
-    /** In four sums, which run side by side. */
-    private static double product(double[] a, double[] b) {
-        double s0 = 0;
-        double s1 = 0;
-        double s2 = 0;
-        double s3 = 0;
-        int k = START;
-        for (; k + 3 < a.length; k += 4) {
-            s0 += a[k] * b[k];
-            s1 += a[k + 1] * b[k + 1];
-            s2 += a[k + 2] * b[k + 2];
-            s3 += a[k + 3] * b[k + 3];
-        }
-        for (; k < a.length; k++) {
-            s0 += a[k] * b[k];
-        }
-        return (s0 + s1) + (s2 + s3);
+        return projected;
     }
 
     /**

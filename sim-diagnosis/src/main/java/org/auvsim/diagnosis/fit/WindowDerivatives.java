@@ -15,7 +15,7 @@ import java.util.List;
  */
 final class WindowDerivatives {
     /** Changes of a start: position (m), turn (rad), velocity (m/s), angular velocity (rad/s). */
-    private static final double[] STEPS = {1e-5, 1e-6, 1e-6, 1e-6};
+    static final double[] STEPS = {1e-5, 1e-6, 1e-6, 1e-6};
 
     final Window window;
 
@@ -23,14 +23,17 @@ final class WindowDerivatives {
     final double[] misses;
 
     /** Derivative of the misses by each number of the start, and by each parameter. */
-    final double[][] byStart = new double[RigidMotion.SIZE][];
+    final double[][] byStart;
 
     final double[][] byParameter;
+
+    /** At each sample, the first of the next window included. */
+    final RigidMotion[] motion;
 
     /** The window's end, and its derivatives. */
     final RigidMotion end;
 
-    final double[][] endByStart = new double[RigidMotion.SIZE][];
+    final double[][] endByStart;
     final double[][] endByParameter;
 
     /**
@@ -69,7 +72,10 @@ final class WindowDerivatives {
                             group);
         }
         misses = all[0];
-        end = motions[0][window.length()];
+        motion = motions[0];
+        end = motion[window.length()];
+        byStart = new double[RigidMotion.SIZE][];
+        endByStart = new double[RigidMotion.SIZE][];
         byParameter = new double[steps.size()][];
         endByParameter = new double[steps.size()][];
         for (int i = 1; i < motions.length; i++) {
@@ -87,6 +93,23 @@ final class WindowDerivatives {
         }
     }
 
+    private WindowDerivatives(
+            WindowDerivatives of, double[][] byParameter, double[][] endByParameter) {
+        window = of.window;
+        misses = of.misses;
+        byStart = of.byStart;
+        motion = of.motion;
+        end = of.end;
+        endByStart = of.endByStart;
+        this.byParameter = byParameter;
+        this.endByParameter = endByParameter;
+    }
+
+    /** The same with derivatives by other parameters. */
+    WindowDerivatives by(double[][] byParameter, double[][] endByParameter) {
+        return new WindowDerivatives(this, byParameter, endByParameter);
+    }
+
     /**
      * Those of a window under a variant of the model.
      *
@@ -102,11 +125,8 @@ final class WindowDerivatives {
             int group,
             Moves moves) {
         List<Entrant> entrants = new ArrayList<>();
-        entrants.add(new Entrant(variant, window.start()));
-        for (int i = 0; i < RigidMotion.SIZE; i++) {
-            double[] by = new double[RigidMotion.SIZE];
-            by[i] = STEPS[i / 3];
-            entrants.add(new Entrant(variant, window.start().plus(model.free(by))));
+        for (RigidMotion start : starts(model, window.start())) {
+            entrants.add(new Entrant(variant, start));
         }
         for (Variant other : moves.variants()) {
             entrants.add(new Entrant(other, window.start()));
@@ -116,8 +136,20 @@ final class WindowDerivatives {
         return new WindowDerivatives(of, window, isLast, group, entrants, motions, moves.steps());
     }
 
+    /** A start, then the same with each of its numbers moved. */
+    static List<RigidMotion> starts(BelievedModel model, RigidMotion start) {
+        List<RigidMotion> starts = new ArrayList<>();
+        starts.add(start);
+        for (int i = 0; i < RigidMotion.SIZE; i++) {
+            double[] by = new double[RigidMotion.SIZE];
+            by[i] = STEPS[i / 3];
+            starts.add(start.plus(model.free(by)));
+        }
+        return starts;
+    }
+
     /** Differences over a step; 0 if what was moved got lost: nothing is known of it. */
-    private static double[] slope(double[] moved, double[] before, double step) {
+    static double[] slope(double[] moved, double[] before, double step) {
         double[] slope = new double[before.length];
         for (int i = 0; i < before.length; i++) {
             slope[i] = (moved[i] - before[i]) / step;

@@ -15,6 +15,7 @@ import org.auvsim.server.feedback.RigidMotion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * Variants of one body in the model's world, each as if it were alone, side by side through a part
@@ -28,6 +29,12 @@ public final class Ensemble {
     private static final long FIRST_ID = 1_000_000_000L;
 
     private static final int MOST_IN_OWN_WATER = 64;
+
+    /** So many at a time, so that there is work for all processors. */
+    private static final int MOST_PARTING = 128;
+
+    /** Steps of those that part may be longer than the model's by this factor. */
+    private static final double LONGER = 4;
 
     private static final Vec3 NOWHERE = new Vec3(Double.NaN, Double.NaN, Double.NaN);
 
@@ -46,6 +53,15 @@ public final class Ensemble {
      */
     public record Entrant(Variant variant, RigidMotion start) {}
 
+    /**
+     * A part of a run that all variants begin alike.
+     *
+     * @param from its first sample
+     * @param to its last, the first of the next leg
+     * @param start the motion at its first sample
+     */
+    public record Leg(int from, int to, RigidMotion start) {}
+
     private final MeasuredRun run;
     private final Inputs inputs;
     private final World world;
@@ -53,10 +69,15 @@ public final class Ensemble {
     private final double longestStep;
     private final Ground ground;
 
-    private Ensemble(BelievedModel model, MeasuredRun run, int from, List<Entrant> entrants) {
+    private Ensemble(
+            BelievedModel model,
+            MeasuredRun run,
+            int from,
+            List<Entrant> entrants,
+            double longestStep) {
         this.run = run;
         this.inputs = new Inputs(run, model.variant().body());
-        this.longestStep = model.scenario().timeStep().delta();
+        this.longestStep = longestStep;
         WorldBuilder builder =
                 World.builder().startTime(run.time(from)).timeStep(longestStep).allowOverlaps();
         ground = Ground.under(model);
@@ -120,7 +141,8 @@ public final class Ensemble {
             return halves(model, run, from, to, entrants);
         }
         try {
-            return new Ensemble(model, run, from, entrants).simulate(from, to);
+            double step = model.scenario().timeStep().delta();
+            return new Ensemble(model, run, from, entrants, step).simulate(from, to);
         } catch (StepException e) {
             return entrants.size() == 1
                     ? lost(to - from + 1)
@@ -162,6 +184,92 @@ public final class Ensemble {
         RigidMotion[][] all = Arrays.copyOf(first, entrants.size());
         System.arraycopy(second, 0, all, half, second.length);
         return all;
+    }
+
+    /**
+     * By how much variants part from another one in legs that follow one another, each begun alike:
+     * what a change of the model does to a motion, before it has changed that motion. Steps may be
+     * longer here than the model's: only the difference of two motions counts.
+     *
+     * @return by variant and leg the error of its motion at the leg's end ({@link
+     *     RigidMotion#minus}); of NaN if it gets out of all bounds
+     */
+    public static double[][][] partings(
+            BelievedModel model,
+            MeasuredRun run,
+            List<Leg> legs,
+            Variant from,
+            List<Variant> variants) {
+        int most = Math.min(MOST_PARTING, together(model, entrants(legs, variants)));
+        int batches = (variants.size() + most - 1) / most;
+        return IntStream.range(0, batches)
+                .parallel()
+                .mapToObj(b -> batch(variants, b, batches))
+                .map(batch -> someParting(model, run, legs, from, batch))
+                .flatMap(Arrays::stream)
+                .toArray(double[][][]::new);
+    }
+
+    private static List<Variant> batch(List<Variant> variants, int batch, int of) {
+        int size = variants.size();
+        return variants.subList(batch * size / of, (batch + 1) * size / of);
+    }
+
+    private static List<Entrant> entrants(List<Leg> legs, List<Variant> variants) {
+        return variants.stream().map(v -> new Entrant(v, legs.getFirst().start())).toList();
+    }
+
+    private static double[][][] someParting(
+            BelievedModel model,
+            MeasuredRun run,
+            List<Leg> legs,
+            Variant from,
+            List<Variant> variants) {
+        List<Variant> all = new ArrayList<>();
+        all.add(from);
+        all.addAll(variants);
+        double step = LONGER * model.scenario().timeStep().delta();
+        try {
+            return new Ensemble(model, run, legs.getFirst().from(), entrants(legs, all), step)
+                    .part(legs);
+        } catch (StepException e) {
+            if (variants.size() == 1) {
+                return new double[][][] {unknown(legs.size())};
+            }
+            double[][][] first = someParting(model, run, legs, from, batch(variants, 0, 2));
+            double[][][] second = someParting(model, run, legs, from, batch(variants, 1, 2));
+            double[][][] both = Arrays.copyOf(first, variants.size());
+            System.arraycopy(second, 0, both, first.length, second.length);
+            return both;
+        }
+    }
+
+    private static double[][] unknown(int legs) {
+        double[][] unknown = new double[legs][RigidMotion.SIZE];
+        for (double[] ofLeg : unknown) {
+            Arrays.fill(ofLeg, Double.NaN);
+        }
+        return unknown;
+    }
+
+    /** The first body is what the others part from. */
+    private double[][][] part(List<Leg> legs) {
+        double[][][] partings = new double[bodies.size() - 1][legs.size()][];
+        for (int l = 0; l < legs.size(); l++) {
+            Leg leg = legs.get(l);
+            bodies.forEach(leg.start()::giveTo);
+            for (int k = leg.from(); k < leg.to(); k++) {
+                inputs.command(k, l == 0 && k == leg.from(), bodies);
+                if (k + 1 == leg.to() || inputs.changeAt(k + 1)) {
+                    advance(run.time(k + 1));
+                }
+            }
+            RigidMotion end = RigidMotion.of(bodies.getFirst());
+            for (int i = 0; i < partings.length; i++) {
+                partings[i][l] = RigidMotion.of(bodies.get(i + 1)).minus(end);
+            }
+        }
+        return partings;
     }
 
     private void keep(RigidMotion[][] motions, int sample) {

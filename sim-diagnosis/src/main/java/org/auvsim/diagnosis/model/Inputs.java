@@ -102,6 +102,12 @@ final class Inputs {
         return now;
     }
 
+    /** Whether a command changes at a sample. */
+    boolean changeAt(int sample) {
+        return ofActuators.stream().anyMatch(command -> command.changesAt(sample))
+                || ofForces.stream().anyMatch(force -> force.changesAt(sample));
+    }
+
     /** Gives bodies what a sample commands; if they are new, also what was commanded before. */
     void command(int sample, boolean areNew, List<WorldObject> bodies) {
         for (Command command : ofActuators) {

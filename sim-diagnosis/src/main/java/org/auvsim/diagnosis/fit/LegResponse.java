@@ -1,0 +1,125 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.model.Ensemble;
+import org.auvsim.diagnosis.model.Ensemble.Entrant;
+import org.auvsim.diagnosis.model.Ensemble.Leg;
+import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.server.feedback.RigidMotion;
+
+import java.util.List;
+
+/**
+ * What errors of a motion do in a short leg of it, to first order: an error at its beginning, and
+ * one that comes about within it.
+ */
+final class LegResponse {
+    private static final int SIZE = RigidMotion.SIZE;
+
+    /** By number of the error at the beginning: the error at the end. */
+    private final double[][] transition = new double[SIZE][];
+
+    /** By number of the error at the beginning: what it adds to the misses of the leg's samples. */
+    private final double[][] shown = new double[SIZE][];
+
+    /** By number of the error at the end that comes about within: the same. */
+    private final double[][] shownOfParting = new double[SIZE][];
+
+    /**
+     * Of a leg under a variant of the model.
+     *
+     * @param samples how many of the leg's count
+     * @param together how many samples are taken together with them
+     */
+    LegResponse(
+            BelievedModel model,
+            Variant variant,
+            Misses of,
+            Leg leg,
+            int samples,
+            double together) {
+        List<Entrant> entrants =
+                WindowDerivatives.starts(model, leg.start()).stream()
+                        .map(start -> new Entrant(variant, start))
+                        .toList();
+        RigidMotion[][] motions =
+                Ensemble.simulate(model, of.run(), leg.from(), leg.to(), entrants);
+        double weight = 1 / Math.sqrt(together);
+        double[] before = sum(of, of.of(motions[0], variant.sensing(), leg.from(), samples), weight);
+        RigidMotion end = motions[0][leg.to() - leg.from()];
+        for (int i = 0; i < SIZE; i++) {
+            double step = WindowDerivatives.STEPS[i / 3];
+            RigidMotion[] moved = motions[i + 1];
+            RigidMotion[] parting = parting(of, leg, motions[0], model, i, step);
+            transition[i] = slope(moved[leg.to() - leg.from()].minus(end), step);
+            shown[i] = slope(of, moved, variant, leg, samples, weight, before, step);
+            shownOfParting[i] = slope(of, parting, variant, leg, samples, weight, before, step);
+        }
+    }
+
+    /** An error that begins with nothing: velocities grow evenly, so that the way is a parabola. */
+    private static RigidMotion[] parting(
+            Misses of, Leg leg, RigidMotion[] motion, BelievedModel model, int i, double step) {
+        double begin = of.run().time(leg.from());
+        double duration = of.run().time(leg.to()) - begin;
+        RigidMotion[] moved = new RigidMotion[motion.length];
+        for (int k = 0; k < moved.length; k++) {
+            double share = duration > 0 ? (of.run().time(leg.from() + k) - begin) / duration : 0;
+            double[] by = new double[SIZE];
+            by[i] = step * (i < SIZE / 2 ? share * share : share);
+            moved[k] = motion[k].plus(model.free(by));
+        }
+        return moved;
+    }
+
+    private static double[] slope(double[] difference, double step) {
+        return WindowDerivatives.slope(difference, new double[difference.length], step);
+    }
+
+    private static double[] slope(
+            Misses of,
+            RigidMotion[] moved,
+            Variant variant,
+            Leg leg,
+            int samples,
+            double weight,
+            double[] before,
+            double step) {
+        double[] misses = of.of(moved, variant.sensing(), leg.from(), samples);
+        return WindowDerivatives.slope(sum(of, misses, weight), before, step);
+    }
+
+    private static double[] sum(Misses of, double[] misses, double weight) {
+        int width = of.rows().size();
+        double[] sum = new double[width];
+        for (int k = 0; k < misses.length; k++) {
+            sum[k % width] += weight * misses[k];
+        }
+        return sum;
+    }
+
+    /**
+     * Adds what errors show in the leg to its rows of a column, and carries them to its end.
+     *
+     * @param error at the leg's beginning; that at its end afterwards
+     * @param parting what comes about within the leg, at its end
+     * @param rows of a column, those of the leg's samples from {@code at} on
+     */
+    void carry(double[] error, double[] parting, double[] rows, int at) {
+        double[] end = parting.clone();
+        for (int i = 0; i < SIZE; i++) {
+            double begun = error[i];
+            double come = parting[i];
+            double[] of = shown[i];
+            double[] ofParting = shownOfParting[i];
+            for (int r = 0; r < of.length; r++) {
+                rows[at + r] += begun * of[r] + come * ofParting[r];
+            }
+            double[] to = transition[i];
+            for (int j = 0; j < SIZE; j++) {
+                end[j] += begun * to[j];
+            }
+        }
+        System.arraycopy(end, 0, error, 0, SIZE);
+    }
+}

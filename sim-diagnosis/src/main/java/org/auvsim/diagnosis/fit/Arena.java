@@ -44,8 +44,7 @@ public final class Arena {
     Arena(Fit base, Course course) {
         this.base = base;
         this.course = course;
-        List<List<WindowDerivatives>> derivatives =
-                base.derivatives(WindowDerivatives.Moves.NONE, 1);
+        List<List<WindowDerivatives>> derivatives = base.derivatives(WindowDerivatives.Moves.NONE);
         for (int r = 0; r < derivatives.size(); r++) {
             List<WindowDerivatives> ofRun = derivatives.get(r);
             for (int w = 0; w < ofRun.size(); w++) {

@@ -103,8 +103,7 @@ final class FirstOrder {
         double[][][] all = new double[moves.size()][][];
         int next = 0;
         for (int p = 0; p < all.length; p++) {
-            all[p] =
-                    movesOtherwise(moves.variants().get(p)) ? ofMoving[next++] : new double[0][];
+            all[p] = movesOtherwise(moves.variants().get(p)) ? ofMoving[next++] : new double[0][];
         }
         return all;
     }
@@ -136,7 +135,12 @@ final class FirstOrder {
             double[] rows = sensed(window, moves.variants().get(p), samples);
             double[] error = new double[RigidMotion.SIZE];
             if (partings[p].length > 0) {
-                carry(responses, window, Arrays.asList(partings[p]).subList(firstLeg, firstLeg + count), rows, error);
+                carry(
+                        responses,
+                        window,
+                        Arrays.asList(partings[p]).subList(firstLeg, firstLeg + count),
+                        rows,
+                        error);
             }
             double step = moves.steps().get(p);
             byParameter[p] = WindowDerivatives.slope(rows, new double[rows.length], step);
@@ -147,8 +151,7 @@ final class FirstOrder {
 
     private LegResponse response(Leg leg, int samples, Window window, int ofWindow) {
         int first = (leg.from() - window.from()) / group * group;
-        return new LegResponse(
-                model, variant, of, leg, samples, Math.min(group, ofWindow - first));
+        return new LegResponse(model, variant, of, leg, samples, Math.min(group, ofWindow - first));
     }
 
     private void carry(
@@ -161,7 +164,8 @@ final class FirstOrder {
         for (int l = 0; l < responses.size(); l++) {
             boolean isEnd = l == partings.size();
             int sample = isEnd ? window.window.length() : l * perLeg;
-            responses.get(l)
+            responses
+                    .get(l)
                     .carry(
                             error,
                             isEnd ? new double[RigidMotion.SIZE] : partings.get(l),

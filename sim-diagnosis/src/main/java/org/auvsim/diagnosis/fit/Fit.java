@@ -44,8 +44,12 @@ record Fit(
      * Derivatives by the starts of the windows and by the hypothesis's own parameters, run by run.
      */
     List<List<WindowDerivatives>> derivatives() {
+        return derivatives(hypothesis.moves(model.variant()));
+    }
+
+    /** Those by the starts of the windows and by other parameters. */
+    List<List<WindowDerivatives>> derivatives(Moves moves) {
         Variant variant = variant();
-        Moves moves = hypothesis.moves(model.variant());
         List<List<WindowDerivatives>> all = new ArrayList<>();
         for (int r = 0; r < data.size(); r++) {
             Misses of = data.get(r);

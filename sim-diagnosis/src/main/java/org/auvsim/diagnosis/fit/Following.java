@@ -6,7 +6,6 @@ import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
-
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
@@ -178,8 +177,7 @@ final class Following {
             Fitted next = best;
             double share = 1;
             for (int halving = 0; halving < MOST_HALVINGS; halving++) {
-                Fitted tried =
-                        derive(block.moved(new double[0], share).getFirst(), isLast, known);
+                Fitted tried = derive(block.moved(new double[0], share).getFirst(), isLast, known);
                 if (tried.cost() < best.cost()) {
                     next = tried;
                     break;
@@ -205,7 +203,9 @@ final class Following {
         for (Channel channel : List.of(Channel.POSITION, Channel.ORIENTATION)) {
             double allowed =
                     channel == Channel.POSITION
-                            ? Math.max(SHARE_OF_RANGE * Looseness.range(run), SHARE_OF_NOISE * noise.of(channel))
+                            ? Math.max(
+                                    SHARE_OF_RANGE * Looseness.range(run),
+                                    SHARE_OF_NOISE * noise.of(channel))
                             : Math.max(TURN, SHARE_OF_NOISE * noise.of(channel));
             for (Fitted window : fitted) {
                 if (systematic(window.derivatives().misses, channel) * noise.of(channel)

@@ -48,7 +48,9 @@ final class Gram {
         return new Gram(products);
     }
 
-    /** Adds the products of some columns with themselves and all after them, four rows at a time. */
+    /**
+     * Adds the products of some columns with themselves and all after them, four rows at a time.
+     */
     private static void add(double[][] rows, double[][] products, int from, int to) {
         double[] none = new double[products.length];
         for (int k = 0; k < rows.length; k += 4) {

@@ -45,7 +45,8 @@ final class LegResponse {
         RigidMotion[][] motions =
                 Ensemble.simulate(model, of.run(), leg.from(), leg.to(), entrants);
         double weight = 1 / Math.sqrt(together);
-        double[] before = sum(of, of.of(motions[0], variant.sensing(), leg.from(), samples), weight);
+        double[] before =
+                sum(of, of.of(motions[0], variant.sensing(), leg.from(), samples), weight);
         RigidMotion end = motions[0][leg.to() - leg.from()];
         for (int i = 0; i < SIZE; i++) {
             double step = WindowDerivatives.STEPS[i / 3];

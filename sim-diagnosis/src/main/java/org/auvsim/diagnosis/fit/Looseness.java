@@ -31,16 +31,16 @@ final class Looseness {
     /** Rates are seen over this time (s). */
     private static final double WHILE = 0.4;
 
-    /** So many percent of the rates are lower than what is taken for the largest, but for a factor. */
+    /**
+     * So many percent of the rates are lower than what is taken for the largest, but for a factor.
+     */
     private static final double MOST = 90;
 
     private static final double LARGER = 2;
 
     private Looseness() {}
 
-    /**
-     * Standard deviations of a start, as {@link org.auvsim.diagnosis.run.KnownStart} has them.
-     */
+    /** Standard deviations of a start, as {@link org.auvsim.diagnosis.run.KnownStart} has them. */
     static List<Double> of(MeasuredRun run, Noise noise) {
         double place = SHARE_OF_RANGE * range(run) + NOISES * noise.of(Channel.POSITION);
         double turn = TURN + NOISES * noise.of(Channel.ORIENTATION);
@@ -54,8 +54,7 @@ final class Looseness {
     }
 
     /** The rate that a channel hardly exceeds, seen over a while. */
-    private static double rate(
-            MeasuredRun run, Channel channel, double unknown, double least) {
+    private static double rate(MeasuredRun run, Channel channel, double unknown, double least) {
         ResizableDoubleArray rates = new ResizableDoubleArray();
         int before = 0;
         for (int k = 1; k < run.size() && run.measures(channel); k++) {

@@ -21,13 +21,19 @@ import org.junit.jupiter.api.Test;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.Set;
 
 /** Derivatives to first order are those of whole simulations, cause by cause. */
 class FirstOrderTest {
     private static final int SAMPLES = 161;
     private static final double SPACING = 0.05;
     private static final double NOISE = 0.01;
+    private static final double SHARE = 0.03;
     private static final double SMALL = 1e-4;
+
+    /** What begins within a leg, is near for a moment, or is a secant over a large change. */
+    private static final Set<String> ABRUPT =
+            Set.of("impulse", "step_force", "magnetic", "thruster_deadzone", "thruster_lag");
 
     private static BelievedModel model;
     private static Fit fit;
@@ -84,8 +90,7 @@ class FirstOrderTest {
     }
 
     private static MeasuredRun measured(Random random, RigidMotion[] motion) {
-        MeasuredRunBuilder run =
-                MeasuredRun.named("run").commands(List.of("port", "starboard"));
+        MeasuredRunBuilder run = MeasuredRun.named("run").commands(List.of("port", "starboard"));
         for (int k = 0; k < SAMPLES; k++) {
             boolean isOutward = k / 40 % 2 == 0;
             run.at(k * SPACING).command(0, 0.6).command(1, isOutward ? 0.3 : 0.8);
@@ -102,16 +107,15 @@ class FirstOrderTest {
         return NOISE * random.nextGaussian();
     }
 
-    /** Those whose columns are secants over large changes are left out: they are no derivatives. */
     @Test
-    void ofEveryCauseTheyAreThoseOfWholeSimulations() {
+    void ofEverySmoothCauseTheyAreThoseOfWholeSimulations() {
         List<MeasuredRun> runs = List.of(fit.data().getFirst().run());
         List<Seed.Guesses> guesses =
                 Library.of(model, runs).stream()
+                        .filter(cause -> !ABRUPT.contains(cause.id()))
                         .map(cause -> new Seed.Guesses(cause, cause.guesses(runs)))
                         .toList();
-        List<Seed> seeds =
-                Seed.of(guesses.stream().map(Seed.Guesses::cause).toList(), guesses, 0);
+        List<Seed> seeds = Seed.of(guesses.stream().map(Seed.Guesses::cause).toList(), guesses, 0);
         List<Variant> variants = new ArrayList<>();
         List<Double> steps = new ArrayList<>();
         List<String> names = new ArrayList<>();
@@ -134,7 +138,7 @@ class FirstOrderTest {
         for (int p = 0; p < variants.size(); p++) {
             double error = distance(windows.getFirst().byParameter[p], whole.byParameter[p]);
             double size = distance(whole.byParameter[p], new double[whole.misses.length]);
-            if (!(error < 0.03 * size + SMALL)) System.out.println(error / size + " " + steps.get(p) + " " + names.get(p));
+            assertThat(error).as(names.get(p)).isLessThan(SHARE * size + SMALL);
         }
     }
 

@@ -15,6 +15,7 @@ import java.util.Optional;
  * @param offset in the usual unit
  * @param form how its cells are written
  * @param ignored whether it is left out
+ * @param lastingError error of its numbers that lasts over rows; empty: all of it is noise
  */
 public record MappedColumn(
         String name,
@@ -22,7 +23,8 @@ public record MappedColumn(
         @Default("1.0") double scale,
         @Default("0.0") double offset,
         @Default("NUMBER") CellForm form,
-        @Default("0") boolean ignored) {
+        @Default("0") boolean ignored,
+        Optional<LastingError> lastingError) {
     /**
      * A checked column.
      *
@@ -30,6 +32,17 @@ public record MappedColumn(
      */
     public MappedColumn {
         Domain.require(scale != 0, "column '" + name + "'", "scale", scale, "other than 0", "");
+    }
+
+    /** One whose errors are noise. */
+    public MappedColumn(
+            String name,
+            Optional<String> means,
+            double scale,
+            double offset,
+            CellForm form,
+            boolean ignored) {
+        this(name, means, scale, offset, form, ignored, Optional.empty());
     }
 
     /** A column that has what another name means, in the usual unit. */

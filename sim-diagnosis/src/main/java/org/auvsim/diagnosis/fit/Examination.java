@@ -73,7 +73,11 @@ public final class Examination {
 
     private static boolean fails(Search.Found found, Trial trial, Judged before) {
         Hypothesis best = found.best().fit().hypothesis();
-        return !passes(found, trial, found.best().isNone() ? before : trial.prediction(best));
+        return !passes(
+                found,
+                trial,
+                before,
+                found.best().isNone() ? before : trial.prediction(best));
     }
 
     /**
@@ -93,10 +97,11 @@ public final class Examination {
         return all;
     }
 
-    private static boolean passes(Search.Found found, Trial trial, Judged predicted) {
+    private static boolean passes(
+            Search.Found found, Trial trial, Judged before, Judged predicted) {
         Judged best = found.best();
         return Search.isWhite(best)
-                && trial.passes(best, predicted, new Uncertainty(best).knowledge());
+                && trial.passes(best, before, predicted, new Uncertainty(best).knowledge());
     }
 
     /**
@@ -108,7 +113,7 @@ public final class Examination {
             Search.Found found, Trial trial, Judged before, boolean usedHeldOut) {
         Judged best = found.best();
         Judged after = best.isNone() ? before : trial.prediction(best.fit().hypothesis());
-        Verdict verdict = verdict(found, usedHeldOut || passes(found, trial, after));
+        Verdict verdict = verdict(found, usedHeldOut || passes(found, trial, before, after));
         boolean isExplained = verdict == Verdict.EXPLAINED;
         List<Finding> selected = isExplained ? findings(found, new Uncertainty(best)) : List.of();
         List<Alternative> alternatives =

@@ -1,14 +1,17 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.diagnosis.fit.Outcome.Squares;
 import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble;
 import org.auvsim.diagnosis.model.Ensemble.Entrant;
 import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
@@ -123,6 +126,18 @@ record Fit(
                                                         variant,
                                                         windows.get(r).getFirst().start())))[0])
                 .toList();
+    }
+
+    /** By how much that is off by channel, in standard deviations of the noise. */
+    Map<Channel, Squares> errors() {
+        List<RigidMotion[]> motions = motions();
+        Variant variant = variant();
+        List<double[]> misses = new ArrayList<>();
+        for (int r = 0; r < data.size(); r++) {
+            Misses of = data.get(r);
+            misses.add(of.plain(motions.get(r), variant.sensing(), 0, of.run().size()));
+        }
+        return Outcome.squares(data, misses);
     }
 
     /** What that misses. */

@@ -79,7 +79,8 @@ final class Horizons {
                         window.from(),
                         last,
                         List.of(new Entrant(variant, window.start())))[0];
-        double[] misses = of.of(motion, variant.sensing(), window.from(), last - window.from() + 1);
+        double[] misses =
+                of.plain(motion, variant.sensing(), window.from(), last - window.from() + 1);
         int rows = of.rows().size();
         for (int s = 0; s < SHARES.length; s++) {
             double until = of.run().time(window.to()) + SHARES[s] * shortest;

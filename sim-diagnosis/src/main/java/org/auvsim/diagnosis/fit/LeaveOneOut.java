@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.diagnosis.fit.Outcome.Squares;
 import org.auvsim.diagnosis.run.Channel;
 
 import java.util.ArrayList;
@@ -28,8 +29,9 @@ final class LeaveOneOut {
         double sum = 0;
         int count = 0;
         for (Judged prediction : predictions) {
-            sum += prediction.outcome().of(channel).sum();
-            count += prediction.outcome().of(channel).count();
+            Squares errors = prediction.fit().errors().getOrDefault(channel, Outcome.NOTHING);
+            sum += errors.sum();
+            count += errors.count();
         }
         return sum / count;
     }

@@ -11,6 +11,7 @@ import org.auvsim.server.feedback.RigidMotion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * By how much simulated motions miss a measured run, in standard deviations: a row for each axis of
@@ -19,6 +20,9 @@ import java.util.List;
 final class Misses {
     private final MeasuredRun run;
     private final List<Row> rows = new ArrayList<>();
+
+    /** By row: for errors that last; empty where they are noise. */
+    private final List<Optional<Whitening>> whitenings = new ArrayList<>();
 
     /** By sample and row: one over the standard deviation; 0 where nothing was measured. */
     private final double[] weights;
@@ -38,6 +42,7 @@ final class Misses {
             for (int axis = 0; axis < 3; axis++) {
                 if (run.measures(channel, axis)) {
                     rows.add(new Row(channel, axis));
+                    whitenings.add(run.lastingError(channel, axis).map(Whitening::new));
                 }
             }
         }
@@ -52,6 +57,7 @@ final class Misses {
     private Misses(Misses of, double[] weights) {
         this.run = of.run;
         this.rows.addAll(of.rows);
+        this.whitenings.addAll(of.whitenings);
         this.weights = weights;
     }
 
@@ -114,11 +120,30 @@ final class Misses {
     }
 
     /**
-     * Those of motions at samples from {@code from} on, row by row within each sample.
+     * Whether the run states how much its errors last: then it says how much is to be explained.
+     */
+    boolean isStated(Row row) {
+        return whitenings.get(rows.indexOf(row)).isPresent();
+    }
+
+    /**
+     * Those of motions at samples from {@code from} on, row by row within each sample; where errors
+     * last, less what those before tell of them.
      *
      * @param samples how many of the motions count
      */
     double[] of(RigidMotion[] motions, Sensing sensing, int from, int samples) {
+        double[] misses = plain(motions, sensing, from, samples);
+        for (int r = 0; r < rows.size(); r++) {
+            if (whitenings.get(r).isPresent()) {
+                whitenings.get(r).get().apply(misses, weights, run, from, r, rows.size());
+            }
+        }
+        return misses;
+    }
+
+    /** The same in standard deviations of the noise alone, whatever lasts. */
+    double[] plain(RigidMotion[] motions, Sensing sensing, int from, int samples) {
         double[] misses = new double[samples * rows.size()];
         RigidMotion[] told = sensing.of(motions, run, from, samples);
         for (int k = 0; k < samples; k++) {

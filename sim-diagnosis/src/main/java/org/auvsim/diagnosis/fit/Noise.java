@@ -16,6 +16,7 @@ import java.util.Optional;
  * How much noise a measurement has, from the measurement alone: third differences of values, and
  * second differences of increments of rotation, hardly contain motion. Both have the variance of
  * the noise times 20 (1, 3, 3, 1 squared); the median absolute deviation is not misled by outliers.
+ * A sensor that counts in steps has the noise of that at least.
  */
 public final class Noise {
     /** Of a normal distribution: the median absolute deviation in standard deviations. */
@@ -35,7 +36,11 @@ public final class Noise {
         Map<Channel, Double> deviations = new EnumMap<>(Channel.class);
         for (Channel channel : Channel.values()) {
             ResizableDoubleArray differences = new ResizableDoubleArray();
+            ResizableDoubleArray changes = new ResizableDoubleArray();
             for (MeasuredRun run : runs) {
+                for (int k = 1; run.measures(channel) && k < run.size(); k++) {
+                    addChanges(run, channel, k, changes);
+                }
                 for (int k = 3; run.measures(channel) && k < run.size(); k++) {
                     if (channel == Channel.ORIENTATION) {
                         addTurns(run, k, differences);
@@ -45,7 +50,11 @@ public final class Noise {
                 }
             }
             if (differences.getNumElements() > 0) {
-                deviations.put(channel, deviation(differences.getElements()));
+                deviations.put(
+                        channel,
+                        Math.max(
+                                deviation(differences.getElements()),
+                                Resolution.deviation(changes.getElements())));
             }
         }
         return new Noise(deviations);
@@ -71,6 +80,22 @@ public final class Noise {
                             - run.value(channel, k - 3, axis);
             if (!Double.isNaN(third)) {
                 to.addElement(Math.abs(third));
+            }
+        }
+    }
+
+    private static void addChanges(
+            MeasuredRun run, Channel channel, int k, ResizableDoubleArray to) {
+        Optional<Quat> before = run.orientation(k - 1);
+        Optional<Quat> after = run.orientation(k);
+        for (int axis = 0; axis < 3; axis++) {
+            double change = run.value(channel, k, axis) - run.value(channel, k - 1, axis);
+            boolean isMeasured = !Double.isNaN(change);
+            if (isMeasured && channel == Channel.ORIENTATION) {
+                change = Misses.axis(Misses.turn(before.orElseThrow(), after.orElseThrow()), axis);
+                to.addElement(Math.abs(change) < ROUNDED ? 0 : change);
+            } else if (isMeasured) {
+                to.addElement(change);
             }
         }
     }

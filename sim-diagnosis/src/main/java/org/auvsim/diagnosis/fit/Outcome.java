@@ -5,21 +5,25 @@ import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * What a hypothesis misses of runs that are simulated in one go.
  *
  * @param misses of each run, sample by sample, in standard deviations
  * @param squares what they come to by channel
+ * @param stated channels whose errors are at least as large as is stated
  * @param known squared distance of starts and parameters from what is known of them
  */
-record Outcome(List<double[]> misses, Map<Channel, Squares> squares, double known) {
+record Outcome(
+        List<double[]> misses, Map<Channel, Squares> squares, Set<Channel> stated, double known) {
     /** Mean squares below this share of the noise's are told from it by rounding alone. */
     static final double EXACT = 0.01;
 
-    private static final Squares NOTHING = new Squares(0, 0);
+    static final Squares NOTHING = new Squares(0, 0);
 
     /** A sum of squares, and of how many numbers. */
     record Squares(double sum, int count) {
@@ -31,9 +35,29 @@ record Outcome(List<double[]> misses, Map<Channel, Squares> squares, double know
         double mean() {
             return Math.max(sum / count, EXACT);
         }
+
+        /** Twice the negative logarithm of the likelihood of noise that is as large as they are. */
+        private double deviance() {
+            return count * Math.log(mean());
+        }
+
+        /** The same of noise that is as large as was thought, or larger. */
+        private double devianceFromStated() {
+            return mean() > 1 ? count + deviance() : sum;
+        }
     }
 
     static Outcome of(List<Misses> data, List<double[]> misses, double known) {
+        Map<Channel, Squares> squares = squares(data, misses);
+        Set<Channel> stated = EnumSet.noneOf(Channel.class);
+        for (Misses of : data) {
+            of.rows().stream().filter(of::isStated).map(Misses.Row::channel).forEach(stated::add);
+        }
+        return new Outcome(misses, squares, stated, known);
+    }
+
+    /** What misses of each run come to by channel. */
+    static Map<Channel, Squares> squares(List<Misses> data, List<double[]> misses) {
         Map<Channel, Squares> squares = new EnumMap<>(Channel.class);
         for (int r = 0; r < data.size(); r++) {
             List<Misses.Row> rows = data.get(r).rows();
@@ -48,7 +72,7 @@ record Outcome(List<double[]> misses, Map<Channel, Squares> squares, double know
                 squares.put(rows.get(row).channel(), sum);
             }
         }
-        return new Outcome(misses, squares, known);
+        return squares;
     }
 
     /** Squared distance of a start from what is known of it, in standard deviations. */
@@ -81,14 +105,20 @@ record Outcome(List<double[]> misses, Map<Channel, Squares> squares, double know
         return squares.values().stream().mapToInt(Squares::count).sum();
     }
 
+    /** Mean square of a channel, but not below what is stated. */
+    double expected(Channel channel) {
+        return stated.contains(channel) ? Math.max(1, of(channel).mean()) : of(channel).mean();
+    }
+
     /**
      * Twice the negative logarithm of the likelihood, each channel's noise as large as its misses
-     * are.
+     * are, but not below what is stated.
      */
     double deviance() {
         double sum = known;
-        for (Squares ofChannel : squares.values()) {
-            sum += ofChannel.count() * Math.log(ofChannel.mean());
+        for (Map.Entry<Channel, Squares> of : squares.entrySet()) {
+            boolean isStated = stated.contains(of.getKey());
+            sum += isStated ? of.getValue().devianceFromStated() : of.getValue().deviance();
         }
         return Double.isNaN(sum) ? Double.POSITIVE_INFINITY : sum;
     }

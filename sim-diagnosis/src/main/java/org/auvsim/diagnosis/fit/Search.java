@@ -250,8 +250,7 @@ final class Search {
                     Math.max(
                             largest,
                             Whiteness.largest(
-                                    judged.outcome().misses().get(r),
-                                    judged.fit().data().get(r).rows().size()));
+                                    judged.outcome().misses().get(r), judged.fit().data().get(r)));
         }
         return largest;
     }

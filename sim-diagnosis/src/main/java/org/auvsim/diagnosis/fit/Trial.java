@@ -41,18 +41,22 @@ final class Trial {
 
     /**
      * Whether a hypothesis holds on the held-out runs: its parameters may move within what the runs
-     * of the fit leave open, which on a long or tumbling run makes all the difference.
+     * of the fit leave open, which on a long or tumbling run makes all the difference. One that
+     * predicts them worse than the model as it was believed does not hold.
      *
+     * @param before the model as it was believed, on the held-out runs
+     * @param predicted the hypothesis as it is on them
      * @param known of its parameters by the fit
      */
-    boolean passes(Judged fitted, Judged predicted, Knowledge known) {
+    boolean passes(Judged fitted, Judged before, Judged predicted, Knowledge known) {
         Fit fit =
                 predicted
                         .fit()
                         .with(fitted.fit().hypothesis(), predicted.fit().windows())
                         .knowing(known);
         Judged adjusted = Refinement.converge(Judged.of(fit), ADJUSTMENTS);
-        return Search.whiteness(adjusted) < LIMIT
+        return adjusted.outcome().deviance() < before.outcome().deviance() + Judged.PER_CAUSE
+                && Search.whiteness(adjusted) < LIMIT
                 && worstRatio(adjusted.outcome(), fitted.outcome()) < MOST_RATIO;
     }
 
@@ -71,7 +75,7 @@ final class Trial {
         double worst = 0;
         for (Channel channel : heldOut.squares().keySet()) {
             if (fitted.of(channel).count() > 0) {
-                double ratio = heldOut.of(channel).mean() / fitted.of(channel).mean();
+                double ratio = heldOut.of(channel).mean() / fitted.expected(channel);
                 worst = Math.max(worst, Math.sqrt(ratio));
             }
         }
@@ -98,10 +102,12 @@ final class Trial {
     /** Root mean square errors by channel, in the channel's unit. */
     Map<Channel, Gain> gains(Judged before, Judged after) {
         Map<Channel, Gain> gains = new EnumMap<>(Channel.class);
-        for (Channel channel : after.outcome().squares().keySet()) {
+        Map<Channel, Squares> errorsBefore = before.fit().errors();
+        Map<Channel, Squares> errorsAfter = after.fit().errors();
+        for (Channel channel : errorsAfter.keySet()) {
             double scale = noise.of(channel);
-            Squares without = before.outcome().of(channel);
-            Squares with = after.outcome().of(channel);
+            Squares without = errorsBefore.getOrDefault(channel, Outcome.NOTHING);
+            Squares with = errorsAfter.getOrDefault(channel, Outcome.NOTHING);
             gains.put(
                     channel,
                     new Gain(

@@ -17,14 +17,15 @@ final class Whiteness {
      * How unlikely the largest of the block sums is, as a normal deviate.
      *
      * @param misses sample by sample
-     * @param rows how many of them are of one sample
+     * @param of what they are of; what is stated of its errors may last, too
      */
-    static double largest(double[] misses, int rows) {
+    static double largest(double[] misses, Misses of) {
         double largest = 0;
-        for (int row = 0; row < rows; row++) {
-            double[] ofChannel = row(misses, row, rows);
-            double deviation = deviation(ofChannel);
-            if (deviation * deviation < Outcome.EXACT) {
+        for (int row = 0; row < of.rows().size(); row++) {
+            double[] ofChannel = row(misses, row, of.rows().size());
+            double own = deviation(ofChannel);
+            double deviation = of.isStated(of.rows().get(row)) ? Math.max(1, own) : own;
+            if (own * own < Outcome.EXACT) {
                 continue; // not measured, or without noise
             }
             for (int length : BLOCKS) {

@@ -97,7 +97,8 @@ final class CsvRuns {
                             Axes.of(mapping.axes()),
                             layout.frame(Slots.U),
                             layout.frame(Slots.P),
-                            body.usualOrientation());
+                            body.usualOrientation(),
+                            layout.lastingErrors());
             RunParts parts =
                     new RunParts(name, layout.commands(), samples, survey.extent(), known::tell);
             Clock clock = new Clock(survey);

@@ -4,6 +4,7 @@ import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.mapping.Names;
 import org.auvsim.auvsml.run.CellForm;
 import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.auvsml.run.MappedColumn;
 import org.auvsim.core.entity.Frame;
 
@@ -26,6 +27,7 @@ final class Layout {
     private final List<BoundColumn> columns = new ArrayList<>();
     private final List<String> commands = new ArrayList<>();
     private final Map<Integer, String> filled = new LinkedHashMap<>();
+    private final Map<Integer, LastingError> lasting = new LinkedHashMap<>();
     private final Set<String> meant = new LinkedHashSet<>();
 
     /**
@@ -57,6 +59,11 @@ final class Layout {
     /** The axes of a velocity: the body's, if one of those names is there. */
     Frame frame(List<String> inBody) {
         return inBody.stream().anyMatch(meant::contains) ? Frame.BODY : Frame.WORLD;
+    }
+
+    /** Errors that last, by the place of what they are of. */
+    Map<Integer, LastingError> lastingErrors() {
+        return lasting;
     }
 
     /** The column that has the time. */
@@ -104,7 +111,9 @@ final class Layout {
         if (Slots.byName().containsKey(meaning)) {
             int slot = Slots.byName().get(meaning);
             meant.add(meaning);
-            add(field, rule, slot, unit(slot, meaning));
+            double unit = unit(slot, meaning);
+            add(field, rule, slot, unit);
+            rule.lastingError().ifPresent(error -> lasting.put(slot, error.times(unit)));
         } else if (known.isKnown(meaning)) {
             for (CommandNames.Part part : known.parts(meaning)) {
                 int slot = Slots.COMMANDS + commands.size();

@@ -93,7 +93,8 @@ final class RecordedRuns {
     private List<MeasuredRun> runs(RecordedRows rows, List<String> actuators, RecordedPushes pushes)
             throws DocumentException {
         RowSample samples =
-                new RowSample(Axes.ENU, rows.frame(), rows.frame(), body.usualOrientation());
+                new RowSample(
+                        Axes.ENU, rows.frame(), rows.frame(), body.usualOrientation(), Map.of());
         Extent extent =
                 new Extent(rows.measured().size(), rows.told().size(), interval(rows.measured()));
         RunParts parts =

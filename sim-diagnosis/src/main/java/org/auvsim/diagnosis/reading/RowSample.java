@@ -1,10 +1,13 @@
 package org.auvsim.diagnosis.reading;
 
+import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+
+import java.util.Map;
 
 /** Turns the numbers of rows into samples of a run, in the simulator's axes. */
 final class RowSample {
@@ -12,6 +15,7 @@ final class RowSample {
     private final Frame velocity;
     private final Frame angularVelocity;
     private final Vec3 usualAngles;
+    private final Map<Integer, LastingError> lasting;
 
     /**
      * For rows in axes.
@@ -20,17 +24,37 @@ final class RowSample {
      * @param angularVelocity that of angular velocities
      * @param usual the orientation (body to world) whose angles stand in for those that are not
      *     measured
+     * @param lasting errors that last, by the place in a row of what they are of
      */
-    RowSample(Axes axes, Frame velocity, Frame angularVelocity, Quat usual) {
+    RowSample(
+            Axes axes,
+            Frame velocity,
+            Frame angularVelocity,
+            Quat usual,
+            Map<Integer, LastingError> lasting) {
         this.axes = axes;
         this.velocity = velocity;
         this.angularVelocity = angularVelocity;
         this.usualAngles = EulerAngles.of(axes.orientation(usual));
+        this.lasting = lasting;
     }
 
-    /** Says what the samples' axes are. */
+    /** Says what the samples' axes are, and which errors last. */
     void tell(MeasuredRunBuilder run) {
         run.frame(Channel.VELOCITY, velocity).frame(Channel.ANGULAR_VELOCITY, angularVelocity);
+        for (Channel channel : Channel.values()) {
+            for (int column = 0; column < 3; column++) {
+                LastingError error = lasting.get(Slots.measuredBy(channel) + column);
+                boolean isSwapped = axes == Axes.NED && column < 2 && !isInBody(channel);
+                if (error != null) {
+                    run.lastingError(channel, isSwapped ? 1 - column : column, error);
+                }
+            }
+        }
+        LastingError ofQuaternion = lasting.get(Slots.QUATERNION);
+        for (int axis = 0; ofQuaternion != null && axis < 3; axis++) {
+            run.lastingError(Channel.ORIENTATION, axis, ofQuaternion.times(2));
+        }
     }
 
     /** What was measured in a row. */

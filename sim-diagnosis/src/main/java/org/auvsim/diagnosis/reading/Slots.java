@@ -71,7 +71,7 @@ final class Slots {
     }
 
     /** The first of a channel's three; of orientations it is that of the angles. */
-    private static int measuredBy(Channel channel) {
+    static int measuredBy(Channel channel) {
         return switch (channel) {
             case POSITION -> POSITION;
             case ORIENTATION -> ANGLES;

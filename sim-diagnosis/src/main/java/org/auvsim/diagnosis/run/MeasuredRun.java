@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.run;
 
+import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
@@ -23,6 +24,7 @@ public final class MeasuredRun {
     private final Map<Channel, double[]> deviations;
     private final double[] quaternions;
     private final Map<Channel, Frame> frames;
+    private final Map<Channel, Map<Integer, LastingError>> lasting;
     private final List<Command> commands;
     private final List<ScheduledForce> forces;
     private final Optional<KnownStart> start;
@@ -37,6 +39,7 @@ public final class MeasuredRun {
         b.deviations.forEach((channel, values) -> keep(deviations, channel, values.toArray()));
         quaternions = b.quaternions.toArray();
         frames = new EnumMap<>(b.frames);
+        lasting = new EnumMap<>(b.lasting);
         commands = List.copyOf(b.commands());
         forces = List.copyOf(b.forces);
         start = b.start;
@@ -131,6 +134,17 @@ public final class MeasuredRun {
     /** The axes in which velocities of this channel were measured. */
     public Frame frame(Channel channel) {
         return frames.getOrDefault(channel, Frame.WORLD);
+    }
+
+    /**
+     * The error of what a channel tells along or about an axis (0 to 2) that lasts over samples.
+     */
+    public Optional<LastingError> lastingError(Channel channel, int axis) {
+        return Optional.ofNullable(lasting.getOrDefault(channel, Map.of()).get(axis));
+    }
+
+    Map<Channel, Map<Integer, LastingError>> lastingErrors() {
+        return lasting;
     }
 
     /** What the body was told, by actuator or force. */

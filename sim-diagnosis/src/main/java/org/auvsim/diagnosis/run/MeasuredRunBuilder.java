@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.run;
 
 import org.apache.commons.math3.util.ResizableDoubleArray;
+import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 
@@ -10,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.TreeMap;
 
 /** Takes a run sample by sample: {@link #at} begins one, the rest fills it. */
 public final class MeasuredRunBuilder {
@@ -21,6 +23,7 @@ public final class MeasuredRunBuilder {
     final Map<Channel, Numbers> deviations = new EnumMap<>(Channel.class);
     final Numbers quaternions = new Numbers();
     final Map<Channel, Frame> frames = new EnumMap<>(Channel.class);
+    final Map<Channel, Map<Integer, LastingError>> lasting = new EnumMap<>(Channel.class);
     final List<ScheduledForce> forces = new ArrayList<>();
     Optional<KnownStart> start = Optional.empty();
     KnownDifferences differences = KnownDifferences.NONE;
@@ -137,6 +140,12 @@ public final class MeasuredRunBuilder {
         return this;
     }
 
+    /** An error of what a channel tells along or about an axis (0 to 2) that lasts over samples. */
+    public MeasuredRunBuilder lastingError(Channel channel, int axis, LastingError error) {
+        lasting.computeIfAbsent(channel, _ -> new TreeMap<>()).put(axis, error);
+        return this;
+    }
+
     /** A force that acted for a while. */
     public MeasuredRunBuilder force(ScheduledForce force) {
         forces.add(force);
@@ -200,6 +209,7 @@ public final class MeasuredRunBuilder {
                 part.command(c, run.commands().get(c).level(k));
             }
         }
+        part.lasting.putAll(run.lastingErrors());
         run.forces().forEach(part::force);
         if (from == 0) {
             run.start().ifPresent(part::start);

@@ -6,7 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.auvsml.run.CellForm;
 import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.auvsml.run.MappedColumn;
+import org.auvsim.auvsml.run.MeasuredAxes;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
@@ -286,6 +288,36 @@ class CsvRunsTest {
                         run ->
                                 assertThat(run.start().orElseThrow().motion().velocity())
                                         .isEqualTo(new Vec3(1, 2, 3)));
+    }
+
+    @Test
+    void errorsThatLastAreThoseOfTheSimulatorsAxes() throws Exception {
+        ColumnMapping mapping =
+                new ColumnMapping(
+                        MeasuredAxes.NED,
+                        true,
+                        false,
+                        List.of(lasting("x", 0.1), lasting("depth", 0.2), lasting("roll", 3)));
+        MeasuredRun run =
+                Rov.run(folder, mapping, Rov.rows("x,depth,roll", 20, i -> i + ",2," + i));
+
+        assertThat(run.lastingError(Channel.POSITION, 1)).contains(new LastingError(0.1, 5));
+        assertThat(run.lastingError(Channel.POSITION, 2)).contains(new LastingError(0.2, 5));
+        assertThat(run.lastingError(Channel.POSITION, 0)).isEmpty();
+        assertThat(run.lastingError(Channel.ORIENTATION, 1).orElseThrow().deviation())
+                .isCloseTo(Math.toRadians(3), within(1e-12));
+        assertThat(run.part("part", 2, 9).lastingError(Channel.POSITION, 1)).isPresent();
+    }
+
+    private static MappedColumn lasting(String name, double deviation) {
+        return new MappedColumn(
+                name,
+                Optional.empty(),
+                1,
+                0,
+                CellForm.NUMBER,
+                false,
+                Optional.of(new LastingError(deviation, 5)));
     }
 
     @Test

@@ -1,0 +1,97 @@
+package org.auvsim.diagnosis.fit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.CholeskyDecomposition;
+import org.apache.commons.math3.linear.MatrixUtils;
+import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.RealVector;
+import org.auvsim.auvsml.run.LastingError;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import java.util.Random;
+
+/** The filter against the covariance of all samples at once, by its Cholesky decomposition. */
+class WhiteningTest {
+    private static final int SAMPLES = 30;
+    private static final int FROM = 4;
+    private static final double NOISE = 0.02;
+    private static final LastingError ERROR = new LastingError(0.05, 0.6);
+
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = {1, 2, 3})
+    void whatIsLeftIsWhatTheCovarianceLeaves(long seed) {
+        Random random = new Random(seed);
+        MeasuredRunBuilder builder = MeasuredRun.named("run");
+        double time = 0;
+        for (int k = 0; k < FROM + SAMPLES; k++) {
+            time += 0.02 + 0.2 * random.nextDouble();
+            builder.at(time);
+        }
+        MeasuredRun run = builder.build();
+        double[] off = random.doubles(SAMPLES, -0.2, 0.2).toArray();
+        double[] weights = new double[2 * (FROM + SAMPLES)];
+        double[] misses = new double[2 * SAMPLES];
+        for (int k = 0; k < SAMPLES; k++) {
+            weights[2 * (FROM + k) + 1] = 1 / NOISE;
+            misses[2 * k] = k;
+            misses[2 * k + 1] = off[k] / NOISE;
+        }
+
+        new Whitening(ERROR).apply(misses, weights, run, FROM, 1, 2);
+
+        RealVector expected = new ArrayRealVector(off);
+        RealMatrix root = new CholeskyDecomposition(covariance(run)).getL();
+        MatrixUtils.solveLowerTriangularSystem(root, expected);
+        for (int k = 0; k < SAMPLES; k++) {
+            assertThat(misses[2 * k + 1]).isCloseTo(expected.getEntry(k), within(1e-9));
+            assertThat(misses[2 * k]).isEqualTo(k);
+        }
+    }
+
+    private static RealMatrix covariance(MeasuredRun run) {
+        RealMatrix covariance = new Array2DRowRealMatrix(SAMPLES, SAMPLES);
+        for (int i = 0; i < SAMPLES; i++) {
+            for (int j = 0; j < SAMPLES; j++) {
+                double apart = Math.abs(run.time(FROM + i) - run.time(FROM + j));
+                double lasting = Math.pow(ERROR.deviation(), 2) * Math.exp(-apart / ERROR.time());
+                covariance.setEntry(i, j, lasting + (i == j ? NOISE * NOISE : 0));
+            }
+        }
+        return covariance;
+    }
+
+    @ParameterizedTest(name = "from sample {0}")
+    @ValueSource(ints = {0, 7, 8})
+    void whatIsNotMeasuredIsPassedOver(int missing) {
+        MeasuredRunBuilder all = MeasuredRun.named("all");
+        MeasuredRunBuilder others = MeasuredRun.named("others");
+        double[] misses = new double[SAMPLES];
+        double[] fewer = new double[SAMPLES - 1];
+        double[] weights = new double[SAMPLES];
+        double[] ones = new double[SAMPLES - 1];
+        int j = 0;
+        for (int k = 0; k < SAMPLES; k++) {
+            all.at(0.1 * k);
+            if (k != missing) {
+                others.at(0.1 * k);
+                misses[k] = k % 3;
+                weights[k] = 1;
+                fewer[j] = k % 3;
+                ones[j++] = 1;
+            }
+        }
+
+        new Whitening(ERROR).apply(misses, weights, all.build(), 0, 0, 1);
+        new Whitening(ERROR).apply(fewer, ones, others.build(), 0, 0, 1);
+
+        assertThat(misses[missing]).isZero();
+        assertThat(misses[SAMPLES - 1]).isCloseTo(fewer[SAMPLES - 2], within(1e-12));
+    }
+}

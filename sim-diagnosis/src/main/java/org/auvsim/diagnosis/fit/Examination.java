@@ -74,10 +74,7 @@ public final class Examination {
     private static boolean fails(Search.Found found, Trial trial, Judged before) {
         Hypothesis best = found.best().fit().hypothesis();
         return !passes(
-                found,
-                trial,
-                before,
-                found.best().isNone() ? before : trial.prediction(best));
+                found, trial, before, found.best().isNone() ? before : trial.prediction(best));
     }
 
     /**

@@ -16,7 +16,8 @@ import java.util.stream.IntStream;
  * Derivatives of a run's windows by very many parameters, at a fraction of a simulation each: in
  * short legs that all begin on the model's own motion, each parameter parts a variant from the
  * model; the model's transitions carry that on (variation of constants). What a parameter does to
- * the sensors is seen from the model's motion itself.
+ * the sensors is seen from the model's motion itself. Where errors of measurements last, what is
+ * missed in a leg depends on those before: then whole windows are simulated.
  */
 final class FirstOrder {
     /** Duration of a leg (s), if samples are not further apart: what causes do is slower. */
@@ -52,10 +53,16 @@ final class FirstOrder {
 
     private List<WindowDerivatives> windows(List<Window> windows) {
         int last = windows.size() - 1;
+        if (of.hasLastingErrors()) {
+            return IntStream.rangeClosed(0, last)
+                    .parallel()
+                    .mapToObj(w -> derivatives(windows.get(w), w == last, moves))
+                    .toList();
+        }
         List<WindowDerivatives> byStarts =
                 IntStream.rangeClosed(0, last)
                         .parallel()
-                        .mapToObj(w -> byStart(windows.get(w), w == last))
+                        .mapToObj(w -> derivatives(windows.get(w), w == last, Moves.NONE))
                         .toList();
         if (byStarts.stream().anyMatch(WindowDerivatives::isLost)) {
             return byStarts.stream().map(this::ofNothing).toList();
@@ -73,8 +80,9 @@ final class FirstOrder {
                 .toList();
     }
 
-    private WindowDerivatives byStart(Window window, boolean isLast) {
-        return WindowDerivatives.of(model, variant, of, window, isLast, group, Moves.NONE);
+    /** Those by whole simulations. */
+    private WindowDerivatives derivatives(Window window, boolean isLast, Moves by) {
+        return WindowDerivatives.of(model, variant, of, window, isLast, group, by);
     }
 
     private WindowDerivatives ofNothing(WindowDerivatives window) {

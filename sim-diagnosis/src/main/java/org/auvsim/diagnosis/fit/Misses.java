@@ -78,6 +78,11 @@ final class Misses {
         return 1 / (Double.isNaN(stated) ? noise.of(row.channel()) : stated);
     }
 
+    /** Whether what is missed of a sample tells of what is missed of those after it. */
+    boolean hasLastingErrors() {
+        return whitenings.stream().anyMatch(Optional::isPresent);
+    }
+
     MeasuredRun run() {
         return run;
     }

@@ -53,7 +53,7 @@ class BallDropsTest {
         assertThat(diagnosis.sentence())
                 .contains(
                         "this data cannot tell apart: linear drag is missing, or quadratic drag is"
-                            + " missing");
+                                + " missing");
     }
 
     private static void isDrag(Diagnosis diagnosis) {

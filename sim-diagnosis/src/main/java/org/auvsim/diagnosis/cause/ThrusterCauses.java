@@ -38,8 +38,10 @@ final class ThrusterCauses {
         for (Propulsor p : propulsors) {
             Predicate<Propulsor> it = other -> other.name().equals(p.name());
             causes.add(gain(it).about(p.name()));
-            causes.add(turned("angle", it, sideways(p)).about(p.name()));
-            causes.add(turned("tilt", it, upwards(p)).about(p.name()));
+            if (s.body().mount().isEmpty()) { // else it is a matter of strength alone
+                causes.add(turned("angle", it, sideways(p)).about(p.name()));
+                causes.add(turned("tilt", it, upwards(p)).about(p.name()));
+            }
             causes.add(loss(s, it).about(p.name()));
         }
         causes.add(deadZone());

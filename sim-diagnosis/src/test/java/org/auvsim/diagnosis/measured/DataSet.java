@@ -12,6 +12,7 @@ import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.reading.RunFiles;
 import org.auvsim.diagnosis.reading.RunReader;
 import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -66,6 +67,20 @@ final class DataSet {
         }
     }
 
+    /** The run in a file of the data. */
+    MeasuredRun run(BelievedModel model, String columns, String file) throws DocumentException {
+        ColumnMapping mapping = RunReader.mapping(example.resolve(columns), MAPPER);
+        return new RunReader(model, mapping, MAPPER).read(file(file)).runs().getFirst();
+    }
+
+    /** What runs say of a model. */
+    static Diagnosis diagnosis(
+            BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
+        return new Investigation(
+                        model, fit, heldOut, Library.of(model, fit), SEED, Progress.SILENT)
+                .diagnose();
+    }
+
     /** Runs in files of the data, with columns as the example states; none held out: by default. */
     static RunFiles runs(BelievedModel model, Path columns, List<Path> fit, List<Path> heldOut)
             throws DocumentException {
@@ -77,14 +92,6 @@ final class DataSet {
     Diagnosis diagnosis(BelievedModel model, String columns, List<Path> fit, List<Path> heldOut)
             throws DocumentException {
         RunFiles runs = runs(model, example.resolve(columns), fit, heldOut);
-        return new Investigation(
-                        model,
-                        runs.fit(),
-                        runs.heldOut(),
-                        Library.of(model, runs.fit()),
-                        SEED,
-                        Progress.SILENT)
-                .diagnose()
-                .noticing(runs.notices());
+        return diagnosis(model, runs.fit(), runs.heldOut()).noticing(runs.notices());
     }
 }

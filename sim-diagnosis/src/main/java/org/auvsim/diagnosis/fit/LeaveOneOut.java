@@ -24,6 +24,22 @@ final class LeaveOneOut {
         return predictions;
     }
 
+    /**
+     * The same, but its parameters may move within what the others leave open: a run may tell more
+     * of them than all others.
+     */
+    static List<Judged> adjusted(Judged judged) {
+        List<Judged> predictions = new ArrayList<>();
+        for (int r = 0; r < judged.fit().data().size(); r++) {
+            Judged others = Refinement.converge(Judged.of(without(judged.fit(), r)), STEPS);
+            Knowledge known = new Uncertainty(others).knowledge();
+            Fit alone = only(judged.fit(), r);
+            Fit open = alone.with(others.fit().hypothesis(), alone.windows()).knowing(known);
+            predictions.add(Refinement.converge(Judged.of(open), STEPS));
+        }
+        return predictions;
+    }
+
     /** Mean squared miss of a channel over all predictions, in units of the noise's. */
     static double meanSquare(List<Judged> predictions, Channel channel) {
         double sum = 0;

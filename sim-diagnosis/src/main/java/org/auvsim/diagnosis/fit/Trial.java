@@ -62,7 +62,7 @@ final class Trial {
 
     /** Whether each of the runs that all were searched with is predicted by the others. */
     static boolean holdsLeftOut(Judged fitted) {
-        return LeaveOneOut.predictions(fitted).stream()
+        return LeaveOneOut.adjusted(fitted).stream()
                 .allMatch(
                         prediction ->
                                 Search.whiteness(prediction) < LIMIT

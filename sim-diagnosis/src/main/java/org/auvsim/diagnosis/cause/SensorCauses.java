@@ -74,6 +74,7 @@ final class SensorCauses {
                                         v.sensed(
                                                 sensing ->
                                                         sensing.scaled(new Vec3(t[0], t[1], t[2]))))
+                        .toldAsFactors()
                         .asGeneric(),
                 Change.of(
                                 "position_drift",

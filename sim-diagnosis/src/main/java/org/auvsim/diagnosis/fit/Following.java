@@ -108,7 +108,8 @@ final class Following {
 
     /** A model without faults needs no more than a known start. */
     private Fitted inOneGo(KnownStart known) {
-        return fit(new Window(0, run.size() - 1, known.motion()), true, known, FEW_ITERATIONS);
+        Window whole = new Window(0, run.size() - 1, known.motion());
+        return fit(whole, true, asFarAsKnown(known), FEW_ITERATIONS);
     }
 
     /** Each begins where the one before has led, or where the measurement says. */
@@ -159,11 +160,20 @@ final class Following {
 
     private Fitted fit(int from, int to, RigidMotion guess) {
         KnownStart near =
-                from == 0 && run.start().isPresent()
-                        ? run.start().get()
+                from == 0
+                        ? run.start().map(this::asFarAsKnown).orElse(new KnownStart(guess, looseness))
                         : new KnownStart(guess, looseness);
         boolean isLast = to == run.size() - 1;
         return fit(new Window(from, to, guess), isLast, near, MOST_ITERATIONS);
+    }
+
+    /** What is not known of a start is near what the model has: a body that is not upside down. */
+    private KnownStart asFarAsKnown(KnownStart start) {
+        List<Double> deviations = new ArrayList<>();
+        for (int i = 0; i < looseness.size(); i++) {
+            deviations.add(Math.min(start.deviations().get(i), looseness.get(i)));
+        }
+        return new KnownStart(start.motion(), deviations);
     }
 
     /** Gauss-Newton steps, halved until they help. */

@@ -161,7 +161,9 @@ final class Following {
     private Fitted fit(int from, int to, RigidMotion guess) {
         KnownStart near =
                 from == 0
-                        ? run.start().map(this::asFarAsKnown).orElse(new KnownStart(guess, looseness))
+                        ? run.start()
+                                .map(this::asFarAsKnown)
+                                .orElse(new KnownStart(guess, looseness))
                         : new KnownStart(guess, looseness);
         boolean isLast = to == run.size() - 1;
         return fit(new Window(from, to, guess), isLast, near, MOST_ITERATIONS);

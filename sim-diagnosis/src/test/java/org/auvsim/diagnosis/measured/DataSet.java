@@ -76,8 +76,7 @@ final class DataSet {
     /** What runs say of a model. */
     static Diagnosis diagnosis(
             BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
-        return new Investigation(
-                        model, fit, heldOut, Library.of(model, fit), SEED, Progress.SILENT)
+        return new Investigation(model, fit, heldOut, Library.of(model, fit), SEED, Progress.SILENT)
                 .diagnose();
     }
 

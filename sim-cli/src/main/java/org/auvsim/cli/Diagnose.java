@@ -32,6 +32,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 
 /** {@code auvsim diagnose}. */
@@ -98,6 +99,15 @@ final class Diagnose implements Callable<Integer> {
             description = "The world object that was measured, if several can move.")
     private Optional<String> body = Optional.empty();
 
+    @Option(
+            names = "--parts",
+            paramLabel = "SECONDS",
+            description =
+                    "Cuts the runs to fit into parts of about that length, each with a start of its"
+                            + " own: for long runs of unstable vehicles, and models that are only"
+                            + " nearly right.")
+    private OptionalDouble parts = OptionalDouble.empty();
+
     @Mixin private final RunFormat format = new RunFormat();
 
     @Option(
@@ -128,7 +138,7 @@ final class Diagnose implements Callable<Integer> {
         BelievedModel model = model(ScenarioFile.load(scenarioFile, err));
         AuvsmlMapper mapper = AuvsmlMapper.load(Diagnose.class.getClassLoader());
         RunReader reader = new RunReader(model, format.mapping(mapper), mapper);
-        RunFiles runs = RunFiles.read(reader, fit, heldOut);
+        RunFiles runs = inParts(RunFiles.read(reader, fit, heldOut));
         runs.notices().forEach(notice -> err.println("notice: " + notice));
         err.flush();
         prepareFolder();
@@ -137,6 +147,14 @@ final class Diagnose implements Callable<Integer> {
             tell(diagnosis);
             boolean isWrong = diagnosis.verdict() != Verdict.NONE;
             return failOnDiscrepancy && isWrong ? DISCREPANCY : ExitCode.OK;
+        }
+    }
+
+    private RunFiles inParts(RunFiles runs) {
+        try {
+            return parts.isPresent() ? runs.inParts(parts.getAsDouble()) : runs;
+        } catch (IllegalArgumentException e) {
+            throw new UserError("--parts: " + e.getMessage(), e);
         }
     }
 

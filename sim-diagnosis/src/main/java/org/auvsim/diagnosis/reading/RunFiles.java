@@ -54,6 +54,44 @@ public record RunFiles(List<MeasuredRun> fit, List<MeasuredRun> heldOut, List<St
         return told(toFit, toJudge, notices, all);
     }
 
+    /**
+     * The same, the runs to fit cut into equal parts of about a time (s), each with a start of its
+     * own: so far ahead a model is then asked to predict, and no further. Parts have 16 samples at
+     * least.
+     *
+     * @throws IllegalArgumentException if the time is not above 0
+     */
+    public RunFiles inParts(double seconds) {
+        if (!(seconds > 0)) {
+            throw new IllegalArgumentException(
+                    "parts of runs must be longer than 0 s, but are to be of %s s"
+                            .formatted(seconds));
+        }
+        List<MeasuredRun> parts = new ArrayList<>();
+        List<String> told = new ArrayList<>(notices);
+        for (MeasuredRun run : fit) {
+            long most = Math.max(1, run.size() / RunParts.FEWEST);
+            int count = (int) Math.clamp(Math.round(run.duration() / seconds), 1, most);
+            for (int i = 0; i < count; i++) {
+                parts.add(part(run, i, count));
+            }
+            told.add(
+                    "%s: fitted in %d parts of %s s, each with a start of its own"
+                            .formatted(run.name(), count, Figures.shown(run.duration() / count)));
+        }
+        return new RunFiles(parts, heldOut, told);
+    }
+
+    private static MeasuredRun part(MeasuredRun run, int i, int of) {
+        int last = run.size() - 1;
+        return of == 1
+                ? run
+                : run.part(
+                        run.name() + "-" + (i + 1),
+                        (int) ((long) i * last / of),
+                        (int) ((long) (i + 1) * last / of));
+    }
+
     private static RunFiles told(
             List<MeasuredRun> fit, List<MeasuredRun> heldOut, List<String> notices, List<Path> all)
             throws DocumentException {

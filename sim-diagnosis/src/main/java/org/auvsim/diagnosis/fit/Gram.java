@@ -107,6 +107,15 @@ final class Gram {
 
     /** The change of these parameters that explains most. */
     double[] solve(int[] columns) {
+        return solve(columns, RIDGE);
+    }
+
+    /**
+     * The same, damped.
+     *
+     * @param damping share of a column's size that is added to it (Marquardt 1963)
+     */
+    double[] solve(int[] columns, double damping) {
         int n = columns.length;
         double[][] matrix = new double[n][n];
         double[] right = new double[n];
@@ -119,7 +128,7 @@ final class Gram {
             for (int b = 0; b < a; b++) {
                 matrix[a][b] = products[columns[a]][columns[b]] / scale[a] / scale[b];
             }
-            matrix[a][a] = 1 + RIDGE;
+            matrix[a][a] = 1 + damping;
             right[a] = -products[columns[a]][misses] / scale[a];
         }
         double[] solution = new Cholesky(matrix).solve(right);

@@ -20,6 +20,9 @@ final class Refinement {
     /** Steps that turn windows by less (rad) have arrived. */
     private static final double ARRIVED = 0.02;
 
+    /** Steps that do not lead on, though they should, are damped by these (Marquardt 1963). */
+    private static final double[] DAMPINGS = {1e-3, 1e-2, 0.1, 1};
+
     /** A share of the cost that is not worth a step. */
     private static final double ENOUGH = 1e-4;
 
@@ -28,11 +31,13 @@ final class Refinement {
     /** A step that is to be made. */
     private static final class Step {
         private final List<List<WindowBlock>> blocks;
+        private final Gram gram;
         private final double[] change;
         private double turn;
 
-        Step(List<List<WindowBlock>> blocks, double[] change) {
+        Step(List<List<WindowBlock>> blocks, Gram gram, double[] change) {
             this.blocks = blocks;
+            this.gram = gram;
             this.change = change;
             for (List<WindowBlock> ofRun : blocks) {
                 for (WindowBlock block : ofRun) {
@@ -44,6 +49,16 @@ final class Refinement {
         /** By how much (rad) the window that turns most does so. */
         double turn() {
             return turn;
+        }
+
+        /** The same, shorter along what is hardly determined. */
+        Step damped(double damping) {
+            return new Step(blocks, gram, gram.solve(all(change.length), damping));
+        }
+
+        /** By how much it should make the cost smaller, starts and all. */
+        double promise(double cost) {
+            return cost - gram.cost() + gram.drop(all(change.length), change);
         }
 
         /** Windows and parameters after a share of it, and of what keeps it linear. */
@@ -65,13 +80,16 @@ final class Refinement {
         }
         List<List<WindowBlock>> blocks = fit.blocks(derivatives, perBlock);
         int size = fit.hypothesis().size();
-        int[] all = IntStream.range(0, size).toArray();
         Gram gram = Gram.of(blocks, size).with(fit.knowledge(), fit.hypothesis().numbers());
         if (!gram.isFinite()) {
             return Optional.empty();
         }
-        double[] change = size == 0 ? new double[0] : gram.solve(all);
-        return Optional.of(new Step(blocks, change));
+        double[] change = size == 0 ? new double[0] : gram.solve(all(size));
+        return Optional.of(new Step(blocks, gram, change));
+    }
+
+    private static int[] all(int size) {
+        return IntStream.range(0, size).toArray();
     }
 
     private static Fit moved(
@@ -128,7 +146,7 @@ final class Refinement {
         Judged best = start;
         for (int s = 0; s < mostSteps && Double.isFinite(best.cost()); s++) {
             Judged next = better(best);
-            boolean isWorthIt = best.cost() - next.cost() > ENOUGH * next.cost();
+            boolean isWorthIt = isWorthIt(best.cost() - next.cost(), next);
             best = next;
             if (!isWorthIt) {
                 break;
@@ -137,16 +155,40 @@ final class Refinement {
         return best;
     }
 
+    private static boolean isWorthIt(double gain, Judged of) {
+        return gain > ENOUGH * of.cost();
+    }
+
     private static Judged better(Judged from) {
         Optional<Step> step = step(from.fit(), 1);
+        if (step.isEmpty()) {
+            return from;
+        }
+        Judged next = shortened(from, step.get());
+        boolean shouldGoOn = isWorthIt(step.get().promise(from.cost()), from);
+        return shouldGoOn && !isWorthIt(from.cost() - next.cost(), next)
+                ? damped(from, step.get(), next)
+                : next;
+    }
+
+    private static Judged shortened(Judged from, Step step) {
         double share = 1;
-        for (int h = 0; h < MOST_HALVINGS && step.isPresent(); h++) {
-            Judged tried = Judged.of(step.get().from(from.fit(), share));
+        for (int h = 0; h < MOST_HALVINGS; h++) {
+            Judged tried = Judged.of(step.from(from.fit(), share));
             if (tried.cost() < from.cost()) {
                 return tried;
             }
             share /= 3;
         }
         return from;
+    }
+
+    private static Judged damped(Judged from, Step step, Judged otherwise) {
+        Judged best = otherwise;
+        for (double damping : DAMPINGS) {
+            Judged tried = Judged.of(step.damped(damping).from(from.fit(), 1));
+            best = tried.cost() < best.cost() ? tried : best;
+        }
+        return best;
     }
 }

@@ -66,7 +66,7 @@ record Path(
 
     private static double speed(MeasuredRun run, int from, int to) {
         if (run.measures(Channel.VELOCITY)) {
-            return run.vector(Channel.VELOCITY, from).map(Vec3::norm).orElse(Double.NaN);
+            return run.norm(Channel.VELOCITY, from);
         }
         double square = 0;
         for (int axis = 0; axis < 3; axis++) {

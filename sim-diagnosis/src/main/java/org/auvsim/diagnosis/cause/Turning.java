@@ -32,7 +32,7 @@ final class Turning {
 
     private static double rate(MeasuredRun run, int from, int to) {
         if (run.measures(Channel.ANGULAR_VELOCITY)) {
-            return run.vector(Channel.ANGULAR_VELOCITY, to).map(w -> w.norm()).orElse(Double.NaN);
+            return run.norm(Channel.ANGULAR_VELOCITY, to);
         }
         Optional<Quat> before = run.orientation(from);
         Optional<Quat> after = run.orientation(to);

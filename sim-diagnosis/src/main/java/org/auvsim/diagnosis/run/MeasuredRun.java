@@ -112,6 +112,18 @@ public final class MeasuredRun {
         return v.isFinite() ? Optional.of(v) : Optional.empty();
     }
 
+    /** Length of a vector by the axes along which it was measured; NaN if it was along none. */
+    public double norm(Channel channel, int sample) {
+        double square = Double.NaN;
+        for (int axis = 0; axis < AXES; axis++) {
+            double along = value(channel, sample, axis);
+            if (!Double.isNaN(along)) {
+                square = (Double.isNaN(square) ? 0 : square) + along * along;
+            }
+        }
+        return Math.sqrt(square);
+    }
+
     /** Body to world; what was not measured of it is as good as can be known. */
     public Optional<Quat> orientation(int sample) {
         int i = 4 * sample;

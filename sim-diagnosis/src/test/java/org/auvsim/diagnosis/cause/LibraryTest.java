@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.cause;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
@@ -10,6 +11,9 @@ import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble;
 import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -86,6 +90,29 @@ class LibraryTest {
                 .doesNotContain("coulomb_friction", "thruster_gain", "restitution", "cob_offset");
         assertThat(library(Tank.bare()).stream().map(Cause::id))
                 .doesNotContain("thruster_lag", "contact_friction");
+    }
+
+    /** A speed that is measured along one axis alone is one, too. */
+    @Test
+    void whatIsSmallGoesByWhatIsMeasuredOfTheSpeed() {
+        MeasuredRunBuilder slow = MeasuredRun.named("slow");
+        MeasuredRunBuilder fast = MeasuredRun.named("fast");
+        for (int k = 0; k < SAMPLES; k++) {
+            slow.at(k).measured(Channel.VELOCITY, Double.NaN, 0.1, Double.NaN);
+            fast.at(k).measured(Channel.VELOCITY, Double.NaN, 2, Double.NaN);
+        }
+
+        assertThat(raceScale(fast.build())).isCloseTo(20 * raceScale(slow.build()), within(1e-12));
+    }
+
+    private static double raceScale(MeasuredRun run) {
+        return Library.of(STEERED, List.of(run)).stream()
+                .filter(cause -> cause.id().equals("fin_race"))
+                .findFirst()
+                .orElseThrow()
+                .parameters()
+                .getFirst()
+                .scale();
     }
 
     @Test

@@ -32,7 +32,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 
 /** {@code auvsim diagnose}. */
@@ -106,7 +105,7 @@ final class Diagnose implements Callable<Integer> {
                     "Cuts the runs to fit into parts of about that length, each with a start of its"
                             + " own: for long runs of unstable vehicles, and models that are only"
                             + " nearly right.")
-    private OptionalDouble parts = OptionalDouble.empty();
+    private Optional<Double> parts = Optional.empty();
 
     @Mixin private final RunFormat format = new RunFormat();
 
@@ -152,7 +151,7 @@ final class Diagnose implements Callable<Integer> {
 
     private RunFiles inParts(RunFiles runs) {
         try {
-            return parts.isPresent() ? runs.inParts(parts.getAsDouble()) : runs;
+            return parts.isPresent() ? runs.inParts(parts.get()) : runs;
         } catch (IllegalArgumentException e) {
             throw new UserError("--parts: " + e.getMessage(), e);
         }

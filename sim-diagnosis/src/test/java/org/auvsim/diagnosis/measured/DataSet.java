@@ -57,6 +57,11 @@ final class DataSet {
         return data.resolve(name);
     }
 
+    /** A file of the example. */
+    Path example(String name) {
+        return example.resolve(name);
+    }
+
     /** The body of a scenario of the example. */
     BelievedModel model(String scenario, String body) {
         try {

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.reading;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.run.ColumnMapping;
@@ -142,6 +143,26 @@ class RunFilesTest {
         assertThat(files.fit()).extracting(MeasuredRun::name).containsExactly("one", "two");
         assertThat(files.heldOut()).extracting(MeasuredRun::name).containsExactly("three");
         assertThat(files.notices()).isEmpty();
+    }
+
+    @Test
+    void runsToFitAreCutIntoPartsThatShareTheirBorders() throws Exception {
+        RunFiles runs = RunFiles.read(reader, List.of(run("one", 0)), List.of(run("two", 5)));
+        double whole = runs.fit().getFirst().duration();
+
+        RunFiles parts = runs.inParts(whole / 3);
+
+        assertThat(parts.fit())
+                .extracting(MeasuredRun::name)
+                .containsExactly("one-1", "one-2", "one-3");
+        assertThat(parts.fit().get(1).time(0))
+                .isEqualTo(parts.fit().get(0).time(parts.fit().get(0).size() - 1));
+        assertThat(parts.fit().stream().mapToDouble(MeasuredRun::duration).sum())
+                .isCloseTo(whole, within(1e-9));
+        assertThat(parts.heldOut()).isEqualTo(runs.heldOut());
+        assertThat(parts.notices().getLast()).startsWith("one: fitted in 3 parts");
+        assertThat(runs.inParts(1e-3).fit()).allMatch(part -> part.size() >= 16);
+        assertThatThrownBy(() -> runs.inParts(0)).hasMessageContaining("longer than 0 s");
     }
 
     @Test

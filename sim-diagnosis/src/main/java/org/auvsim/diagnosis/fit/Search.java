@@ -18,7 +18,7 @@ final class Search {
     private static final int SECOND_ROUND = 10;
     private static final int SECOND_STEPS = 3;
     private static final int THIRD_ROUND = 4;
-    private static final int THIRD_STEPS = 12;
+    private static final int THIRD_STEPS = 40;
     private static final int FORWARD = 4;
 
     private final BelievedModel model;

@@ -94,6 +94,7 @@ class StateFeedbackConversationTest {
 
     @Test
     void aStateInNorthEastDownIsTakenAndItsErrorsAreTold() throws IOException {
+        robot.next("timestep-advanced-notification");
         robot.send(
                 state(
                         1,
@@ -116,6 +117,7 @@ class StateFeedbackConversationTest {
 
     @Test
     void theFilterWeighsAPositionByItsCovariance() throws IOException {
+        robot.next("timestep-advanced-notification");
         robot.send(
                 state(
                         1,

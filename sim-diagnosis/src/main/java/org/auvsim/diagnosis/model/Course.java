@@ -12,9 +12,12 @@ final class Course {
     /**
      * The motion at a time (s); before the first sample and after the last along the nearest cubic.
      *
-     * @param motions two or more, at a run's samples from {@code from} on
+     * @param motions at a run's samples from {@code from} on; a single one goes on as it is
      */
     static RigidMotion at(RigidMotion[] motions, MeasuredRun run, int from, double time) {
+        if (motions.length == 1) {
+            return goingOn(motions[0], time - run.time(from));
+        }
         int low = 0;
         int high = motions.length - 1;
         while (high - low > 1) {
@@ -28,6 +31,15 @@ final class Course {
         double begin = run.time(from + low);
         double span = run.time(from + low + 1) - begin;
         return between(motions[low], motions[low + 1], span, (time - begin) / span);
+    }
+
+    private static RigidMotion goingOn(RigidMotion motion, double span) {
+        double[] change = new double[RigidMotion.SIZE];
+        double[] velocities = velocities(motion);
+        for (int i = 0; i < HALF; i++) {
+            change[i] = span * velocities[i];
+        }
+        return motion.plus(change);
     }
 
     private static RigidMotion between(RigidMotion a, RigidMotion b, double span, double s) {

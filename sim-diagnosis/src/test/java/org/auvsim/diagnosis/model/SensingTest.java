@@ -61,6 +61,18 @@ class SensingTest {
         }
     }
 
+    /** A leg of one sample has no other that it could lie between. */
+    @Test
+    void aSingleSampleGoesOnAsItIs() {
+        RigidMotion[] told = told(Sensing.EXACT.delayed(-0.1), SAMPLES - 1);
+
+        RigidMotion last = motion(0.1 * (SAMPLES - 1));
+        assertThat(told).hasSize(1);
+        assertThat(told[0].position().distance(last.position().plus(last.velocity().times(0.1))))
+                .isLessThan(1e-12);
+        assertThat(told[0].velocity()).isEqualTo(last.velocity());
+    }
+
     @Test
     void scaleTurnYawAndDriftAreOfTheRunsTime() {
         Sensing sensing =

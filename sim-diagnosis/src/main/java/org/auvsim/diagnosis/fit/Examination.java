@@ -175,6 +175,7 @@ public final class Examination {
 
     private static List<Finding> findings(Search.Found found, Uncertainty uncertainty) {
         Hypothesis hypothesis = found.best().fit().hypothesis();
+        List<List<Double>> deviations = uncertainty.deviations();
         List<Finding> findings = new ArrayList<>();
         for (int c = 0; c < hypothesis.causes().size(); c++) {
             Cause cause = hypothesis.causes().get(c);
@@ -183,7 +184,7 @@ public final class Examination {
                             cause.id(),
                             cause.subject(),
                             cause.quantities(hypothesis.theta().get(c)),
-                            uncertainty.deviations(c),
+                            deviations.get(c),
                             share(found.without(c), found.best())));
         }
         return findings;

@@ -22,7 +22,8 @@ final class Gram {
     private final double[][] products;
     private final int misses;
 
-    private Gram(double[][] products) {
+    /** Of products of columns with one another, those with the misses last. */
+    Gram(double[][] products) {
         this.products = products;
         this.misses = products.length - 1;
     }
@@ -85,9 +86,21 @@ final class Gram {
         return new Gram(sum);
     }
 
+    /** The same with other misses, of which the products with each column are given. */
+    Gram missing(double[] withColumns) {
+        double[][] other = products.clone();
+        other[misses] = Arrays.copyOf(withColumns, misses + 1);
+        return new Gram(other);
+    }
+
     /** Sum of the squared misses that no change of the starts explains. */
     double cost() {
         return products[misses][misses];
+    }
+
+    /** How many columns there are. */
+    int columns() {
+        return misses;
     }
 
     /** Size of a column: root of its sum of squares, the starts projected out. */
@@ -129,7 +142,7 @@ final class Gram {
                 matrix[a][b] = products[columns[a]][columns[b]] / scale[a] / scale[b];
             }
             matrix[a][a] = 1 + damping;
-            right[a] = -products[columns[a]][misses] / scale[a];
+            right[a] = -products[misses][columns[a]] / scale[a];
         }
         double[] solution = new Cholesky(matrix).solve(right);
         for (int a = 0; a < n; a++) {
@@ -142,7 +155,7 @@ final class Gram {
     double drop(int[] columns, double[] change) {
         double drop = 0;
         for (int a = 0; a < columns.length; a++) {
-            drop -= 2 * change[a] * products[columns[a]][misses];
+            drop -= 2 * change[a] * products[misses][columns[a]];
             for (int b = 0; b < columns.length; b++) {
                 drop -= change[a] * products[columns[a]][columns[b]] * change[b];
             }

@@ -14,6 +14,13 @@ final class Knowledge {
         this.information = information;
     }
 
+    /** That one of some numbers is what it is, but for a deviation. */
+    static Knowledge of(double[] numbers, int one, double deviation) {
+        double[][] information = new double[numbers.length][numbers.length];
+        information[one][one] = 1 / (deviation * deviation);
+        return new Knowledge(numbers, information);
+    }
+
     /** Adds its squared misses to products of columns and misses. */
     void addTo(double[][] products, double[] theta) {
         int n = mean.length;

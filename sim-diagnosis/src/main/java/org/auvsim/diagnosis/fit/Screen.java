@@ -82,6 +82,16 @@ final class Screen {
         return new Traces(Gram.of(blocks, moves.size()), seeds);
     }
 
+    /** What the best of all causes promises where nothing is missed but noise. */
+    Chance chance() {
+        List<List<WindowBlock>> blocks = base.blocks(derivatives, base.longest());
+        return Chance.of(Gram.of(blocks, moves.size()), this::bestPromise);
+    }
+
+    private double bestPromise(Gram gram) {
+        return singles(gram).stream().mapToDouble(Promise::score).findFirst().orElse(0);
+    }
+
     /** Sets of so many causes (1 or 2), from each level, where they promise most. */
     List<Start> starts(int size) {
         return starts(gram -> size == 1 ? bestSingles(gram) : bestPairs(gram));

@@ -21,6 +21,11 @@ final class Search {
     private static final int THIRD_STEPS = 40;
     private static final int FORWARD = 4;
 
+    /** A gain below this may be one of noise, among so many causes. */
+    private static final double DOUBTFUL = 30;
+
+    private static final double FALSE_ALARMS = 0.01;
+
     private final BelievedModel model;
     private final Noise noise;
     private final Fit base;
@@ -98,6 +103,7 @@ final class Search {
             Judged generic = searched(none, library);
             best = generic.score() < best.score() ? generic : best;
         }
+        best = isByChance(none, best) ? none : best;
         List<Judged> sorted =
                 judged.stream().sorted(Comparator.comparingDouble(Judged::score)).toList();
         List<Judged> near = best.isNone() ? List.of() : Alternatives.competitors(best, sorted);
@@ -111,6 +117,16 @@ final class Search {
                 decided.equals(best) ? near : Alternatives.competitors(decided, sorted),
                 beside.traces(),
                 noise);
+    }
+
+    /** Whether noise alone would gain as much, among all causes together, too often. */
+    private boolean isByChance(Judged none, Judged best) {
+        double gain = none.score() - best.score();
+        if (best.isNone() || gain > DOUBTFUL || !course.goesOn()) {
+            return false;
+        }
+        Screen screen = new Screen(base, library, guesses, none.outcome().count());
+        return gain < screen.chance().exceededBy(FALSE_ALARMS);
     }
 
     private Judged searched(Judged none, List<Cause> causes) {

@@ -10,10 +10,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** How well the parameters of a fit are determined: the covariance at its optimum. */
+/**
+ * How well the parameters of a fit are determined: the covariance at its optimum, and what the
+ * profile of the likelihood makes of it.
+ */
 final class Uncertainty {
     private final Judged fitted;
     private final double[][] information;
+    private final double excess;
 
     /** That of a fit that has converged. */
     Uncertainty(Judged fitted) {
@@ -23,7 +27,7 @@ final class Uncertainty {
         int[] all = IntStream.range(0, size).toArray();
         Gram gram = Gram.of(fit.blocks(fit.derivatives(), 1), size);
         information = gram.information(all);
-        double excess = Math.max(1, fitted.cost() / fitted.outcome().count());
+        excess = Math.max(1, fitted.cost() / fitted.outcome().count());
         for (double[] row : information) {
             for (int i = 0; i < row.length; i++) {
                 row[i] /= excess;
@@ -42,20 +46,30 @@ final class Uncertainty {
                 .getInverse();
     }
 
-    /** Standard deviations of the quantities of one of the causes. */
-    List<Double> deviations(int cause) {
-        Hypothesis hypothesis = fitted.fit().hypothesis();
-        int first = 0;
-        for (int c = 0; c < cause; c++) {
-            first += hypothesis.theta().get(c).length;
+    /** Standard deviations of the quantities of all causes, as profiled. */
+    List<List<Double>> deviations() {
+        RealMatrix covariance = covariance();
+        double[] stretches = new Profile(fitted, covariance, excess).stretches();
+        for (int i = 0; i < stretches.length; i++) {
+            for (int j = 0; j < stretches.length; j++) {
+                covariance.multiplyEntry(i, j, stretches[i] * stretches[j]);
+            }
         }
-        double[] theta = hypothesis.theta().get(cause);
-        RealMatrix part =
-                covariance()
-                        .getSubMatrix(
-                                first, first + theta.length - 1, first, first + theta.length - 1);
-        RealMatrix slopes = slopes(hypothesis.causes().get(cause), theta);
-        RealMatrix ofQuantities = slopes.multiply(part).multiply(slopes.transpose());
+        Hypothesis hypothesis = fitted.fit().hypothesis();
+        List<List<Double>> deviations = new ArrayList<>();
+        int first = 0;
+        for (int c = 0; c < hypothesis.causes().size(); c++) {
+            double[] theta = hypothesis.theta().get(c);
+            int last = first + theta.length - 1;
+            RealMatrix part = covariance.getSubMatrix(first, last, first, last);
+            deviations.add(ofQuantities(slopes(hypothesis.causes().get(c), theta), part));
+            first = last + 1;
+        }
+        return deviations;
+    }
+
+    private static List<Double> ofQuantities(RealMatrix slopes, RealMatrix covariance) {
+        RealMatrix ofQuantities = slopes.multiply(covariance).multiply(slopes.transpose());
         return IntStream.range(0, ofQuantities.getRowDimension())
                 .mapToObj(q -> Math.sqrt(Math.max(0, ofQuantities.getEntry(q, q))))
                 .toList();

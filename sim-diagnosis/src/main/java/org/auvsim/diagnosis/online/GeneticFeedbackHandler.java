@@ -1,17 +1,8 @@
 package org.auvsim.diagnosis.online;
 
-import org.auvsim.auvsml.document.FeedbackProcessing;
-import org.auvsim.auvsml.message.Message;
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
-import org.auvsim.core.world.World;
 import org.auvsim.diagnosis.Method;
-import org.auvsim.server.feedback.Correction;
-import org.auvsim.server.simulator.AccompaniedProcessor;
-import org.auvsim.server.simulator.Companion;
-
-import java.util.List;
-import java.util.function.Consumer;
 
 /**
  * Corrects and learns as {@link LearningFeedbackHandler} does, but by {@link Method#GENETIC}: a
@@ -29,14 +20,14 @@ public record GeneticFeedbackHandler(
         @Unit("s") @Default("30.0") double after,
         @Default("6000") int keep,
         @Default("1") long seed)
-        implements FeedbackProcessing, AccompaniedProcessor {
+        implements LearningProcessor {
     /**
      * A checked processor.
      *
      * @throws IllegalArgumentException if it would learn without pause, or keep too little
      */
     public GeneticFeedbackHandler {
-        var _ = plan(extendsWorld, after, keep, seed);
+        var _ = new LearningPlan(extendsWorld, after, keep, seed, Method.GENETIC);
     }
 
     /** Filters, announces, and changes nothing. */
@@ -45,30 +36,7 @@ public record GeneticFeedbackHandler(
     }
 
     @Override
-    public Phase phase() {
-        return correctsBy.processor().phase();
-    }
-
-    @Override
-    public boolean looksBack() {
-        return correctsBy.processor().looksBack();
-    }
-
-    @Override
-    public void process(Correction correction) {
-        correctsBy.processor().process(correction);
-    }
-
-    @Override
-    public Companion companion(World world, long objectId, Consumer<List<Message>> toSimulator) {
-        return new Learner(
-                objectId,
-                Belief.of(world, objectId),
-                plan(extendsWorld, after, keep, seed),
-                toSimulator);
-    }
-
-    private static LearningPlan plan(boolean extendsWorld, double after, int keep, long seed) {
-        return new LearningPlan(extendsWorld, after, keep, seed, Method.GENETIC);
+    public Method method() {
+        return Method.GENETIC;
     }
 }

@@ -1,17 +1,8 @@
 package org.auvsim.diagnosis.online;
 
-import org.auvsim.auvsml.document.FeedbackProcessing;
-import org.auvsim.auvsml.message.Message;
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
-import org.auvsim.core.world.World;
 import org.auvsim.diagnosis.Method;
-import org.auvsim.server.feedback.Correction;
-import org.auvsim.server.simulator.AccompaniedProcessor;
-import org.auvsim.server.simulator.Companion;
-
-import java.util.List;
-import java.util.function.Consumer;
 
 /**
  * Corrects an object as another processor does, and learns meanwhile: what was measured and
@@ -30,14 +21,14 @@ public record LearningFeedbackHandler(
         @Unit("s") @Default("30.0") double after,
         @Default("6000") int keep,
         @Default("1") long seed)
-        implements FeedbackProcessing, AccompaniedProcessor {
+        implements LearningProcessor {
     /**
      * A checked processor.
      *
      * @throws IllegalArgumentException if it would learn without pause, or keep too little
      */
     public LearningFeedbackHandler {
-        var _ = plan(extendsWorld, after, keep, seed);
+        var _ = new LearningPlan(extendsWorld, after, keep, seed, Method.SHOOTING);
     }
 
     /** Filters, announces, and changes nothing. */
@@ -46,30 +37,7 @@ public record LearningFeedbackHandler(
     }
 
     @Override
-    public Phase phase() {
-        return correctsBy.processor().phase();
-    }
-
-    @Override
-    public boolean looksBack() {
-        return correctsBy.processor().looksBack();
-    }
-
-    @Override
-    public void process(Correction correction) {
-        correctsBy.processor().process(correction);
-    }
-
-    @Override
-    public Companion companion(World world, long objectId, Consumer<List<Message>> toSimulator) {
-        return new Learner(
-                objectId,
-                Belief.of(world, objectId),
-                plan(extendsWorld, after, keep, seed),
-                toSimulator);
-    }
-
-    private static LearningPlan plan(boolean extendsWorld, double after, int keep, long seed) {
-        return new LearningPlan(extendsWorld, after, keep, seed, Method.SHOOTING);
+    public Method method() {
+        return Method.SHOOTING;
     }
 }

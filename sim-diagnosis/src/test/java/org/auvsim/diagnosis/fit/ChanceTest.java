@@ -37,12 +37,16 @@ class ChanceTest {
         double ofOne = Math.pow(1 - RARE, 1.0 / COLUMNS);
 
         assertThat(Chance.of(columns(false), ChanceTest::largestDrop).exceededBy(RARE))
-                .isCloseTo(new ChiSquaredDistribution(1).inverseCumulativeProbability(ofOne), within(1.2));
+                .isCloseTo(
+                        new ChiSquaredDistribution(1).inverseCumulativeProbability(ofOne),
+                        within(1.2));
     }
 
     @Test
     void ofColumnsThatAreAlikeThereIsButOne() {
         assertThat(Chance.of(columns(true), ChanceTest::largestDrop).exceededBy(RARE))
-                .isCloseTo(new ChiSquaredDistribution(1).inverseCumulativeProbability(1 - RARE), within(0.5));
+                .isCloseTo(
+                        new ChiSquaredDistribution(1).inverseCumulativeProbability(1 - RARE),
+                        within(0.5));
     }
 }

@@ -99,6 +99,21 @@ final class Diagnose implements Callable<Integer> {
     private Optional<String> body = Optional.empty();
 
     @Option(
+            names = "--from",
+            paramLabel = "SECONDS",
+            defaultValue = "0",
+            description =
+                    "Leaves out what is earlier than so long after each run's first row (default:"
+                            + " ${DEFAULT-VALUE}).")
+    private double from;
+
+    @Option(
+            names = "--until",
+            paramLabel = "SECONDS",
+            description = "Leaves out what is later than so long after each run's first row.")
+    private double until = Double.POSITIVE_INFINITY;
+
+    @Option(
             names = "--parts",
             paramLabel = "SECONDS",
             description =
@@ -136,7 +151,7 @@ final class Diagnose implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         BelievedModel model = model(ScenarioFile.load(scenarioFile, err));
         AuvsmlMapper mapper = AuvsmlMapper.load(Diagnose.class.getClassLoader());
-        RunReader reader = new RunReader(model, format.mapping(mapper), mapper);
+        RunReader reader = between(new RunReader(model, format.mapping(mapper), mapper));
         RunFiles runs = inParts(RunFiles.read(reader, fit, heldOut));
         runs.notices().forEach(notice -> err.println("notice: " + notice));
         err.flush();
@@ -146,6 +161,14 @@ final class Diagnose implements Callable<Integer> {
             tell(diagnosis);
             boolean isWrong = diagnosis.verdict() != Verdict.NONE;
             return failOnDiscrepancy && isWrong ? DISCREPANCY : ExitCode.OK;
+        }
+    }
+
+    private RunReader between(RunReader reader) {
+        try {
+            return reader.between(from, until);
+        } catch (IllegalArgumentException e) {
+            throw new UserError("--from, --until: " + e.getMessage(), e);
         }
     }
 

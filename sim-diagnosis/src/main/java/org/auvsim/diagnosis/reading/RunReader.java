@@ -27,6 +27,7 @@ public final class RunReader {
     private final AuvsmlMapper mapper;
     private final Documents documents;
     private final MeasuredBody body;
+    private final Stretch stretch;
 
     /**
      * A reader of runs of the model's body.
@@ -35,11 +36,27 @@ public final class RunReader {
      * @param mapper knows the effects and currents that documents may state
      */
     public RunReader(BelievedModel model, ColumnMapping mapping, AuvsmlMapper mapper) {
+        this(model, mapping, mapper, Stretch.WHOLE);
+    }
+
+    private RunReader(
+            BelievedModel model, ColumnMapping mapping, AuvsmlMapper mapper, Stretch stretch) {
         this.model = model;
         this.mapping = mapping;
         this.mapper = mapper;
         this.documents = new Documents(mapper);
         this.body = new MeasuredBody(model.variant().body());
+        this.stretch = stretch;
+    }
+
+    /**
+     * A reader that takes of each run only what is between two times (s) after its first row.
+     *
+     * @param until infinite for the end
+     * @throws IllegalArgumentException unless 0 &lt;= from &lt; until
+     */
+    public RunReader between(double from, double until) {
+        return new RunReader(model, mapping, mapper, new Stretch(from, until));
     }
 
     /**
@@ -100,7 +117,7 @@ public final class RunReader {
         for (MeasuredRun run : runs) {
             notices.addAll(new Plausibility(model, run).notices(file));
         }
-        return new RunFile(file, runs, document.role(), notices);
+        return new RunFile(file, stretch.of(runs, file), document.role(), notices);
     }
 
     private RunFile recorded(Path file, String name) throws DocumentException {

@@ -77,6 +77,49 @@ class RunFilesTest {
         assertThat(run.differences().currents()).extracting(c -> c.name()).containsExactly("ebb");
     }
 
+    /** Rows are 0.1 s apart. */
+    @Test
+    void ofEachRunOnlyAStretchMayCount() throws Exception {
+        Path one = run("one", 0);
+        Path other = run("other", 100);
+
+        RunFiles runs = RunFiles.read(reader.between(1, 4), List.of(one), List.of(other));
+
+        MeasuredRun run = runs.fit().getFirst();
+        MeasuredRun whole = reader.read(one).runs().getFirst();
+        assertThat(run.size()).isEqualTo(31);
+        assertThat(run.time(0)).isEqualTo(whole.time(10));
+        assertThat(run.time(30)).isEqualTo(whole.time(40));
+        assertThat(run.value(Channel.POSITION, 0, 0)).isEqualTo(10);
+        assertThat(runs.heldOut().getFirst().size()).isEqualTo(31);
+    }
+
+    @Test
+    void whatIsKnownOfARunsStartGoesWithItsFirstRow() throws Exception {
+        Path file = run("dive", 0);
+        document(
+                "dive",
+                "<run><start><position x=\"1\" y=\"2\" z=\"3\" deviation=\"0.1\"/></start></run>");
+
+        assertThat(reader.between(0, 4).read(file).runs().getFirst().start()).isPresent();
+        assertThat(reader.between(1, 4).read(file).runs().getFirst().start()).isEmpty();
+    }
+
+    @Test
+    void aStretchOfWhichARunHasTooLittleIsRefused() throws Exception {
+        Path file = run("dive", 0);
+
+        assertThatThrownBy(() -> reader.between(5, 60).read(file))
+                .isInstanceOf(DocumentException.class)
+                .hasMessage(
+                        file
+                                + ": run 'dive' has 10 rows from 5 s until 60 s after its first, of"
+                                + " its 5.9 s; expected 16 at least");
+        assertThatThrownBy(() -> reader.between(4, 4))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("until 4 s");
+    }
+
     @Test
     void aWrongDocumentIsToldWithItsPlace() throws Exception {
         Path file = run("dive", 0);

@@ -1,0 +1,69 @@
+package org.auvsim.diagnosis.reading;
+
+import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The part of each run that counts.
+ *
+ * @param from seconds after the run's first row, 0 or more
+ * @param until likewise, later; infinite for the end
+ */
+record Stretch(double from, double until) {
+    /** All of a run. */
+    static final Stretch WHOLE = new Stretch(0, Double.POSITIVE_INFINITY);
+
+    /** Times in files are rounded: a row that is earlier by less (s) is at the time. */
+    private static final double ROUNDED = 1e-6;
+
+    Stretch {
+        if (!(from >= 0) || !(until > from)) {
+            throw new IllegalArgumentException(
+                    "a run is taken from %s s until %s s after its first row; expected 0 or more, and a later end"
+                            .formatted(Figures.shown(from), Figures.shown(until)));
+        }
+    }
+
+    /**
+     * Those parts of the runs of a file.
+     *
+     * @throws DocumentException if too little of a run is left
+     */
+    List<MeasuredRun> of(List<MeasuredRun> runs, Path file) throws DocumentException {
+        if (equals(WHOLE)) {
+            return runs;
+        }
+        List<MeasuredRun> parts = new ArrayList<>();
+        for (MeasuredRun run : runs) {
+            int first = before(run, from);
+            int last = before(run, until + 2 * ROUNDED) - 1;
+            if (last - first + 1 < RunParts.FEWEST) {
+                throw new DocumentException(
+                        "%s: run '%s' has %d rows from %s s until %s s after its first, of its %s s; expected %d at least"
+                                .formatted(
+                                        file,
+                                        run.name(),
+                                        Math.max(0, last - first + 1),
+                                        Figures.shown(from),
+                                        Figures.shown(until),
+                                        Figures.shown(run.duration()),
+                                        RunParts.FEWEST));
+            }
+            parts.add(run.part(run.name(), first, last));
+        }
+        return parts;
+    }
+
+    /** How many rows are before a time (s) after the first. */
+    private static int before(MeasuredRun run, double time) {
+        int rows = 0;
+        while (rows < run.size() && run.time(rows) - run.time(0) < time - ROUNDED) {
+            rows++;
+        }
+        return rows;
+    }
+}

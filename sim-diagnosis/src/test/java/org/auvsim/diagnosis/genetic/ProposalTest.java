@@ -8,16 +8,21 @@ import org.auvsim.diagnosis.result.Verdict;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import java.util.Set;
+
 /** Where no cause explains what is measured, a formula is proposed, and named nowhere. */
 class ProposalTest {
     /** A drag along x that grows with the distance from the plane y = 0: no library has it. */
     private static final PushedSphere SPHERE =
             new PushedSphere((p, v) -> new double[] {-6 * Math.abs(p[1]) * v[0], 0, 0});
 
+    private static final Set<String> CAUSES =
+            Set.of("linear_drag", "quadratic_drag", "current_constant");
+
     @ParameterizedTest(name = "seed {0}")
     @ValueSource(longs = 1)
     void aForceThatNoCauseHasIsImitatedByAFormula(long seed) {
-        Diagnosis diagnosis = SPHERE.investigation(seed).diagnose();
+        Diagnosis diagnosis = SPHERE.investigation(seed, CAUSES).diagnose();
 
         assertThat(diagnosis.verdict()).as(diagnosis.sentence()).isEqualTo(Verdict.UNEXPLAINED);
         assertThat(diagnosis.selected()).isEmpty();

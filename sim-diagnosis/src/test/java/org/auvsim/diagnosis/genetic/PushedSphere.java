@@ -9,6 +9,7 @@ import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Sphere;
 import org.auvsim.core.world.World;
 import org.auvsim.diagnosis.Investigation;
+import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.model.BelievedModel;
@@ -16,6 +17,7 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 
 import java.util.List;
+import java.util.Set;
 import java.util.SplittableRandom;
 
 /** A sphere that is pushed about, with a force that its model lacks; it is integrated here. */
@@ -81,11 +83,13 @@ record PushedSphere(Law law) {
         }
     }
 
-    /** Two runs to search with, one held out. */
-    Investigation investigation(long seed) {
+    /** Two runs to search these causes with, one held out. */
+    Investigation investigation(long seed, Set<String> causes) {
         BelievedModel model = model();
         List<MeasuredRun> fit = List.of(run(seed), run(seed + 1));
+        List<Cause> candidates =
+                Library.of(model, fit).stream().filter(c -> causes.contains(c.name())).toList();
         return new Investigation(
-                model, fit, List.of(run(seed + 2)), Library.of(model, fit), seed, Progress.SILENT);
+                model, fit, List.of(run(seed + 2)), candidates, seed, Progress.SILENT);
     }
 }

@@ -1,5 +1,6 @@
 package org.auvsim.auvsml.run;
 
+import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
 import org.auvsim.core.entity.Domain;
 
@@ -10,8 +11,10 @@ import org.auvsim.core.entity.Domain;
  *
  * @param deviation standard deviation, in the usual unit of its column
  * @param time in which it is forgotten
+ * @param grows whether there is none of it where a motion begins, as of a prediction that strays
+ *     from what is known there; else it is there from the first row on
  */
-public record LastingError(double deviation, @Unit("s") double time) {
+public record LastingError(double deviation, @Unit("s") double time, @Default("0") boolean grows) {
     /**
      * A checked error.
      *
@@ -22,8 +25,13 @@ public record LastingError(double deviation, @Unit("s") double time) {
         Domain.above0("a lasting error", "time", time, "s");
     }
 
+    /** One that is there from the first row on. */
+    public LastingError(double deviation, double time) {
+        this(deviation, time, false);
+    }
+
     /** The same in another unit. */
     public LastingError times(double factor) {
-        return new LastingError(deviation * Math.abs(factor), time);
+        return new LastingError(deviation * Math.abs(factor), time, grows);
     }
 }

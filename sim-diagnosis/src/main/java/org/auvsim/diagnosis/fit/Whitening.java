@@ -25,7 +25,7 @@ final class Whitening {
     void apply(double[] misses, double[] weights, MeasuredRun run, int from, int row, int rows) {
         double square = error.deviation() * error.deviation();
         double expected = 0;
-        double variance = square;
+        double variance = error.grows() ? 0 : square;
         int samples = misses.length / rows;
         for (int k = 0; k < samples; k++) {
             if (k > 0) {

@@ -23,10 +23,21 @@ class WhiteningTest {
     private static final int FROM = 4;
     private static final double NOISE = 0.02;
     private static final LastingError ERROR = new LastingError(0.05, 0.6);
+    private static final LastingError GROWING = new LastingError(0.05, 0.6, true);
 
     @ParameterizedTest(name = "seed {0}")
     @ValueSource(longs = {1, 2, 3})
     void whatIsLeftIsWhatTheCovarianceLeaves(long seed) {
+        isWhatTheCovarianceLeaves(seed, ERROR);
+    }
+
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = {1, 2, 3})
+    void anErrorThatGrowsIsNoneWhereTheMotionBegins(long seed) {
+        isWhatTheCovarianceLeaves(seed, GROWING);
+    }
+
+    private static void isWhatTheCovarianceLeaves(long seed, LastingError error) {
         Random random = new Random(seed);
         MeasuredRunBuilder builder = MeasuredRun.named("run");
         double time = 0;
@@ -44,10 +55,10 @@ class WhiteningTest {
             misses[2 * k + 1] = off[k] / NOISE;
         }
 
-        new Whitening(ERROR).apply(misses, weights, run, FROM, 1, 2);
+        new Whitening(error).apply(misses, weights, run, FROM, 1, 2);
 
         RealVector expected = new ArrayRealVector(off);
-        RealMatrix root = new CholeskyDecomposition(covariance(run)).getL();
+        RealMatrix root = new CholeskyDecomposition(covariance(run, error)).getL();
         MatrixUtils.solveLowerTriangularSystem(root, expected);
         for (int k = 0; k < SAMPLES; k++) {
             assertThat(misses[2 * k + 1]).isCloseTo(expected.getEntry(k), within(1e-9));
@@ -55,12 +66,15 @@ class WhiteningTest {
         }
     }
 
-    private static RealMatrix covariance(MeasuredRun run) {
+    private static RealMatrix covariance(MeasuredRun run, LastingError error) {
         RealMatrix covariance = new Array2DRowRealMatrix(SAMPLES, SAMPLES);
         for (int i = 0; i < SAMPLES; i++) {
             for (int j = 0; j < SAMPLES; j++) {
                 double apart = Math.abs(run.time(FROM + i) - run.time(FROM + j));
-                double lasting = Math.pow(ERROR.deviation(), 2) * Math.exp(-apart / ERROR.time());
+                double since = run.time(FROM + i) + run.time(FROM + j) - 2 * run.time(FROM);
+                double old = error.grows() ? Math.exp(-since / error.time()) : 0;
+                double lasting =
+                        Math.pow(error.deviation(), 2) * (Math.exp(-apart / error.time()) - old);
                 covariance.setEntry(i, j, lasting + (i == j ? NOISE * NOISE : 0));
             }
         }

@@ -5,11 +5,14 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /** Measurements that tell otherwise than the body moves. */
 final class SensorCauses {
     private static final int YAW = 2;
+    private static final List<String> AXES = List.of("x", "y", "z");
     private static final double LONGEST_DELAY = 5;
 
     private SensorCauses() {}
@@ -50,7 +53,48 @@ final class SensorCauses {
         if (s.measures(Channel.POSITION)) {
             causes.addAll(ofPositions(s));
         }
+        int[] placed = placedAxes(s);
+        if (placed.length > 0) {
+            causes.add(offset(placed, s));
+        }
         return causes;
+    }
+
+    /**
+     * The axes along which positions were measured of a body whose place was known at the start.
+     */
+    private static int[] placedAxes(Setting s) {
+        return IntStream.range(0, AXES.size())
+                .filter(axis -> s.runs().stream().anyMatch(run -> isPlaced(run, axis)))
+                .toArray();
+    }
+
+    private static boolean isPlaced(MeasuredRun run, int axis) {
+        return run.measures(Channel.POSITION, axis)
+                && run.start().filter(at -> Double.isFinite(at.deviations().get(axis))).isPresent();
+    }
+
+    /** Elsewhere than at a known start it cannot be told from where the body is. */
+    private static Cause offset(int[] axes, Setting s) {
+        return Change.of(
+                "sensor_offset",
+                Arrays.stream(axes)
+                        .mapToObj(
+                                axis ->
+                                        Parameter.signed(
+                                                "offset." + AXES.get(axis),
+                                                "m",
+                                                0.05 * s.path().range()))
+                        .toList(),
+                (v, t) -> v.sensed(sensing -> sensing.shifted(vector(axes, t))));
+    }
+
+    private static Vec3 vector(int[] axes, double[] along) {
+        double[] all = new double[AXES.size()];
+        for (int i = 0; i < axes.length; i++) {
+            all[axes[i]] = along[i];
+        }
+        return new Vec3(all[0], all[1], all[2]);
     }
 
     private static boolean measuresYaw(MeasuredRun run) {

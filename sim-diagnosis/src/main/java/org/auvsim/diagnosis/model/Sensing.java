@@ -14,35 +14,43 @@ import org.auvsim.server.feedback.RigidMotion;
  * @param turn by which the sensors' axes are off the world's (rotation vector, rad)
  * @param yaw by which orientations are off about the vertical (rad)
  * @param yawRate by which that grows (rad/s)
+ * @param offset by which positions are off (m)
  * @param drift by which positions run away from the run's beginning on (m/s)
  */
-public record Sensing(double delay, Vec3 scale, Vec3 turn, double yaw, double yawRate, Vec3 drift) {
+public record Sensing(
+        double delay, Vec3 scale, Vec3 turn, double yaw, double yawRate, Vec3 offset, Vec3 drift) {
     /** What is told is what is. */
-    public static final Sensing EXACT = new Sensing(0, Vec3.ZERO, Vec3.ZERO, 0, 0, Vec3.ZERO);
+    public static final Sensing EXACT =
+            new Sensing(0, Vec3.ZERO, Vec3.ZERO, 0, 0, Vec3.ZERO, Vec3.ZERO);
 
     /** The same, older by a time (s). */
     public Sensing delayed(double more) {
-        return new Sensing(delay + more, scale, turn, yaw, yawRate, drift);
+        return new Sensing(delay + more, scale, turn, yaw, yawRate, offset, drift);
     }
 
     /** The same, its coordinates larger by shares. */
     public Sensing scaled(Vec3 more) {
-        return new Sensing(delay, scale.plus(more), turn, yaw, yawRate, drift);
+        return new Sensing(delay, scale.plus(more), turn, yaw, yawRate, offset, drift);
     }
 
     /** The same, its axes turned on (rotation vector, rad). */
     public Sensing turned(Vec3 more) {
-        return new Sensing(delay, scale, turn.plus(more), yaw, yawRate, drift);
+        return new Sensing(delay, scale, turn.plus(more), yaw, yawRate, offset, drift);
     }
 
     /** The same, its orientations off by more (rad, rad/s) about the vertical. */
     public Sensing yawed(double more, double moreRate) {
-        return new Sensing(delay, scale, turn, yaw + more, yawRate + moreRate, drift);
+        return new Sensing(delay, scale, turn, yaw + more, yawRate + moreRate, offset, drift);
+    }
+
+    /** The same, its positions off by more (m). */
+    public Sensing shifted(Vec3 more) {
+        return new Sensing(delay, scale, turn, yaw, yawRate, offset.plus(more), drift);
     }
 
     /** The same, its positions running away faster (m/s). */
     public Sensing drifting(Vec3 more) {
-        return new Sensing(delay, scale, turn, yaw, yawRate, drift.plus(more));
+        return new Sensing(delay, scale, turn, yaw, yawRate, offset, drift.plus(more));
     }
 
     /**
@@ -75,7 +83,7 @@ public record Sensing(double delay, Vec3 scale, Vec3 turn, double yaw, double ya
         Vec3 p = then.position();
         Vec3 v = then.velocity();
         return new RigidMotion(
-                axes.rotate(inScale(p)).plus(drift.times(since)),
+                axes.rotate(inScale(p)).plus(offset).plus(drift.times(since)),
                 heading.times(axes).times(then.orientation()).normalized(),
                 axes.rotate(inScale(v)).plus(drift),
                 axes.rotate(then.angularVelocity()));

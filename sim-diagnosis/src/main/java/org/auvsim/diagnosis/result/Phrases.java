@@ -63,6 +63,7 @@ public final class Phrases {
         put("sensor_bias", "The measured heading is off");
         put("sensor_drift", "The measured heading drifts");
         put("position_drift", "The measured position drifts");
+        put("sensor_offset", "The zero of the measured positions is off");
         put("sensor_scale", "The scale of the measured positions is wrong");
         put("sensor_delay", "The measurement is late");
         put("clock_offset", "The clock of the measurement is off");

@@ -74,12 +74,13 @@ class SensingTest {
     }
 
     @Test
-    void scaleTurnYawAndDriftAreOfTheRunsTime() {
+    void scaleTurnYawOffsetAndDriftAreOfTheRunsTime() {
         Sensing sensing =
                 Sensing.EXACT
                         .scaled(new Vec3(0.1, 0, -0.2))
                         .turned(UP.times(0.4))
                         .yawed(0.2, 0.01)
+                        .shifted(new Vec3(0, 0.5, -0.1))
                         .drifting(new Vec3(0.03, 0, 0));
         RigidMotion told = told(sensing, 20)[5];
         RigidMotion moved = motion(2.5);
@@ -89,7 +90,7 @@ class SensingTest {
         RigidMotion expected =
                 new RigidMotion(
                         axes.rotate(new Vec3(1.1 * p.x(), p.y(), 0.8 * p.z()))
-                                .plus(new Vec3(0.03 * 2.5, 0, 0)),
+                                .plus(new Vec3(0.03 * 2.5, 0.5, -0.1)),
                         Quat.ofAxisAngle(UP, 0.4 + 0.2 + 0.025).times(moved.orientation()),
                         axes.rotate(new Vec3(1.1 * v.x(), v.y(), 0.8 * v.z()))
                                 .plus(new Vec3(0.03, 0, 0)),

@@ -9,12 +9,14 @@ import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble;
 import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * A body on which causes are shown: what is measured of it if its model lacks one.
@@ -131,6 +133,12 @@ record CauseStage(String objects, RigidMotion start, double seconds) {
         {0.5, 0.1, 0.1, 0.2}
     };
 
+    /** Where a run begins is known to a millimetre, and nothing else of its start. */
+    private static final List<Double> PLACED =
+            IntStream.range(0, RigidMotion.SIZE)
+                    .mapToObj(i -> i < 3 ? 1e-3 : Double.POSITIVE_INFINITY)
+                    .toList();
+
     private BelievedModel model() {
         String xml = "<scenario><time-step delta=\"0.02\"/>" + objects + "</scenario>";
         try {
@@ -156,6 +164,9 @@ record CauseStage(String objects, RigidMotion start, double seconds) {
                 Vec3 p = motions[k].position();
                 run.position(p.x(), p.y(), p.z()).orientation(motions[k].orientation());
             }
+        }
+        if (motions.length > 0) {
+            run.start(new KnownStart(start, PLACED));
         }
         return run.build();
     }

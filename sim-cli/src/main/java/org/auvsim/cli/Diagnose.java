@@ -10,6 +10,7 @@ import org.auvsim.cli.report.UserError;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.diagnosis.Investigation;
 import org.auvsim.diagnosis.Method;
+import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.reading.RunFiles;
@@ -125,6 +126,15 @@ final class Diagnose implements Callable<Integer> {
     @Mixin private final RunFormat format = new RunFormat();
 
     @Option(
+            names = "--causes",
+            split = ",",
+            paramLabel = "ID",
+            description =
+                    "Looks for these causes only, as docs/causes.md names them; of one thruster:"
+                            + " \"thruster_gain (port)\".")
+    private List<String> causes = new ArrayList<>();
+
+    @Option(
             names = "--seed",
             paramLabel = "N",
             defaultValue = "1",
@@ -191,12 +201,21 @@ final class Diagnose implements Callable<Integer> {
                             model,
                             runs.fit(),
                             runs.heldOut(),
-                            Library.of(model, runs.fit()),
+                            candidates(model, runs),
                             seed,
                             method,
                             bar)
                     .diagnose()
                     .noticing(runs.notices());
+        }
+    }
+
+    private List<Cause> candidates(BelievedModel model, RunFiles runs) {
+        List<Cause> library = Library.of(model, runs.fit());
+        try {
+            return causes.isEmpty() ? library : Library.named(causes, library);
+        } catch (IllegalArgumentException e) {
+            throw new UserError("--causes: " + e.getMessage(), e);
         }
     }
 

@@ -93,6 +93,28 @@ class DiagnoseTest {
     }
 
     @Test
+    void aCauseThatCannotBeLookedForIsToldWithThoseThatCan() throws IOException {
+        Path model = auvsim.file("model.xml", BALL);
+        Path run = fall("run.csv", 0);
+
+        assertThat(
+                        auvsim.run(
+                                "diagnose",
+                                "--scenario",
+                                model,
+                                "--fit",
+                                run,
+                                "--causes",
+                                "linear_drag,rust",
+                                "--out",
+                                folder.resolve("report")))
+                .isEqualTo(2);
+        assertThat(auvsim.err())
+                .contains("--causes: no cause 'rust' can be looked for in these runs")
+                .contains("quadratic_drag");
+    }
+
+    @Test
     void aWrongCellIsNamedWithItsPlace() throws IOException {
         Path model = auvsim.file("model.xml", BALL);
         Path run = auvsim.file("run.csv", "t,x\n0,1\n0.1,far\n");

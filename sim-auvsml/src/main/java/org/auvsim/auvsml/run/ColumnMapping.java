@@ -4,6 +4,7 @@ import org.auvsim.core.description.Default;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
@@ -13,16 +14,18 @@ import java.util.stream.Stream;
  * @param axes of positions, orientations and velocities
  * @param degrees whether angles and their rates are in degrees
  * @param ignoreOthers whether columns with unknown names are left out
+ * @param start how the body moved at the first row of each run whose document does not say so
  * @param column those whose name or unit is another
  */
 public record ColumnMapping(
         @Default("ENU") MeasuredAxes axes,
         @Default("0") boolean degrees,
         @Default("0") boolean ignoreOthers,
+        Optional<RunStart> start,
         List<MappedColumn> column) {
     /** Columns have their usual names and units. */
     public static final ColumnMapping USUAL =
-            new ColumnMapping(MeasuredAxes.ENU, false, false, List.of());
+            new ColumnMapping(MeasuredAxes.ENU, false, false, Optional.empty(), List.of());
 
     /**
      * A checked mapping.
@@ -41,17 +44,17 @@ public record ColumnMapping(
 
     /** The same with positions and velocities in axes x north, y east, z down. */
     public ColumnMapping inNed() {
-        return new ColumnMapping(MeasuredAxes.NED, degrees, ignoreOthers, column);
+        return new ColumnMapping(MeasuredAxes.NED, degrees, ignoreOthers, start, column);
     }
 
     /** The same with angles in degrees. */
     public ColumnMapping inDegrees() {
-        return new ColumnMapping(axes, true, ignoreOthers, column);
+        return new ColumnMapping(axes, true, ignoreOthers, start, column);
     }
 
     /** The same, columns with unknown names left out. */
     public ColumnMapping ignoringOthers() {
-        return new ColumnMapping(axes, degrees, true, column);
+        return new ColumnMapping(axes, degrees, true, start, column);
     }
 
     /** The same with columns that replace what it says of those of their names. */
@@ -60,6 +63,6 @@ public record ColumnMapping(
         Stream<MappedColumn> kept = column.stream().filter(c -> !replaced.contains(c.name()));
         List<MappedColumn> all = new ArrayList<>(kept.toList());
         all.addAll(more);
-        return new ColumnMapping(axes, degrees, ignoreOthers, all);
+        return new ColumnMapping(axes, degrees, ignoreOthers, start, all);
     }
 }

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.ServiceLoader;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 
 /** The causes that are known. */
 public final class Library {
@@ -49,5 +50,32 @@ public final class Library {
             causes.addAll(family.of(model, runs));
         }
         return List.copyOf(causes);
+    }
+
+    /**
+     * Those of a library that are named, by their ids or with what they are about as {@link
+     * Cause#name} has it.
+     *
+     * @throws IllegalArgumentException if a name is that of none
+     */
+    public static List<Cause> named(List<String> names, List<Cause> library) {
+        for (String name : names) {
+            if (library.stream().noneMatch(cause -> isNamed(cause, name))) {
+                throw new IllegalArgumentException(
+                        "no cause '%s' can be looked for in these runs; those that can are %s"
+                                .formatted(
+                                        name,
+                                        library.stream()
+                                                .map(Cause::name)
+                                                .collect(Collectors.joining(", "))));
+            }
+        }
+        return library.stream()
+                .filter(cause -> names.stream().anyMatch(name -> isNamed(cause, name)))
+                .toList();
+    }
+
+    private static boolean isNamed(Cause cause, String name) {
+        return cause.id().equals(name) || cause.name().equals(name);
     }
 }

@@ -18,13 +18,16 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Tells runs what the document beside their file says of them. */
+/** Tells runs what is stated of them: by the document beside their file, or else of all runs. */
 final class KnownOfRun {
     private final Run run;
+    private final Optional<RunStart> start;
     private boolean hasBegun;
 
-    KnownOfRun(Run run) {
+    /** By the document of a run, and how runs begin whose document does not say so. */
+    KnownOfRun(Run run, Optional<RunStart> usualStart) {
         this.run = run;
+        this.start = run.start().or(() -> usualStart);
     }
 
     /** What follows is another run, which begins as stated, too. */
@@ -35,7 +38,7 @@ final class KnownOfRun {
     /** Tells the next part; the start is that of the first of a run. */
     void tell(MeasuredRunBuilder part) {
         if (!hasBegun) {
-            run.start().map(KnownOfRun::start).ifPresent(part::start);
+            start.map(KnownOfRun::start).ifPresent(part::start);
         }
         hasBegun = true;
         run.scheduledForce().stream().map(KnownOfRun::force).forEach(part::force);

@@ -106,7 +106,8 @@ public final class RunReader {
     private RunFile csv(Path file, String name) throws DocumentException {
         List<String> notices = new ArrayList<>();
         Run document = documentBeside(file, name, notices);
-        CsvRuns csv = new CsvRuns(file, name, mapping, body, new KnownOfRun(document));
+        KnownOfRun known = new KnownOfRun(document, mapping.start());
+        CsvRuns csv = new CsvRuns(file, name, mapping, body, known);
         List<MeasuredRun> runs = csv.read();
         notices.addAll(csv.notices());
         return checked(file, runs, document, notices);
@@ -123,8 +124,8 @@ public final class RunReader {
     private RunFile recorded(Path file, String name) throws DocumentException {
         List<String> notices = new ArrayList<>();
         Run document = documentBeside(file, name, notices);
-        RecordedRuns recorded =
-                new RecordedRuns(file, name, body, mapper, new KnownOfRun(document));
+        KnownOfRun known = new KnownOfRun(document, mapping.start());
+        RecordedRuns recorded = new RecordedRuns(file, name, body, mapper, known);
         List<MeasuredRun> runs = recorded.read();
         notices.addAll(recorded.notices());
         return checked(file, runs, document, notices);

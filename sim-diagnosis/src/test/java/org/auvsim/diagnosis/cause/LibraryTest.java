@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.cause;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.auvsml.document.Scenario;
@@ -8,10 +9,14 @@ import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble;
+import org.auvsim.diagnosis.model.Sensing;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.server.feedback.RigidMotion;
@@ -24,6 +29,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -32,6 +38,9 @@ class LibraryTest {
     private static final BelievedModel VEHICLE = Tank.vehicle();
     private static final BelievedModel STEERED = Tank.steered();
     private static final BelievedModel PENDULUM = Tank.pendulum();
+
+    private static final RigidMotion AT_REST =
+            new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
 
     private static List<Cause> library(BelievedModel model) {
         return Library.of(model, List.of(Tank.run(model, SAMPLES)));
@@ -113,6 +122,47 @@ class LibraryTest {
                 .parameters()
                 .getFirst()
                 .scale();
+    }
+
+    /** Elsewhere an offset only says that the body began elsewhere. */
+    @Test
+    void aZeroCanBeOffAlongAxesInWhichTheStartIsKnown() {
+        assertThat(library(VEHICLE)).extracting(Cause::id).doesNotContain("sensor_offset");
+
+        MeasuredRunBuilder dive = MeasuredRun.named("dive");
+        for (int k = 0; k < SAMPLES; k++) {
+            dive.at(k).measured(Channel.POSITION, Double.NaN, Double.NaN, -0.1 * k);
+        }
+        dive.start(new KnownStart(AT_REST, Collections.nCopies(RigidMotion.SIZE, 0.02)));
+
+        assertThat(Library.of(VEHICLE, List.of(dive.build())))
+                .filteredOn(cause -> cause.id().equals("sensor_offset"))
+                .singleElement()
+                .satisfies(
+                        cause ->
+                                assertThat(cause.parameters())
+                                        .extracting(Parameter::name)
+                                        .containsExactly("offset.z"))
+                .satisfies(
+                        cause ->
+                                assertThat(
+                                                cause.in(VEHICLE.variant(), new double[] {0.3})
+                                                        .sensing())
+                                        .isEqualTo(Sensing.EXACT.shifted(new Vec3(0, 0, 0.3))));
+    }
+
+    @Test
+    void causesAreChosenByTheirIdsOrWithWhatTheyAreAbout() {
+        List<Cause> library = library(VEHICLE);
+
+        assertThat(Library.named(List.of("mass_error", "thruster_gain (port)"), library))
+                .extracting(Cause::name)
+                .containsExactly("mass_error", "thruster_gain (port)");
+        assertThat(Library.named(List.of("thruster_gain"), library)).hasSize(3);
+        assertThatThrownBy(() -> Library.named(List.of("mass_error", "mess"), library))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("no cause 'mess' can be looked for in these runs")
+                .hasMessageContaining("thruster_gain (port)");
     }
 
     @Test

@@ -9,11 +9,14 @@ import org.auvsim.auvsml.run.ColumnMapping;
 import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.auvsml.run.MappedColumn;
 import org.auvsim.auvsml.run.MeasuredAxes;
+import org.auvsim.auvsml.run.RunStart;
+import org.auvsim.auvsml.run.RunStart.KnownVector;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.Command;
+import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -291,12 +294,35 @@ class CsvRunsTest {
     }
 
     @Test
+    void runsBeginAsTheMappingSaysWhereTheirDocumentsDoNot() throws Exception {
+        KnownVector surface = new KnownVector(0, 0, -0.5, 0.03);
+        RunStart start =
+                new RunStart(
+                        Optional.of(surface), Optional.empty(), Optional.empty(), Optional.empty());
+        ColumnMapping mapping =
+                new ColumnMapping(MeasuredAxes.ENU, false, false, Optional.of(start), List.of());
+        String rows = Rov.rows("x", 20, i -> "" + i);
+
+        KnownStart known = Rov.run(folder, mapping, rows).start().orElseThrow();
+        assertThat(known.motion().position()).isEqualTo(new Vec3(0, 0, -0.5));
+        assertThat(known.deviations().subList(0, 4))
+                .containsExactly(0.03, 0.03, 0.03, Double.POSITIVE_INFINITY);
+
+        Rov.write(
+                folder.resolve("run.xml"),
+                "<run><start><position x='7' y='0' z='0' deviation='1'/></start></run>");
+        assertThat(Rov.run(folder, mapping, rows).start().orElseThrow().motion().position())
+                .isEqualTo(new Vec3(7, 0, 0));
+    }
+
+    @Test
     void errorsThatLastAreThoseOfTheSimulatorsAxes() throws Exception {
         ColumnMapping mapping =
                 new ColumnMapping(
                         MeasuredAxes.NED,
                         true,
                         false,
+                        Optional.empty(),
                         List.of(lasting("x", 0.1), lasting("depth", 0.2), lasting("roll", 3)));
         MeasuredRun run =
                 Rov.run(folder, mapping, Rov.rows("x,depth,roll", 20, i -> i + ",2," + i));

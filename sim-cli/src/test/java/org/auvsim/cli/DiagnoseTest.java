@@ -10,6 +10,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.Random;
 
@@ -32,26 +34,28 @@ class DiagnoseTest {
         auvsim = new CommandLineHarness(folder);
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"shooting", "genetic"})
-    void aModelThatIsRightHasNothingMissing(String method) throws IOException {
-        Path report = folder.resolve("report");
+    private int diagnose(String model, Object... options) throws IOException {
+        List<Object> arguments = new ArrayList<>();
+        arguments.addAll(List.of("diagnose", "--scenario", auvsim.file("model.xml", model)));
+        arguments.addAll(List.of(options));
+        return auvsim.run(arguments.toArray());
+    }
 
-        int code =
-                auvsim.run(
-                        "diagnose",
-                        "--scenario",
-                        auvsim.file("model.xml", BALL),
-                        "--fit",
-                        fall("one.csv", 0),
-                        fall("two.csv", 1),
-                        "--holdout",
-                        fall("three.csv", 2),
-                        "--out",
-                        report,
-                        "--method",
-                        method,
-                        "--fail-on-discrepancy");
+    /** By all causes that there are, and by few: genetics takes its time. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "--method shooting",
+                "--method genetic --causes linear_drag,quadratic_drag,buoyancy_weight"
+            })
+    void aModelThatIsRightHasNothingMissing(String options) throws IOException {
+        Path report = folder.resolve("report");
+        List<Object> arguments = new ArrayList<>(List.of(options.split(" ", -1)));
+        arguments.addAll(List.of("--fit", fall("one.csv", 0), fall("two.csv", 1)));
+        arguments.addAll(List.of("--holdout", fall("three.csv", 2)));
+        arguments.addAll(List.of("--out", report, "--fail-on-discrepancy"));
+
+        int code = diagnose(BALL, arguments.toArray());
 
         assertThat(code).as(auvsim.err()).isZero();
         assertThat(auvsim.out()).contains("log evidence").contains("none").contains("report.html");
@@ -83,25 +87,20 @@ class DiagnoseTest {
 
     @Test
     void aMethodThatThereIsNotIsToldWithThoseThatThereAre() throws IOException {
-        Path model = auvsim.file("model.xml", BALL);
         Path run = fall("run.csv", 0);
 
-        assertThat(auvsim.run("diagnose", "--scenario", model, "--fit", run, "--method", "guess"))
-                .isEqualTo(2);
+        assertThat(diagnose(BALL, "--fit", run, "--method", "guess")).isEqualTo(2);
         assertThat(auvsim.err())
                 .contains("--method: expected shooting or genetic, but found 'guess'.");
     }
 
     @Test
     void aCauseThatCannotBeLookedForIsToldWithThoseThatCan() throws IOException {
-        Path model = auvsim.file("model.xml", BALL);
         Path run = fall("run.csv", 0);
 
         assertThat(
-                        auvsim.run(
-                                "diagnose",
-                                "--scenario",
-                                model,
+                        diagnose(
+                                BALL,
                                 "--fit",
                                 run,
                                 "--causes",
@@ -116,38 +115,32 @@ class DiagnoseTest {
 
     @Test
     void aWrongCellIsNamedWithItsPlace() throws IOException {
-        Path model = auvsim.file("model.xml", BALL);
         Path run = auvsim.file("run.csv", "t,x\n0,1\n0.1,far\n");
 
-        assertThat(auvsim.run("diagnose", "--scenario", model, "--fit", run)).isEqualTo(2);
+        assertThat(diagnose(BALL, "--fit", run)).isEqualTo(2);
         assertThat(auvsim.err())
                 .contains("run.csv:3: column 'x': expected a number, but found 'far'");
     }
 
     @Test
     void theMeasuredBodyMustBeInTheScenario() throws IOException {
-        Path model = auvsim.file("model.xml", BALL);
         Path run = fall("run.csv", 0);
 
-        assertThat(auvsim.run("diagnose", "--scenario", model, "--fit", run, "--body", "Box"))
-                .isEqualTo(2);
+        assertThat(diagnose(BALL, "--fit", run, "--body", "Box")).isEqualTo(2);
         assertThat(auvsim.err())
                 .contains("model.xml: the scenario has no world object 'Box'; it has [Ball]");
     }
 
     @Test
     void ofSeveralBodiesOneMustBeChosen() throws IOException {
-        Path model =
-                auvsim.file(
-                        "model.xml",
-                        BALL.replace(
-                                "</scenario>",
-                                "<world-object name=\"Box\" mass=\"1\"><sphere radius=\"1\"/>"
-                                        + "<position x=\"9\" y=\"0\" z=\"0\"/></world-object>"
-                                        + "</scenario>"));
+        String model =
+                BALL.replace(
+                        "</scenario>",
+                        "<world-object name=\"Box\" mass=\"1\"><sphere radius=\"1\"/>"
+                                + "<position x=\"9\" y=\"0\" z=\"0\"/></world-object>"
+                                + "</scenario>");
 
-        assertThat(auvsim.run("diagnose", "--scenario", model, "--fit", fall("run.csv", 0)))
-                .isEqualTo(2);
+        assertThat(diagnose(model, "--fit", fall("run.csv", 0))).isEqualTo(2);
         assertThat(auvsim.err())
                 .contains(
                         "several objects can move (Ball, Box); say with --body which was measured");
@@ -155,33 +148,27 @@ class DiagnoseTest {
 
     @Test
     void aScenarioWithoutAnythingThatMovesHasNoMeasuredBody() throws IOException {
-        Path model = auvsim.file("model.xml", BALL.replace("mass=\"0.5\"", "fixed=\"1\""));
+        String model = BALL.replace("mass=\"0.5\"", "fixed=\"1\"");
 
-        assertThat(auvsim.run("diagnose", "--scenario", model, "--fit", fall("run.csv", 0)))
-                .isEqualTo(2);
+        assertThat(diagnose(model, "--fit", fall("run.csv", 0))).isEqualTo(2);
         assertThat(auvsim.err()).contains("nothing in the scenario can move");
     }
 
     @Test
     void whatIsFittedCannotBeHeldOut() throws IOException {
-        Path model = auvsim.file("model.xml", BALL);
         Path run = fall("run.csv", 0);
 
-        assertThat(auvsim.run("diagnose", "--scenario", model, "--fit", run, "--holdout", run))
-                .isEqualTo(2);
+        assertThat(diagnose(BALL, "--fit", run, "--holdout", run)).isEqualTo(2);
         assertThat(auvsim.err()).contains("is given to fit and to hold out");
     }
 
     @Test
     void optionsSayHowColumnsAreRead() throws IOException {
-        Path model = auvsim.file("model.xml", BALL);
         Path run = auvsim.file("run.csv", "time,x,heading,volt\n0,1,2,3\n");
 
         int code =
-                auvsim.run(
-                        "diagnose",
-                        "--scenario",
-                        model,
+                diagnose(
+                        BALL,
                         "--fit",
                         run,
                         "--rename",
@@ -197,19 +184,9 @@ class DiagnoseTest {
 
     @Test
     void aMappingThatIsNoneIsTold() throws IOException {
-        Path model = auvsim.file("model.xml", BALL);
         Path mapping = auvsim.file("mapping.xml", "<column-mapping><colum/></column-mapping>");
 
-        assertThat(
-                        auvsim.run(
-                                "diagnose",
-                                "--scenario",
-                                model,
-                                "--fit",
-                                fall("run.csv", 0),
-                                "--mapping",
-                                mapping))
-                .isEqualTo(2);
+        assertThat(diagnose(BALL, "--fit", fall("run.csv", 0), "--mapping", mapping)).isEqualTo(2);
         assertThat(auvsim.err()).contains("mapping.xml:1:17: ").contains("colum");
     }
 }

@@ -5,6 +5,7 @@ import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.message.learning.ModelCorrectionNotification;
 import org.auvsim.server.net.TransportException;
+import org.auvsim.server.simulator.Simulator;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -88,7 +89,10 @@ public final class Demonstration {
         Track track = new Track(name);
         table.begin(track);
         Optional<Sensors> sensors = handler.map(of -> new Sensors(of, FEEDBACK_EVERY, false));
-        int refused = new Flight(scenario(), sensors, track, table, FlightPlan.DURATION).fly();
+        int refused =
+                new Flight(Simulator.of(scenario()), new FlightPlan(), sensors, track, table)
+                        .fly(_ -> FlightPlan.DURATION)
+                        .refused();
         if (refused > 0) {
             out.printf("  %d corrections came too late for their step and were refused%n", refused);
         }

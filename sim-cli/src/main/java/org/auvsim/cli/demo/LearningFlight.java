@@ -1,18 +1,14 @@
 package org.auvsim.cli.demo;
 
-import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.document.Scenario;
-import org.auvsim.auvsml.message.control.ShutdownSimulatorCommand;
 import org.auvsim.auvsml.message.learning.ModelCorrectionNotification;
 import org.auvsim.diagnosis.online.Corrector;
 import org.auvsim.diagnosis.online.LearningFeedbackHandler;
-import org.auvsim.server.net.TcpTransport;
 import org.auvsim.server.net.TransportException;
 import org.auvsim.server.simulator.Simulator;
 
 import java.io.IOException;
 import java.util.Optional;
-import java.util.OptionalDouble;
 
 /**
  * The robot flies round after round while the server learns from its feedback what the model lacks,
@@ -35,43 +31,28 @@ final class LearningFlight {
         this.table = table;
     }
 
-    private Simulator serve(TcpTransport transport) throws TransportException {
-        return Simulator.of(scenario)
-                .processor(
-                        new LearningFeedbackHandler(
-                                Corrector.KALMAN_FILTER,
-                                /* extendsWorld= */ true,
-                                FlightPlan.DURATION - 1,
-                                KEEP,
-                                Demonstration.SEED))
-                .transport(transport)
-                .rate(OptionalDouble.empty())
-                .paused()
-                .start();
-    }
-
     /** Flies; returns what was learned, if anything was. */
     Optional<ModelCorrectionNotification> fly() throws IOException, TransportException {
-        FlightPlan plan = new FlightPlan(MOST_ROUNDS + 1);
-        TcpTransport transport = TcpTransport.onLoopback(0);
-        try (Simulator _ = serve(transport);
-                AuvsmlClient link = AuvsmlClient.connect("127.0.0.1", transport.port())) {
-            PhysicalRobot robot =
-                    new PhysicalRobot(
-                            link,
-                            new Pilot(link, plan),
-                            new TrueRobot(plan),
-                            Optional.of(new Sensors("LearningFeedbackHandler", READ_EVERY, true)),
-                            track,
-                            table);
-            robot.prepare();
-            robot.live(
-                    () ->
-                            robot.learned()
-                                    .map(found -> found.timestamp() + FlightPlan.DURATION)
-                                    .orElse(MOST_ROUNDS * FlightPlan.DURATION));
-            link.send(new ShutdownSimulatorCommand());
-            return robot.learned();
-        }
+        LearningFeedbackHandler learner =
+                new LearningFeedbackHandler(
+                        Corrector.KALMAN_FILTER,
+                        /* extendsWorld= */ true,
+                        FlightPlan.DURATION - 1,
+                        KEEP,
+                        Demonstration.SEED);
+        return new Flight(
+                        Simulator.of(scenario).processor(learner),
+                        new FlightPlan(MOST_ROUNDS + 1),
+                        Optional.of(new Sensors("LearningFeedbackHandler", READ_EVERY, true)),
+                        track,
+                        table)
+                .fly(LearningFlight::end)
+                .learned();
+    }
+
+    private static double end(PhysicalRobot robot) {
+        return robot.learned()
+                .map(found -> found.timestamp() + FlightPlan.DURATION)
+                .orElse(MOST_ROUNDS * FlightPlan.DURATION);
     }
 }

@@ -72,12 +72,7 @@ final class PhysicalRobot {
                                 EventType.MODEL_CORRECTION)));
     }
 
-    /** Moves and answers until a world time (s). */
-    void live(double until) throws IOException {
-        live(() -> until);
-    }
-
-    /** The same until a time (s) that may change as it goes on. */
+    /** Moves and answers until a world time (s) that may change as it goes on. */
     void live(DoubleSupplier until) throws IOException {
         double time = 0;
         pilot.stepFrom(time);

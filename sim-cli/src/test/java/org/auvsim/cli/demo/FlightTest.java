@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.server.simulator.Simulator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -42,7 +43,8 @@ class FlightTest {
         table.begin(track);
         Optional<Sensors> sensors =
                 handler.map(of -> new Sensors(of, Demonstration.FEEDBACK_EVERY, false));
-        new Flight(scenario, sensors, track, table, DURATION).fly();
+        new Flight(Simulator.of(scenario), new FlightPlan(), sensors, track, table)
+                .fly(_ -> DURATION);
         return track;
     }
 }

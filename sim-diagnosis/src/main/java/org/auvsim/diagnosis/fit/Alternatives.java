@@ -40,11 +40,16 @@ final class Alternatives {
     }
 
     static Alternative alternative(Judged best, Judged other) {
-        boolean isSame = distance(best, other) < SAME;
+        boolean isSame = areSame(best, other);
         return new Alternative(
                 other.fit().hypothesis().causes().stream().map(Cause::name).toList(),
                 isSame,
                 isSame ? determined(best.fit().hypothesis(), other.fit().hypothesis()) : "");
+    }
+
+    /** Whether two models predict the same of the runs, within their noise. */
+    static boolean areSame(Judged a, Judged b) {
+        return distance(a, b) < SAME;
     }
 
     /** Squared difference of what two models predict of the runs, in standard deviations. */

@@ -17,6 +17,9 @@ final class Arbitration {
         Judged decided = best;
         double least = leftOut(best);
         for (Judged other : competitors) {
+            if (Alternatives.areSame(best, other)) {
+                continue; // no run of these tells them apart
+            }
             double deviance = leftOut(other);
             if (deviance < least) {
                 least = deviance;

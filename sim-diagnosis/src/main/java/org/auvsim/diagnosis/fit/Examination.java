@@ -56,25 +56,59 @@ public final class Examination {
         this.course = new Course(progress);
     }
 
+    /**
+     * What was found, and how held-out runs judge it.
+     *
+     * @param before the model as it was believed, on the held-out runs
+     * @param after what was found on them
+     * @param passes whether it holds there, or where all runs were searched with, for each by the
+     *     others
+     */
+    private record Judgement(
+            Search.Found found, Trial trial, Judged before, Judged after, boolean passes) {
+        static Judgement of(Search.Found found, Trial trial) {
+            Judged best = found.best();
+            Judged before = trial.prediction(Hypothesis.NONE);
+            Judged after =
+                    best.isNone() ? before : trial.prediction(best.fit().hypothesis());
+            boolean passes =
+                    Search.isWhite(best)
+                            && trial.passes(
+                                    best, before, after, new Uncertainty(best).knowledge());
+            return new Judgement(found, trial, before, after, passes);
+        }
+
+        /** The same of what all runs said, which was believed. */
+        Judgement convinced(Search.Found all) {
+            Hypothesis best = all.best().fit().hypothesis();
+            return new Judgement(all, trial, before, trial.prediction(best), true);
+        }
+
+        /** Whether the fit is content and the held-out runs are not. */
+        boolean isOfTwoMinds() {
+            return Search.isWhite(found.best()) && !passes;
+        }
+
+        private Verdict verdict() {
+            if (!passes) {
+                return Verdict.UNEXPLAINED;
+            }
+            return found.best().isNone() ? Verdict.NONE : Verdict.EXPLAINED;
+        }
+    }
+
     /** What the runs say of the model. */
     public Diagnosis diagnosis() {
         Search.Found found = new Search(model, fit, causes, contest, course).found();
         course.at("judging by held-out runs", 0.9);
-        Trial trial = new Trial(found.model(), heldOut, found.noise());
-        Judged before = trial.prediction(Hypothesis.NONE);
-        if (Search.isWhite(found.best()) && course.goesOn() && fails(found, trial, before)) {
+        Judgement judgement = Judgement.of(found, new Trial(found.model(), heldOut, found.noise()));
+        if (judgement.isOfTwoMinds() && course.goesOn()) {
             Search.Found all = new Search(model, allRuns(), causes, contest, course).found();
             if (isConvincing(all, found)) {
-                return diagnosis(all, trial, before, true);
+                return diagnosis(judgement.convinced(all), true);
             }
         }
-        return diagnosis(found, trial, before, false);
-    }
-
-    private static boolean fails(Search.Found found, Trial trial, Judged before) {
-        Hypothesis best = found.best().fit().hypothesis();
-        return !passes(
-                found, trial, before, found.best().isNone() ? before : trial.prediction(best));
+        return diagnosis(judgement, false);
     }
 
     /**
@@ -94,23 +128,18 @@ public final class Examination {
         return all;
     }
 
-    private static boolean passes(
-            Search.Found found, Trial trial, Judged before, Judged predicted) {
-        Judged best = found.best();
-        return Search.isWhite(best)
-                && trial.passes(best, before, predicted, new Uncertainty(best).knowledge());
-    }
-
     /**
      * What was found, in all its parts.
      *
      * @param usedHeldOut whether the fit runs alone had nothing to say and all were searched with
      */
-    private Diagnosis diagnosis(
-            Search.Found found, Trial trial, Judged before, boolean usedHeldOut) {
+    private Diagnosis diagnosis(Judgement judgement, boolean usedHeldOut) {
+        Search.Found found = judgement.found();
+        Trial trial = judgement.trial();
         Judged best = found.best();
-        Judged after = best.isNone() ? before : trial.prediction(best.fit().hypothesis());
-        Verdict verdict = verdict(found, usedHeldOut || passes(found, trial, before, after));
+        Judged before = judgement.before();
+        Judged after = judgement.after();
+        Verdict verdict = judgement.verdict();
         boolean isExplained = verdict == Verdict.EXPLAINED;
         List<Finding> selected = isExplained ? findings(found, new Uncertainty(best)) : List.of();
         List<Alternative> alternatives =
@@ -153,13 +182,6 @@ public final class Examination {
                 notices(found),
                 seed,
                 course.goesOn());
-    }
-
-    private static Verdict verdict(Search.Found found, boolean passes) {
-        if (!passes) {
-            return Verdict.UNEXPLAINED;
-        }
-        return found.best().isNone() ? Verdict.NONE : Verdict.EXPLAINED;
     }
 
     private List<String> notices(Search.Found found) {

@@ -43,6 +43,7 @@ final class Following {
     private final Misses data;
     private final Noise noise;
     private final List<Double> looseness;
+    private final List<Double> looseAfterwards;
 
     /** The model in a variant, and what motions miss of a run. */
     Following(BelievedModel model, Variant variant, Misses data, Noise noise) {
@@ -52,6 +53,7 @@ final class Following {
         this.data = data;
         this.noise = noise;
         this.looseness = Looseness.of(run, noise);
+        this.looseAfterwards = Looseness.afterwards(run, looseness);
     }
 
     /** Windows that follow runs under a hypothesis. */
@@ -164,7 +166,7 @@ final class Following {
                         ? run.start()
                                 .map(this::asFarAsKnown)
                                 .orElse(new KnownStart(guess, looseness))
-                        : new KnownStart(guess, looseness);
+                        : new KnownStart(guess, looseAfterwards);
         boolean isLast = to == run.size() - 1;
         return fit(new Window(from, to, guess), isLast, near, MOST_ITERATIONS);
     }

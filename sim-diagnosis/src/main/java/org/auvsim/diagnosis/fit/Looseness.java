@@ -14,7 +14,8 @@ import java.util.Optional;
 /**
  * How far the start of a window may be from a guess: as much as the whole run moves, no more. A
  * short window alone does not tell velocities from noise, and a model that is asked for motions
- * which the run never had, as fast spins, gets lost or stiff.
+ * which the run never had, as fast spins, gets lost or stiff. Least of all may turns move that were
+ * not measured: a window would tumble for a path that the model misses.
  */
 final class Looseness {
     private static final double SHARE_OF_RANGE = 0.1;
@@ -27,6 +28,9 @@ final class Looseness {
     private static final double UNKNOWN_RATE = 3;
     private static final double LEAST_SPEED = 0.01;
     private static final double LEAST_RATE = 0.1;
+
+    /** What is not measured stays this much nearer to where the window before has led. */
+    private static final double UNSEEN = 0.1;
 
     /** Rates are seen over this time (s). */
     private static final double WHILE = 0.4;
@@ -49,6 +53,19 @@ final class Looseness {
         List<Double> deviations = new ArrayList<>();
         for (int i = 0; i < RigidMotion.SIZE; i++) {
             deviations.add(List.of(place, turn, speed, spin).get(i / 3));
+        }
+        return deviations;
+    }
+
+    /** The same of a start to which another window has led. */
+    static List<Double> afterwards(MeasuredRun run, List<Double> looseness) {
+        List<Double> deviations = new ArrayList<>(looseness);
+        for (int axis = 0; axis < 3; axis++) {
+            if (!run.measures(Channel.ORIENTATION, axis)
+                    && !run.measures(Channel.ANGULAR_VELOCITY)) {
+                deviations.set(3 + axis, UNSEEN * looseness.get(3 + axis));
+                deviations.set(9 + axis, UNSEEN * looseness.get(9 + axis));
+            }
         }
         return deviations;
     }

@@ -83,8 +83,16 @@ final class Search {
             if (of.causes().size() == 1) {
                 return none;
             }
-            Fit fewer = best.fit().with(of.without(cause), best.fit().windows());
-            return Refinement.converge(Judged.of(fewer), THIRD_STEPS);
+            Hypothesis fewer = of.without(cause);
+            return judged.stream()
+                    .filter(j -> j.fit().hypothesis().causes().equals(fewer.causes()))
+                    .findFirst()
+                    .orElseGet(() -> fitted(fewer));
+        }
+
+        private Judged fitted(Hypothesis hypothesis) {
+            Fit fit = best.fit().with(hypothesis, best.fit().windows());
+            return Refinement.converge(Judged.of(fit), THIRD_STEPS);
         }
     }
 

@@ -8,8 +8,8 @@ package org.auvsim.diagnosis.fit;
 final class Whiteness {
     private static final int[] BLOCKS = {4, 8, 16, 32};
 
-    /** Above this a channel is not white; over four lengths and six channels 1 in 10,000 is. */
-    static final double LIMIT = 4.5;
+    /** Above this a channel is not white: of noise, one in 30,000 block sums is. */
+    static final double LIMIT = 4;
 
     private Whiteness() {}
 
@@ -51,12 +51,9 @@ final class Whiteness {
         return Math.sqrt(sum / values.length);
     }
 
-    /** Squared block means are a chi square of as many degrees of freedom as there are blocks. */
+    /** That of one channel over blocks of one length. */
     private static double deviate(double[] values, double deviation, int length) {
         int blocks = values.length / length;
-        if (blocks < 2) {
-            return 0;
-        }
         double sum = 0;
         for (int b = 0; b < blocks; b++) {
             double mean = 0;
@@ -66,6 +63,15 @@ final class Whiteness {
             mean /= length * deviation / Math.sqrt(length);
             sum += mean * mean;
         }
-        return (sum / blocks - 1) * Math.sqrt(blocks / 2.0);
+        return blocks < 2 ? 0 : deviate(sum, blocks);
+    }
+
+    /**
+     * A chi square as a normal deviate (Wilson &amp; Hilferty 1931): of few degrees of freedom its
+     * tail is long.
+     */
+    static double deviate(double chiSquare, int freedom) {
+        double variance = 2 / (9.0 * freedom);
+        return (StrictMath.cbrt(chiSquare / freedom) - (1 - variance)) / Math.sqrt(variance);
     }
 }

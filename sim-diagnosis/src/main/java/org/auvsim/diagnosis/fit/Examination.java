@@ -69,12 +69,10 @@ public final class Examination {
         static Judgement of(Search.Found found, Trial trial) {
             Judged best = found.best();
             Judged before = trial.prediction(Hypothesis.NONE);
-            Judged after =
-                    best.isNone() ? before : trial.prediction(best.fit().hypothesis());
+            Judged after = best.isNone() ? before : trial.prediction(best.fit().hypothesis());
             boolean passes =
                     Search.isWhite(best)
-                            && trial.passes(
-                                    best, before, after, new Uncertainty(best).knowledge());
+                            && trial.passes(best, before, after, new Uncertainty(best).knowledge());
             return new Judgement(found, trial, before, after, passes);
         }
 

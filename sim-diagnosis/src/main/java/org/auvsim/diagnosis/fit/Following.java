@@ -43,7 +43,11 @@ final class Following {
     private final Misses data;
     private final Noise noise;
     private final List<Double> looseness;
-    private final List<Double> looseAfterwards;
+
+    /** The same of first and of later windows, but for what the run does not show: that stays. */
+    private final List<Double> shown;
+
+    private final List<Double> shownAfterwards;
 
     /** The model in a variant, and what motions miss of a run. */
     Following(BelievedModel model, Variant variant, Misses data, Noise noise) {
@@ -53,7 +57,8 @@ final class Following {
         this.data = data;
         this.noise = noise;
         this.looseness = Looseness.of(run, noise);
-        this.looseAfterwards = Looseness.afterwards(run, looseness);
+        this.shown = shown(looseness, data.shown());
+        this.shownAfterwards = shown(Looseness.afterwards(run, looseness), data.shown());
     }
 
     /** Windows that follow runs under a hypothesis. */
@@ -163,12 +168,16 @@ final class Following {
     private Fitted fit(int from, int to, RigidMotion guess) {
         KnownStart near =
                 from == 0
-                        ? run.start()
-                                .map(this::asFarAsKnown)
-                                .orElse(new KnownStart(guess, looseness))
-                        : new KnownStart(guess, looseAfterwards);
+                        ? run.start().map(this::asFarAsKnown).orElse(new KnownStart(guess, shown))
+                        : new KnownStart(guess, shownAfterwards);
         boolean isLast = to == run.size() - 1;
         return fit(new Window(from, to, guess), isLast, near, MOST_ITERATIONS);
+    }
+
+    private static List<Double> shown(List<Double> looseness, boolean[] isShown) {
+        return IntStream.range(0, isShown.length)
+                .mapToObj(i -> isShown[i] ? looseness.get(i) : WindowBlock.NOTHING)
+                .toList();
     }
 
     /** What is not known of a start is near what the model has: a body that is not upside down. */

@@ -20,7 +20,7 @@ final class WindowBlock {
     private static final double[] UNKNOWN = {1e3, 1e1, 1e2, 1e2};
 
     /** By so much a number of a start moves that the run does not show. */
-    private static final double NOTHING = 1e-6;
+    static final double NOTHING = 1e-6;
 
     private final BelievedModel model;
     private final List<WindowDerivatives> windows;

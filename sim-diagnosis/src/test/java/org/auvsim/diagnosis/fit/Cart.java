@@ -1,0 +1,87 @@
+package org.auvsim.diagnosis.fit;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import org.auvsim.auvsml.AuvsmlException;
+import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Library;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+
+/**
+ * A cart of 10 kg with a motor of 20 N, of which only the way ahead is measured.
+ *
+ * @param gain of the motor, 1 as believed
+ * @param drag N s/m, above 0; there is none in the model
+ * @param current m/s; likewise
+ */
+record Cart(double gain, double drag, double current) {
+    private static final double MASS = 10;
+    private static final double THRUST = 20;
+    private static final double SPACING = 0.1;
+    private static final int SAMPLES = 400;
+    private static final double NOISE = 0.002;
+
+    static BelievedModel believed() throws AuvsmlException {
+        return new BelievedModel(
+                ScenarioLoader.load(Cart.class.getClassLoader())
+                        .parse(
+                                """
+                                <scenario><time-step delta="0.05"/>
+                                  <world-object name="cart" mass="10"><sphere radius="0.2"/>
+                                    <propulsor name="motor" maximum-thrust="20"/>
+                                  </world-object>
+                                </scenario>
+                                """
+                                        .getBytes(UTF_8)),
+                "cart");
+    }
+
+    /** Speed under constant thrust approaches a steady one, exponentially. */
+    MeasuredRun run() {
+        Random random = new Random(3);
+        MeasuredRunBuilder run = MeasuredRun.named("run").commands(List.of("motor"));
+        double x = 0;
+        double v = 0;
+        double level = 0;
+        for (int k = 0; k < SAMPLES; k++) {
+            level = k % 25 == 0 ? random.nextDouble(-1, 1) : level;
+            double measured = x + NOISE * random.nextGaussian();
+            run.at(k * SPACING).measured(Channel.POSITION, measured, Double.NaN, Double.NaN);
+            run.command(0, level);
+            double steady = current + gain * THRUST * level / drag;
+            double kept = Math.exp(-drag / MASS * SPACING);
+            x += steady * SPACING + (v - steady) * (1 - kept) * MASS / drag;
+            v = steady + (v - steady) * kept;
+        }
+        return run.build();
+    }
+
+    /** A cause of the library. */
+    Cause cause(String id) throws AuvsmlException {
+        return Library.of(believed(), List.of(run())).stream()
+                .filter(cause -> cause.id().equals(id))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** What the search finds among some causes. */
+    Search.Found found(List<Cause> causes) throws AuvsmlException {
+        Course course = new Course(Progress.SILENT);
+        return new Search(believed(), List.of(run()), causes, Optional.empty(), course).found();
+    }
+
+    /** A fit whose windows follow the run under a hypothesis. */
+    Fit fit(Hypothesis hypothesis) throws AuvsmlException {
+        Noise noise = Noise.of(List.of(run()));
+        List<Misses> data = Misses.of(List.of(run()), noise);
+        return Following.of(believed(), hypothesis, data, noise);
+    }
+}

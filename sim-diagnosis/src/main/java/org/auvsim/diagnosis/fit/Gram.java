@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.core.math.Cholesky;
+import org.auvsim.diagnosis.cause.Parameter;
 
 import java.util.Arrays;
 import java.util.List;
@@ -15,6 +16,8 @@ final class Gram {
      * Share of a column's size that is added to it, so that columns that are alike can be solved.
      */
     private static final double RIDGE = 1e-10;
+
+    private static final double MOST_SCALES = 1e4;
 
     /** So many columns are worked on together, so that their products stay near. */
     private static final int TILE = 32;
@@ -78,12 +81,13 @@ final class Gram {
 
     /** The same with what is known of parameters otherwise. */
     Gram with(Knowledge knowledge, double[] theta) {
-        double[][] sum = new double[products.length][];
-        for (int a = 0; a < sum.length; a++) {
-            sum[a] = products[a].clone();
-        }
+        double[][] sum = copy();
         knowledge.addTo(sum, theta);
         return new Gram(sum);
+    }
+
+    private double[][] copy() {
+        return Arrays.stream(products).map(double[]::clone).toArray(double[][]::new);
     }
 
     /** The same with other misses, of which the products with each column are given. */
@@ -149,6 +153,21 @@ final class Gram {
             solution[a] /= scale[a];
         }
         return solution;
+    }
+
+    /**
+     * The same without columns of rounding errors: what leaves less than noise, changed by ten
+     * thousand times what is small for it, is not changed.
+     *
+     * @param parameters that the first columns are of
+     */
+    Gram floored(List<Parameter> parameters) {
+        double[][] sum = copy();
+        for (int i = 0; i < parameters.size(); i++) {
+            double most = MOST_SCALES * parameters.get(i).scale();
+            sum[i][i] += 1 / (most * most);
+        }
+        return new Gram(sum);
     }
 
     /** By how much the cost falls with a change of these parameters. */

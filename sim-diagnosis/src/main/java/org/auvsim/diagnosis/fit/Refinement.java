@@ -80,7 +80,10 @@ final class Refinement {
         }
         List<List<WindowBlock>> blocks = fit.blocks(derivatives, perBlock);
         int size = fit.hypothesis().size();
-        Gram gram = Gram.of(blocks, size).with(fit.knowledge(), fit.hypothesis().numbers());
+        Gram gram =
+                Gram.of(blocks, size)
+                        .with(fit.knowledge(), fit.hypothesis().numbers())
+                        .floored(fit.hypothesis().parameters());
         if (!gram.isFinite()) {
             return Optional.empty();
         }

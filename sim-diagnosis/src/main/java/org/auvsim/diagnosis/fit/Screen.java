@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Parameter;
 import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.Variant;
 
@@ -111,7 +112,7 @@ final class Screen {
                         .toArray();
         for (int perBlock : levels) {
             List<List<WindowBlock>> blocks = base.blocks(derivatives, perBlock);
-            Gram gram = Gram.of(blocks, moves.size());
+            Gram gram = Gram.of(blocks, moves.size()).floored(parameters());
             for (Promise promise : best.apply(gram)) {
                 if (starts.stream().noneMatch(s -> isSame(s, promise, perBlock))) {
                     starts.add(start(blocks, promise, perBlock));
@@ -119,6 +120,16 @@ final class Screen {
             }
         }
         return starts;
+    }
+
+    /** What each column is of. */
+    private List<Parameter> parameters() {
+        List<Parameter> parameters = new ArrayList<>(base.hypothesis().parameters());
+        for (Seed seed : seeds) {
+            List<Parameter> all = seed.cause().parameters();
+            seed.guess().columns().forEach(column -> parameters.add(all.get(column)));
+        }
+        return parameters;
     }
 
     /** The same causes from the same blocks, or from other guesses that have no advantage. */

@@ -1,8 +1,8 @@
 package org.auvsim.diagnosis.fit;
 
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.LUDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
-import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Quantity;
 
@@ -15,6 +15,9 @@ import java.util.stream.IntStream;
  * profile of the likelihood makes of it.
  */
 final class Uncertainty {
+    /** Of numbers that are exactly alike the deviations are so large, by its inverse root. */
+    private static final double RIDGE = 1e-10;
+
     private final Judged fitted;
     private final double[][] information;
     private final double excess;
@@ -40,10 +43,30 @@ final class Uncertainty {
         return new Knowledge(fitted.fit().hypothesis().numbers(), information);
     }
 
+    /**
+     * The inverse, each number in its own standard deviation, so that units do not matter: what
+     * hardly differs from another's trace is then uncertain, where a pseudo-inverse has it exact.
+     */
     private RealMatrix covariance() {
-        return new SingularValueDecomposition(new Array2DRowRealMatrix(information))
-                .getSolver()
-                .getInverse();
+        int size = information.length;
+        double[] scale = new double[size];
+        for (int i = 0; i < size; i++) {
+            scale[i] = information[i][i] > 0 ? 1 / Math.sqrt(information[i][i]) : 0;
+        }
+        RealMatrix scaled = new Array2DRowRealMatrix(size, size);
+        for (int i = 0; i < size; i++) {
+            for (int j = 0; j < size; j++) {
+                scaled.setEntry(i, j, information[i][j] * scale[i] * scale[j]);
+            }
+            scaled.setEntry(i, i, 1 + RIDGE);
+        }
+        RealMatrix inverse = new LUDecomposition(scaled).getSolver().getInverse();
+        for (int i = 0; i < size; i++) {
+            for (int j = 0; j < size; j++) {
+                inverse.multiplyEntry(i, j, scale[i] * scale[j]);
+            }
+        }
+        return inverse;
     }
 
     /** Standard deviations of the quantities of all causes, as profiled. */

@@ -101,7 +101,6 @@ final class Search {
         course.at("fitting the model as it is", 0.1);
         Judged none = Refinement.converge(Refinement.approach(base, 1), THIRD_STEPS);
         judged.add(none);
-        int count = none.outcome().count();
         List<Cause> specific = library.stream().filter(c -> !c.isGeneric()).toList();
         Judged best = searched(none, specific);
         if (!isWhite(best) && contest.isEmpty() && course.goesOn()) {
@@ -112,19 +111,34 @@ final class Search {
             best = generic.score() < best.score() ? generic : best;
         }
         best = isByChance(none, best) ? none : best;
-        List<Judged> sorted =
-                judged.stream().sorted(Comparator.comparingDouble(Judged::score)).toList();
+        List<Cause> plain = library.stream().filter(c -> !hasManyGuesses(c)).toList();
+        Traces traces = traces(best, plain);
+        Judged first = best;
+        best = amongAliases(first, traces);
+        List<Judged> sorted = eachSetOnce();
         List<Judged> near = best.isNone() ? List.of() : Alternatives.competitors(best, sorted);
         Judged decided = course.goesOn() ? Arbitration.decided(best, near) : best;
-        List<Cause> plain = library.stream().filter(c -> !hasManyGuesses(c)).toList();
-        Screen beside = new Screen(following(decided.fit().hypothesis()), plain, guesses, count);
         return new Found(
                 none,
                 decided,
                 sorted,
                 decided.equals(best) ? near : Alternatives.competitors(decided, sorted),
-                beside.traces(),
+                decided.equals(first) ? traces : traces(decided, plain),
                 noise);
+    }
+
+    /** What causes leave in the data beside those of a fit. */
+    private Traces traces(Judged beside, List<Cause> causes) {
+        return screen(beside.fit().hypothesis(), causes).traces();
+    }
+
+    private Screen screen(Hypothesis beside, List<Cause> causes) {
+        return new Screen(following(beside), causes, guesses, count());
+    }
+
+    /** How many numbers were measured. */
+    private int count() {
+        return judged.getFirst().outcome().count();
     }
 
     /** Whether noise alone would gain as much, among all causes together, too often. */
@@ -175,6 +189,43 @@ final class Search {
                         guesses,
                         best.outcome().count());
         return pruned(tournament(screen.startsOfEach(), best, 0.8, 0.9));
+    }
+
+    /**
+     * The same with each of its causes exchanged for those that leave nearly the same trace: which
+     * of two it is that the data cannot tell apart is not to depend on which was tried.
+     */
+    private Judged amongAliases(Judged found, Traces traces) {
+        Judged best = found;
+        Hypothesis of = found.fit().hypothesis();
+        for (int c = 0; c < of.causes().size() && contest.isEmpty(); c++) {
+            Hypothesis others = of.without(c);
+            List<Cause> aliases =
+                    traces.alike(of.causes().get(c)).stream()
+                            .filter(alias -> !isJudged(others.and(alias, new double[0]).causes()))
+                            .toList();
+            if (!aliases.isEmpty() && course.goesOn()) {
+                best = tournament(screen(others, aliases).starts(1), best, 0.8, 0.9);
+            }
+        }
+        return best;
+    }
+
+    private boolean isJudged(List<Cause> causes) {
+        return judged.stream().anyMatch(j -> isSame(j.fit().hypothesis().causes(), causes));
+    }
+
+    private static boolean isSame(List<Cause> some, List<Cause> others) {
+        return some.size() == others.size() && some.containsAll(others);
+    }
+
+    /** What was judged, the best first, of each set of causes the best alone. */
+    private List<Judged> eachSetOnce() {
+        Set<Set<Cause>> taken = new HashSet<>();
+        return judged.stream()
+                .sorted(Comparator.comparingDouble(Judged::score))
+                .filter(j -> taken.add(Set.copyOf(j.fit().hypothesis().causes())))
+                .toList();
     }
 
     private boolean hasManyGuesses(Cause cause) {

@@ -11,7 +11,9 @@ import org.auvsim.diagnosis.result.Identifiability.Confusion;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 
 /**
  * How alike the traces are that causes leave in the data: the smallest angle between the subspaces
@@ -20,6 +22,9 @@ import java.util.List;
 final class Traces {
     /** Traces at a larger angle (degrees) are not worth a word. */
     private static final double ALIKE = 25;
+
+    /** Those at a smaller angle (degrees) may be taken for one another. */
+    private static final double NEARLY_THE_SAME = 10;
 
     private static final int MOST = 12;
 
@@ -56,6 +61,21 @@ final class Traces {
             }
         }
         return new Identifiability(nearest(confusions), unseen());
+    }
+
+    /** Causes that leave nearly the same trace as one. */
+    List<Cause> alike(Cause cause) {
+        Set<Cause> alike = new LinkedHashSet<>();
+        for (Seed seed : seeds) {
+            for (Seed other : seeds) {
+                if (seed.cause().equals(cause)
+                        && !other.cause().equals(cause)
+                        && angle(seed, other) < NEARLY_THE_SAME) {
+                    alike.add(other.cause());
+                }
+            }
+        }
+        return List.copyOf(alike);
     }
 
     private static List<Confusion> nearest(List<Confusion> all) {

@@ -1,0 +1,56 @@
+package org.auvsim.diagnosis.fit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * A motor that is weaker than believed, in a drag and a current that the model lacks: three causes,
+ * of which the first can as well be a larger mass.
+ */
+class AliasTest {
+    private static final Cart CART = new Cart(0.8, 3, 0.4);
+    private static Search.Found found;
+
+    @BeforeAll
+    static void theCartIsDiagnosed() throws Exception {
+        found =
+                CART.found(
+                        List.of(
+                                CART.cause("thruster_gain"),
+                                CART.cause("mass_error"),
+                                CART.cause("linear_drag"),
+                                CART.cause("current_constant")));
+    }
+
+    private static Set<String> ids(Judged judged) {
+        Set<String> ids = new HashSet<>();
+        judged.fit().hypothesis().causes().forEach(cause -> ids.add(cause.id()));
+        return ids;
+    }
+
+    @Test
+    void whatCannotBeToldApartIsTriedHoweverManyCausesThereAre() {
+        Set<String> gain = Set.of("thruster_gain", "linear_drag", "current_constant");
+        Set<String> mass = Set.of("mass_error", "linear_drag", "current_constant");
+
+        assertThat(ids(found.best())).isIn(gain, mass);
+        Set<String> other = ids(found.best()).equals(gain) ? mass : gain;
+        Judged alias =
+                found.competitors().stream()
+                        .filter(judged -> ids(judged).equals(other))
+                        .findFirst()
+                        .orElseThrow();
+        assertThat(Alternatives.alternative(found.best(), alias).isIndistinguishable()).isTrue();
+    }
+
+    @Test
+    void aSetOfCausesIsRankedOnce() {
+        assertThat(found.judged()).extracting(AliasTest::ids).doesNotHaveDuplicates();
+    }
+}

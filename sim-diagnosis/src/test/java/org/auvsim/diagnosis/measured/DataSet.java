@@ -64,18 +64,17 @@ final class DataSet {
 
     /** The body of a scenario of the example. */
     BelievedModel model(String scenario, String body) {
+        return model(example.resolve(scenario), body);
+    }
+
+    /** The body of a scenario in a file. */
+    static BelievedModel model(Path scenario, String body) {
         try {
-            byte[] text = Files.readAllBytes(example.resolve(scenario));
+            byte[] text = Files.readAllBytes(scenario);
             return new BelievedModel(ScenarioLoader.load(LOADER).parse(text), body);
         } catch (IOException | AuvsmlException e) {
             throw new IllegalStateException(e);
         }
-    }
-
-    /** The run in a file of the data. */
-    MeasuredRun run(BelievedModel model, String columns, String file) throws DocumentException {
-        ColumnMapping mapping = RunReader.mapping(example.resolve(columns), MAPPER);
-        return new RunReader(model, mapping, MAPPER).read(file(file)).runs().getFirst();
     }
 
     /** What runs say of a model. */
@@ -96,6 +95,16 @@ final class DataSet {
     Diagnosis diagnosis(BelievedModel model, String columns, List<Path> fit, List<Path> heldOut)
             throws DocumentException {
         RunFiles runs = runs(model, example.resolve(columns), fit, heldOut);
+        return diagnosis(model, runs.fit(), runs.heldOut()).noticing(runs.notices());
+    }
+
+    /** The same of what is measured until a time (s) of each run. */
+    Diagnosis diagnosis(
+            BelievedModel model, String columns, double until, List<Path> fit, List<Path> heldOut)
+            throws DocumentException {
+        ColumnMapping mapping = RunReader.mapping(example.resolve(columns), MAPPER);
+        RunReader reader = new RunReader(model, mapping, MAPPER).between(0, until);
+        RunFiles runs = RunFiles.read(reader, fit, heldOut);
         return diagnosis(model, runs.fit(), runs.heldOut()).noticing(runs.notices());
     }
 }

@@ -183,14 +183,19 @@ public final class Examination {
     }
 
     private List<String> notices(Search.Found found) {
+        List<String> notices = new ArrayList<>();
         double stated = model.scenario().timeStep().delta();
         double used = found.model().scenario().timeStep().delta();
-        return used < stated
-                ? List.of(
-                        ("the scenario's time step of %s s is too long for this data: steps of %s"
-                                        + " s were made, which a simulation needs, too")
-                                .formatted(stated, used))
-                : List.of();
+        if (used < stated) {
+            notices.add(
+                    ("the scenario's time step of %s s is too long for this data: steps of %s"
+                                    + " s were made, which a simulation needs, too")
+                            .formatted(stated, used));
+        }
+        for (Misses of : Misses.of(allRuns(), found.noise())) {
+            HeavyTails.notice(of.run(), of.rows(), found.noise()).ifPresent(notices::add);
+        }
+        return notices;
     }
 
     private static List<Finding> findings(Search.Found found, Uncertainty uncertainty) {

@@ -5,7 +5,10 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.StringJoiner;
 
 /**
  * Takes their power from outliers: where a channel has more numbers far off than a normal
@@ -19,6 +22,10 @@ final class HeavyTails {
     private static final double FAR = 4;
 
     private static final double MOST_FAR = 0.002;
+    private static final int MOST_BY_CHANCE = 1;
+
+    /** This far off no normally distributed number is. */
+    private static final double ASTRAY = 6;
 
     /** Of fourth differences (1, 4, 6, 4, 1), the middle one taken once. */
     private static final double[] CUBIC = {1 / 6.0, -4 / 6.0, 1, -4 / 6.0, 1 / 6.0};
@@ -35,11 +42,7 @@ final class HeavyTails {
         for (int row = 0; row < rows; row++) {
             Misses.Row which = of.rows().get(row);
             double scale = noise.of(which.channel()) * SPREAD;
-            int far = 0;
-            for (int k = 2; k + 2 < of.run().size(); k++) {
-                far += Math.abs(off(of.run(), which, k)) > FAR * scale ? 1 : 0;
-            }
-            if (far > MOST_FAR * of.run().size()) {
+            if (hasOutliers(of.run(), which, scale)) {
                 for (int k = 2; k + 2 < of.run().size(); k++) {
                     double z = off(of.run(), which, k) / scale;
                     factors[k * rows + row] = factor(z);
@@ -47,6 +50,45 @@ final class HeavyTails {
             }
         }
         return of.weighed(factors);
+    }
+
+    /** What is told of the outliers of a run; empty where it has no more than chance brings. */
+    static Optional<String> notice(MeasuredRun run, List<Misses.Row> rows, Noise noise) {
+        StringJoiner of = new StringJoiner(", ");
+        for (Misses.Row row : rows) {
+            double scale = noise.of(row.channel()) * SPREAD;
+            if (hasOutliers(run, row, scale)) {
+                of.add(
+                        "%d of %s %s"
+                                .formatted(
+                                        beyond(FAR * scale, run, row),
+                                        name(row.channel()),
+                                        "xyz".charAt(row.axis())));
+            }
+        }
+        return of.length() == 0
+                ? Optional.empty()
+                : Optional.of(
+                        "of the %d samples of %s these are outliers and count less: %s"
+                                .formatted(run.size(), run.name(), of));
+    }
+
+    private static String name(Channel channel) {
+        return channel.name().toLowerCase(Locale.ROOT).replace('_', ' ');
+    }
+
+    private static boolean hasOutliers(MeasuredRun run, Misses.Row row, double scale) {
+        int far = beyond(FAR * scale, run, row);
+        return far > Math.max(MOST_BY_CHANCE, MOST_FAR * run.size())
+                || beyond(ASTRAY * scale, run, row) > 0;
+    }
+
+    private static int beyond(double limit, MeasuredRun run, Misses.Row row) {
+        int count = 0;
+        for (int k = 2; k + 2 < run.size(); k++) {
+            count += Math.abs(off(run, row, k)) > limit ? 1 : 0;
+        }
+        return count;
     }
 
     private static double factor(double z) {

@@ -1,0 +1,73 @@
+package org.auvsim.diagnosis.fit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.model.Sensing;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.server.feedback.RigidMotion;
+import org.junit.jupiter.api.Test;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+
+class HeavyTailsTest {
+    private static final int SAMPLES = 400;
+    private static final double NOISE = 0.02;
+
+    /** Two coordinates with noise, the first of which is far off every so often. */
+    private static MeasuredRun run(int every) {
+        Random random = new Random(3);
+        MeasuredRunBuilder run = MeasuredRun.named("dive");
+        for (int k = 0; k < SAMPLES; k++) {
+            double astray = k % every == every / 2 ? 30 * NOISE : 0;
+            run.at(0.1 * k)
+                    .position(
+                            Math.sin(0.1 * k) + astray + NOISE * random.nextGaussian(),
+                            0.2 * k + NOISE * random.nextGaussian(),
+                            Double.NaN);
+        }
+        return run.build();
+    }
+
+    /** Those of a body that stays at the origin. */
+    private static double[] misses(Misses of) {
+        RigidMotion[] still = new RigidMotion[SAMPLES];
+        Arrays.fill(still, new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO));
+        return of.of(still, Sensing.EXACT, 0, SAMPLES);
+    }
+
+    private static Misses.Row x() {
+        return new Misses.Row(Channel.POSITION, 0);
+    }
+
+    private static Misses.Row y() {
+        return new Misses.Row(Channel.POSITION, 1);
+    }
+
+    @Test
+    void whatIsFarOffIsToldAndCountsLess() {
+        MeasuredRun run = run(50);
+        Noise noise = Noise.of(List.of(run));
+
+        assertThat(HeavyTails.notice(run, List.of(x(), y()), noise).orElseThrow())
+                .matches(
+                        "of the 400 samples of dive these are outliers and count less:"
+                                + " [0-9]+ of position x");
+        double[] tamed = misses(Misses.of(List.of(run), noise).getFirst());
+        double[] plain = misses(new Misses(run, noise));
+        assertThat(Math.abs(tamed[2 * 25])).isLessThan(0.2 * Math.abs(plain[2 * 25]));
+        assertThat(tamed[2 * 25 + 1]).isEqualTo(plain[2 * 25 + 1]);
+    }
+
+    @Test
+    void noiseHasNoOutliers() {
+        MeasuredRun run = run(2 * SAMPLES + 2);
+
+        assertThat(HeavyTails.notice(run, List.of(x(), y()), Noise.of(List.of(run)))).isEmpty();
+    }
+}

@@ -16,6 +16,9 @@ public interface Cause {
     /** Share of a parameter's scale by which smooth effects are moved. */
     double SMALL = 1e-3;
 
+    /** What one out of a whole library must gain to be believed. */
+    double PRICE = 12;
+
     /** By which reports name it, as {@code quadratic_drag}. */
     String id();
 
@@ -58,6 +61,14 @@ public interface Cause {
             quantities.add(new Quantity(parameter.name(), parameter.unit(), theta[i]));
         }
         return quantities;
+    }
+
+    /**
+     * What it must gain to be believed, in twice the logarithm of the likelihood, beside what its
+     * parameters must.
+     */
+    default double price() {
+        return PRICE;
     }
 
     /** Whether it can imitate many others and so counts only where none of those passes. */

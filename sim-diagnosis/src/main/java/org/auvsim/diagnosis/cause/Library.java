@@ -54,7 +54,7 @@ public final class Library {
 
     /**
      * Those of a library that are named, by their ids or with what they are about as {@link
-     * Cause#name} has it.
+     * Cause#name} has it. The fewer they are, the less each must gain to be believed.
      *
      * @throws IllegalArgumentException if a name is that of none
      */
@@ -70,9 +70,11 @@ public final class Library {
                                                 .collect(Collectors.joining(", "))));
             }
         }
-        return library.stream()
-                .filter(cause -> names.stream().anyMatch(name -> isNamed(cause, name)))
-                .toList();
+        List<Cause> some =
+                library.stream()
+                        .filter(cause -> names.stream().anyMatch(name -> isNamed(cause, name)))
+                        .toList();
+        return Chosen.of(some, library);
     }
 
     private static boolean isNamed(Cause cause, String name) {

@@ -31,15 +31,10 @@ final class Arbitration {
 
     /** The deviance of all runs, each by what the others make of the model. */
     private static double leftOut(Judged judged) {
-        double sum = price(judged);
+        double sum = judged.fit().hypothesis().price(); // a cause more has to be worth it here, too
         for (Judged prediction : LeaveOneOut.predictions(judged)) {
             sum += prediction.outcome().deviance();
         }
         return sum;
-    }
-
-    /** A cause more has to be worth its price here, too. */
-    private static double price(Judged judged) {
-        return Judged.PER_CAUSE * judged.fit().hypothesis().causes().size();
     }
 }

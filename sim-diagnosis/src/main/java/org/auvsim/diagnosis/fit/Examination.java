@@ -142,6 +142,7 @@ public final class Examination {
         List<Finding> selected = isExplained ? findings(found, new Uncertainty(best)) : List.of();
         List<Alternative> alternatives =
                 found.competitors().stream()
+                        .filter(other -> !other.isNone())
                         .map(other -> Alternatives.alternative(best, other))
                         .toList();
         Map<Channel, Gain> gains =

@@ -60,6 +60,11 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
         return theta.stream().mapToInt(t -> t.length).sum();
     }
 
+    /** What all causes must gain to be believed, beside what their parameters must. */
+    double price() {
+        return causes.stream().mapToDouble(Cause::price).sum();
+    }
+
     /** Parameters of all causes in a row. */
     List<Parameter> parameters() {
         return causes.stream().flatMap(cause -> cause.parameters().stream()).toList();

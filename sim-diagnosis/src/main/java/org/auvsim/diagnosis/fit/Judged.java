@@ -5,9 +5,6 @@ package org.auvsim.diagnosis.fit;
  * smaller, the better.
  */
 record Judged(Fit fit, Outcome outcome, double score) {
-    /** What a cause must gain to be believed, beside what its parameters must. */
-    static final double PER_CAUSE = 12;
-
     static Judged of(Fit fit) {
         return of(fit, fit.outcome());
     }
@@ -17,13 +14,13 @@ record Judged(Fit fit, Outcome outcome, double score) {
         double score =
                 outcome.deviance()
                         + hypothesis.size() * Math.log(outcome.count())
-                        + PER_CAUSE * hypothesis.causes().size();
+                        + hypothesis.price();
         return new Judged(fit, outcome, score);
     }
 
     /** The logarithm of the model's evidence (Schwarz 1978), up to a constant. */
     double logEvidence() {
-        return -(score - PER_CAUSE * fit.hypothesis().causes().size()) / 2;
+        return -(score - fit.hypothesis().price()) / 2;
     }
 
     /** Whether nothing is wrong with the model, by this. */

@@ -222,11 +222,12 @@ final class Screen {
             at += size;
         }
         int parameters = set.stream().mapToInt(s -> s.cause().parameters().size()).sum();
+        double price = set.stream().mapToDouble(seed -> seed.cause().price()).sum();
         double gain = gram.drop(columns, factors) - without;
         return new Promise(
                 set,
                 Arrays.stream(factors).boxed().toList(),
-                gain - perParameter * parameters - Judged.PER_CAUSE * set.size());
+                gain - perParameter * parameters - price);
     }
 
     private double dropOf(Gram gram, int[] columns) {

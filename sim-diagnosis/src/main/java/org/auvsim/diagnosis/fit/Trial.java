@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.fit.Outcome.Squares;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
@@ -55,7 +56,7 @@ final class Trial {
                         .with(fitted.fit().hypothesis(), predicted.fit().windows())
                         .knowing(known);
         Judged adjusted = Refinement.converge(Judged.of(fit), ADJUSTMENTS);
-        return adjusted.outcome().deviance() < before.outcome().deviance() + Judged.PER_CAUSE
+        return adjusted.outcome().deviance() < before.outcome().deviance() + Cause.PRICE
                 && Search.whiteness(adjusted) < LIMIT
                 && worstRatio(adjusted.outcome(), fitted.outcome()) < MOST_RATIO;
     }

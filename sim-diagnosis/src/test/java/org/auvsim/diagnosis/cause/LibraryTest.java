@@ -165,6 +165,20 @@ class LibraryTest {
                 .hasMessageContaining("thruster_gain (port)");
     }
 
+    /** What one of many must gain by chance alone, one of few must not. */
+    @Test
+    void theFewerCausesAreLookedForTheLessEachMustGain() {
+        List<Cause> library = library(VEHICLE);
+        Cause drag = Library.named(List.of("linear_drag"), library).getFirst();
+        List<String> all = library.stream().map(Cause::name).toList();
+
+        assertThat(drag.price()).isCloseTo(12 - 2 * Math.log(library.size()), within(1e-12));
+        assertThat(Library.named(all, library))
+                .allSatisfy(cause -> assertThat(cause.price()).isEqualTo(12))
+                .extracting(Cause::name)
+                .isEqualTo(all);
+    }
+
     @Test
     void thrusterCausesAreAboutOneOfThemOrAll() {
         assertThat(

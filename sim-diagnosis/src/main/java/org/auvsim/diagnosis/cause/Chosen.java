@@ -1,0 +1,59 @@
+package org.auvsim.diagnosis.cause;
+
+import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * One of a few causes that alone are looked for. Of many causes one gains much by chance more often
+ * than of few, so that it must gain more for the same rate of false alarms (Bonferroni).
+ */
+record Chosen(Cause cause, double price) implements Cause {
+    /** Of some causes out of a whole library. */
+    static List<Cause> of(List<Cause> some, List<Cause> library) {
+        double price = Cause.PRICE - 2 * Math.log((double) library.size() / some.size());
+        return some.stream().<Cause>map(cause -> new Chosen(cause, Math.max(0, price))).toList();
+    }
+
+    @Override
+    public String id() {
+        return cause.id();
+    }
+
+    @Override
+    public Optional<String> subject() {
+        return cause.subject();
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+        return cause.parameters();
+    }
+
+    @Override
+    public Variant in(Variant model, double[] theta) {
+        return cause.in(model, theta);
+    }
+
+    @Override
+    public List<Guess> guesses(List<MeasuredRun> runs) {
+        return cause.guesses(runs);
+    }
+
+    @Override
+    public List<Quantity> quantities(double[] theta) {
+        return cause.quantities(theta);
+    }
+
+    @Override
+    public boolean isGeneric() {
+        return cause.isGeneric();
+    }
+
+    @Override
+    public String toString() {
+        return cause.toString();
+    }
+}

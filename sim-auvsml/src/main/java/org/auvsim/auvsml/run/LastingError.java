@@ -11,8 +11,8 @@ import org.auvsim.core.entity.Domain;
  *
  * @param deviation standard deviation, in the usual unit of its column
  * @param time in which it is forgotten
- * @param grows whether there is none of it where a motion begins, as of a prediction that strays
- *     from what is known there; else it is there from the first row on
+ * @param grows whether there is none of it where a run begins, as of a prediction that strays from
+ *     what is known there; else all of it may be there in the first row
  */
 public record LastingError(double deviation, @Unit("s") double time, @Default("0") boolean grows) {
     /**

@@ -25,7 +25,11 @@ final class Whitening {
     void apply(double[] misses, double[] weights, MeasuredRun run, int from, int row, int rows) {
         double square = error.deviation() * error.deviation();
         double expected = 0;
-        double variance = error.grows() ? 0 : square;
+        double variance = square;
+        if (error.grows()) {
+            double since = run.time(from) - run.time(0);
+            variance *= 1 - StrictMath.exp(-2 * since / error.time());
+        }
         int samples = misses.length / rows;
         for (int k = 0; k < samples; k++) {
             if (k > 0) {

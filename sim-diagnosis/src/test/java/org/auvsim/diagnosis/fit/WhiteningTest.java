@@ -33,7 +33,7 @@ class WhiteningTest {
 
     @ParameterizedTest(name = "seed {0}")
     @ValueSource(longs = {1, 2, 3})
-    void anErrorThatGrowsIsNoneWhereTheMotionBegins(long seed) {
+    void anErrorThatGrowsIsNoneWhereTheRunBegins(long seed) {
         isWhatTheCovarianceLeaves(seed, GROWING);
     }
 
@@ -71,7 +71,7 @@ class WhiteningTest {
         for (int i = 0; i < SAMPLES; i++) {
             for (int j = 0; j < SAMPLES; j++) {
                 double apart = Math.abs(run.time(FROM + i) - run.time(FROM + j));
-                double since = run.time(FROM + i) + run.time(FROM + j) - 2 * run.time(FROM);
+                double since = run.time(FROM + i) + run.time(FROM + j) - 2 * run.time(0);
                 double old = error.grows() ? Math.exp(-since / error.time()) : 0;
                 double lasting =
                         Math.pow(error.deviation(), 2) * (Math.exp(-apart / error.time()) - old);

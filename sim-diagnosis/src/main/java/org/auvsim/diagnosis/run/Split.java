@@ -58,9 +58,13 @@ public record Split(List<MeasuredRun> fit, List<MeasuredRun> heldOut, String not
         return runs.stream().map(MeasuredRun::name).collect(Collectors.joining(", "));
     }
 
-    /** Two blocks to fit and one to judge, twice; or once, if the run is short. */
+    /**
+     * Two blocks to fit and one to judge, twice; or once, if the run is short, or if its start is
+     * known: that says most of what follows it.
+     */
     private static Split ofOne(MeasuredRun run) {
-        int blocks = run.size() >= BLOCKS * FEWEST ? BLOCKS : 3;
+        boolean isLong = run.size() >= BLOCKS * FEWEST;
+        int blocks = isLong && run.start().isEmpty() ? BLOCKS : 3;
         if (run.size() < blocks * FEWEST) {
             throw new IllegalArgumentException(
                     "run '%s' has %d samples; expected %d to fit two thirds and hold out one: give a longer run, or another one to hold out"

@@ -3,10 +3,14 @@ package org.auvsim.diagnosis.run;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.IntStream;
 
@@ -49,6 +53,26 @@ class SplitTest {
                 .isEqualTo(
                         "there is one run: its time is split, 40 to 59 s and 100 to 119 s held"
                                 + " out");
+    }
+
+    /** Else only the first of two blocks would be seen to begin where it is known to. */
+    @Test
+    void aRunWhoseStartIsKnownIsSplitOnce() {
+        MeasuredRunBuilder run = MeasuredRun.named("dive");
+        for (int i = 0; i < 120; i++) {
+            run.at(i).position(i, 0, 0);
+        }
+        run.start(
+                new KnownStart(
+                        new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO),
+                        Collections.nCopies(RigidMotion.SIZE, 0.1)));
+
+        Split split = Split.of(List.of(run.build()));
+
+        assertThat(split.fit()).extracting(MeasuredRun::size).containsExactly(80);
+        assertThat(split.fit().getFirst().start()).isPresent();
+        assertThat(split.heldOut()).extracting(MeasuredRun::size).containsExactly(40);
+        assertThat(split.heldOut().getFirst().start()).isEmpty();
     }
 
     @Test

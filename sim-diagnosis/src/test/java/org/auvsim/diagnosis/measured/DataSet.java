@@ -18,6 +18,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * A folder of measured data, which is no part of the project, and the example of the same name,
@@ -57,6 +58,15 @@ final class DataSet {
         return data.resolve(name);
     }
 
+    /** The files of the data whose names begin so, by name. */
+    List<Path> filesOf(String prefix) throws IOException {
+        try (Stream<Path> files = Files.list(data)) {
+            return files.filter(file -> file.getFileName().toString().startsWith(prefix))
+                    .sorted()
+                    .toList();
+        }
+    }
+
     /** A file of the example. */
     Path example(String name) {
         return example.resolve(name);
@@ -87,8 +97,12 @@ final class DataSet {
     /** Runs in files of the data, with columns as the example states; none held out: by default. */
     static RunFiles runs(BelievedModel model, Path columns, List<Path> fit, List<Path> heldOut)
             throws DocumentException {
-        ColumnMapping mapping = RunReader.mapping(columns, MAPPER);
-        return RunFiles.read(new RunReader(model, mapping, MAPPER), fit, heldOut);
+        return RunFiles.read(reader(model, columns), fit, heldOut);
+    }
+
+    /** A reader of runs with columns as a mapping states. */
+    static RunReader reader(BelievedModel model, Path columns) throws DocumentException {
+        return new RunReader(model, RunReader.mapping(columns, MAPPER), MAPPER);
     }
 
     /** The same, diagnosed. */

@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis;
 
 import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.field.FieldSearch;
 import org.auvsim.diagnosis.fit.Arena;
 import org.auvsim.diagnosis.fit.Examination;
 import org.auvsim.diagnosis.fit.Progress;
@@ -12,8 +13,10 @@ import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.Split;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Finds what a model gets wrong of measured runs. Immutable; each method but {@link #diagnose}
@@ -78,15 +81,20 @@ public record Investigation(
         return proposing(diagnosis);
     }
 
-    /** With a formula, where nothing that is known fits and the search came to its end. */
+    /** With what imitates the misfit, where nothing that is known fits and the search ended. */
     private Diagnosis proposing(Diagnosis diagnosis) {
-        boolean isOpen =
-                diagnosis.verdict() == Verdict.UNEXPLAINED && diagnosis.proposal().isEmpty();
-        return isOpen && diagnosis.isComplete() && progress.at("looking for a formula", 0.95)
-                ? new FormulaSearch(model, seed)
-                        .proposal(diagnosis)
-                        .map(diagnosis::proposing)
-                        .orElse(diagnosis)
-                : diagnosis;
+        if (diagnosis.verdict() != Verdict.UNEXPLAINED
+                || diagnosis.proposal().isPresent()
+                || !diagnosis.isComplete()
+                || !progress.at("looking for a formula or a field", 0.95)) {
+            return diagnosis;
+        }
+        return Stream.of(
+                        new FormulaSearch(model, seed).proposal(diagnosis),
+                        new FieldSearch(model).proposal(diagnosis))
+                .flatMap(Optional::stream)
+                .min(Comparator.comparingDouble(proposal -> proposal.heldOut().after()))
+                .map(diagnosis::proposing)
+                .orElse(diagnosis);
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.diagnosis.Method;
+import org.auvsim.diagnosis.PushedSphere;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Verdict;

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.genetic;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.diagnosis.PushedSphere;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Proposal;
 import org.auvsim.diagnosis.result.Verdict;

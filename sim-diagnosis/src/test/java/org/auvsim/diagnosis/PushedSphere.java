@@ -1,4 +1,4 @@
-package org.auvsim.diagnosis.genetic;
+package org.auvsim.diagnosis;
 
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.core.entity.Frame;
@@ -8,7 +8,6 @@ import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Sphere;
 import org.auvsim.core.world.World;
-import org.auvsim.diagnosis.Investigation;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.fit.Progress;
@@ -21,7 +20,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 
 /** A sphere that is pushed about, with a force that its model lacks; it is integrated here. */
-record PushedSphere(Law law) {
+public record PushedSphere(Law law) {
     private static final double MASS = 10;
     private static final double NOISE = 0.002;
     private static final double INTERVAL = 0.1;
@@ -29,12 +28,12 @@ record PushedSphere(Law law) {
     private static final int SUBSTEPS = 1000;
 
     /** The force (N, world) that is hidden. */
-    interface Law {
+    public interface Law {
         double[] force(double[] position, double[] velocity);
     }
 
     /** Without the force. */
-    static BelievedModel model() {
+    public static BelievedModel model() {
         World world =
                 World.builder()
                         .timeStep(INTERVAL)
@@ -49,7 +48,7 @@ record PushedSphere(Law law) {
     }
 
     /** Under pushes that change every 2 s, as drawn by a seed. */
-    MeasuredRun run(long seed) {
+    public MeasuredRun run(long seed) {
         SplittableRandom lot = new SplittableRandom(seed);
         MeasuredRunBuilder run =
                 MeasuredRun.named("run " + seed).commands(List.of("push.x", "push.y", "push.z"));
@@ -84,7 +83,7 @@ record PushedSphere(Law law) {
     }
 
     /** Two runs to search these causes with, one held out. */
-    Investigation investigation(long seed, Set<String> causes) {
+    public Investigation investigation(long seed, Set<String> causes) {
         BelievedModel model = model();
         List<MeasuredRun> fit = List.of(run(seed), run(seed + 1));
         List<Cause> candidates =

@@ -1,0 +1,206 @@
+package org.auvsim.diagnosis.field;
+
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.RealVector;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.fit.Imitation;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.result.DiagnosedRun;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.ForceResidual;
+import org.auvsim.diagnosis.result.Gain;
+import org.auvsim.diagnosis.result.Proposal;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
+
+/**
+ * Maps the force that a model lacks by place, where no known cause explains it: as the slope of
+ * potentials along the paths. The map is a patch; it says nothing of where no run has been.
+ */
+public final class FieldSearch {
+    /** Widths that are tried, as shares of the paths' range. */
+    private static final int WIDTHS = 10;
+
+    private static final double NARROWEST = 0.05;
+    private static final double WIDEST = 0.4;
+
+    /** In widths: between centres, and from the paths to them; one on a path cannot push aside. */
+    private static final double SPACING = 1.1;
+
+    private static final double REACH = 1.2;
+    private static final int MOST = 110;
+
+    /** Fewer forces than this tell nothing. */
+    private static final int FEWEST = 8;
+
+    /** What evidence must gain over that of noise. */
+    private static final double LEAST_GAIN = 6;
+
+    /** The error on held-out runs must fall to this share: by chance it does not. */
+    private static final double MOST_LEFT = 0.5;
+
+    private final BelievedModel model;
+
+    /** For what a model lacks. */
+    public FieldSearch(BelievedModel model) {
+        this.model = model;
+    }
+
+    /** Where a force was missing. */
+    private record Sample(Vec3 place, Vec3 force) {}
+
+    /** A field, and how much it has for itself. */
+    private record Found(PotentialField field, double evidence) {}
+
+    /** A field that halves the error on held-out runs at least; empty if none does. */
+    public Optional<Proposal> proposal(Diagnosis diagnosis) {
+        List<MeasuredRun> fit = runs(diagnosis, false);
+        List<Sample> samples =
+                diagnosis.runs().stream()
+                        .filter(run -> !run.isHeldOut())
+                        .flatMap(run -> samples(run).stream())
+                        .toList();
+        if (samples.size() < FEWEST) {
+            return Optional.empty();
+        }
+        return found(samples, places(fit))
+                .flatMap(
+                        field ->
+                                gain(field, fit, runs(diagnosis, true))
+                                        .filter(g -> g.after() < MOST_LEFT * g.before())
+                                        .map(g -> proposal(field, samples, g)));
+    }
+
+    private static Proposal proposal(PotentialField field, List<Sample> samples, Gain gain) {
+        double largest =
+                samples.stream().mapToDouble(s -> field.at(s.place()).norm()).max().orElse(0);
+        String text =
+                String.format(
+                        Locale.ROOT,
+                        "%d potentials of a width of %.3g m along the paths; the force is %.3g N at"
+                                + " most",
+                        field.centres().size(),
+                        field.width(),
+                        largest);
+        return new Proposal("force_field", text, gain);
+    }
+
+    private static List<MeasuredRun> runs(Diagnosis diagnosis, boolean heldOut) {
+        return diagnosis.runs().stream()
+                .filter(run -> run.isHeldOut() == heldOut)
+                .map(DiagnosedRun::run)
+                .toList();
+    }
+
+    private static List<Sample> samples(DiagnosedRun of) {
+        List<Sample> samples = new ArrayList<>();
+        int at = 0;
+        for (ForceResidual residual : of.forces()) {
+            while (at + 1 < of.run().size() && of.run().time(at + 1) <= residual.time()) {
+                at++;
+            }
+            Vec3 force = residual.before();
+            if (Double.isFinite(force.x() + force.y() + force.z())) {
+                of.run()
+                        .vector(Channel.POSITION, at)
+                        .ifPresent(place -> samples.add(new Sample(place, force)));
+            }
+        }
+        return samples;
+    }
+
+    private static List<Vec3> places(List<MeasuredRun> runs) {
+        return runs.stream()
+                .flatMap(
+                        run ->
+                                IntStream.range(0, run.size())
+                                        .mapToObj(k -> run.vector(Channel.POSITION, k))
+                                        .flatMap(Optional::stream))
+                .toList();
+    }
+
+    /** The field that imitates the forces best; empty if noise does as well. */
+    private static Optional<PotentialField> found(List<Sample> samples, List<Vec3> places) {
+        RealVector forces = forces(samples);
+        double range = range(places);
+        return IntStream.range(0, WIDTHS)
+                .mapToDouble(i -> NARROWEST * Math.pow(WIDEST / NARROWEST, i / (WIDTHS - 1.0)))
+                .mapToObj(share -> field(samples, forces, places, share * range))
+                .flatMap(Optional::stream)
+                .max(Comparator.comparingDouble(Found::evidence))
+                .filter(found -> found.evidence() > Evidence.ofNothing(forces) + LEAST_GAIN)
+                .map(Found::field);
+    }
+
+    /** The largest extent along an axis of the world. */
+    private static double range(List<Vec3> places) {
+        double[] low = new double[3];
+        double[] high = new double[3];
+        Arrays.fill(low, Double.POSITIVE_INFINITY);
+        Arrays.fill(high, Double.NEGATIVE_INFINITY);
+        for (Vec3 place : places) {
+            double[] numbers = {place.x(), place.y(), place.z()};
+            for (int axis = 0; axis < 3; axis++) {
+                low[axis] = Math.min(low[axis], numbers[axis]);
+                high[axis] = Math.max(high[axis], numbers[axis]);
+            }
+        }
+        return Math.max(high[0] - low[0], Math.max(high[1] - low[1], high[2] - low[2]));
+    }
+
+    private static RealVector forces(List<Sample> samples) {
+        RealVector forces = new ArrayRealVector(3 * samples.size());
+        for (int s = 0; s < samples.size(); s++) {
+            set(forces, s, samples.get(s).force());
+        }
+        return forces;
+    }
+
+    private static void set(RealVector of, int sample, Vec3 value) {
+        of.setEntry(3 * sample, value.x());
+        of.setEntry(3 * sample + 1, value.y());
+        of.setEntry(3 * sample + 2, value.z());
+    }
+
+    /** Empty if that many narrow potentials would be too many. */
+    private static Optional<Found> field(
+            List<Sample> samples, RealVector forces, List<Vec3> places, double width) {
+        List<Vec3> centres = new Grid(SPACING * width).within(REACH * width, places);
+        if (!(width > 0) || centres.size() > MOST) {
+            return Optional.empty();
+        }
+        RealMatrix columns = new Array2DRowRealMatrix(3 * samples.size(), centres.size());
+        for (int c = 0; c < centres.size(); c++) {
+            PotentialField one = new PotentialField(List.of(centres.get(c)), List.of(1.0), width);
+            RealVector column = new ArrayRealVector(3 * samples.size());
+            for (int s = 0; s < samples.size(); s++) {
+                set(column, s, one.at(samples.get(s).place()));
+            }
+            columns.setColumnVector(c, column);
+        }
+        Evidence evidence = Evidence.of(columns, forces);
+        List<Double> heights = Arrays.stream(evidence.weights().toArray()).boxed().toList();
+        return Optional.of(
+                new Found(new PotentialField(centres, heights, width), evidence.logarithm()));
+    }
+
+    /** On held-out runs, of the position. */
+    private Optional<Gain> gain(
+            PotentialField field, List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
+        UnaryOperator<WorldObjectDefinition.Builder> forced = body -> body.effect(field);
+        Imitation imitation = new Imitation(variant -> variant.with(forced));
+        return Optional.ofNullable(imitation.gains(model, fit, heldOut).get(Channel.POSITION));
+    }
+}

@@ -1,0 +1,63 @@
+package org.auvsim.diagnosis.field;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.diagnosis.PushedSphere;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Proposal;
+import org.auvsim.diagnosis.result.Verdict;
+import org.junit.jupiter.api.Test;
+
+import java.util.Set;
+import java.util.SplittableRandom;
+
+/** What a place does is mapped, and what time does is not. */
+class FieldSearchTest {
+    private static final Set<String> CAUSES = Set.of("linear_drag", "current_constant");
+
+    /** A bowl with an egg box in it: the slope of 4 r^2 - 5 cos 1.5 x cos 1.5 y. */
+    private static double[] eggBox(double[] p) {
+        double x = 1.5 * p[0];
+        double y = 1.5 * p[1];
+        return new double[] {
+            -8 * p[0] - 7.5 * Math.sin(x) * Math.cos(y),
+            -8 * p[1] - 7.5 * Math.cos(x) * Math.sin(y),
+            -8 * p[2]
+        };
+    }
+
+    @Test
+    void aForceThatDependsOnThePlaceIsMapped() {
+        Diagnosis diagnosis =
+                new PushedSphere((p, v) -> eggBox(p)).investigation(1, CAUSES).diagnose();
+
+        Proposal proposal = new FieldSearch(PushedSphere.model()).proposal(diagnosis).orElseThrow();
+
+        assertThat(diagnosis.verdict()).isEqualTo(Verdict.UNEXPLAINED);
+        assertThat(diagnosis.selected()).isEmpty();
+        assertThat(diagnosis.proposal()).isPresent();
+        assertThat(proposal.kind()).isEqualTo("force_field");
+        assertThat(proposal.text()).contains("potentials of a width of").contains(" N at most");
+        assertThat(proposal.heldOut().after()).isLessThan(proposal.heldOut().before() / 2);
+    }
+
+    @Test
+    void kicksAreNoField() {
+        SplittableRandom lot = new SplittableRandom(7);
+        double[] kick = new double[3];
+        int[] calls = {0};
+        PushedSphere kicked =
+                new PushedSphere(
+                        (p, v) -> {
+                            for (int i = 0; i < 3 && calls[0] % 3000 == 0; i++) {
+                                kick[i] = 10 * lot.nextGaussian();
+                            }
+                            calls[0]++;
+                            return kick;
+                        });
+        Diagnosis diagnosis = kicked.investigation(1, CAUSES).diagnose();
+
+        assertThat(diagnosis.verdict()).isEqualTo(Verdict.UNEXPLAINED);
+        assertThat(new FieldSearch(PushedSphere.model()).proposal(diagnosis)).isEmpty();
+    }
+}

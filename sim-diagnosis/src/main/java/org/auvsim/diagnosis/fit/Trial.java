@@ -22,7 +22,7 @@ final class Trial {
     private static final double MOST_RATIO = 1.3;
 
     /** Above this the residuals of a held-out run have a memory. */
-    private static final double LIMIT = 6;
+    private static final double LIMIT = 5;
 
     private final BelievedModel model;
     private final List<Misses> data;

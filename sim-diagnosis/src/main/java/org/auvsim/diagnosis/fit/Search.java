@@ -193,15 +193,18 @@ final class Search {
 
     /**
      * The same with each of its causes exchanged for those that leave nearly the same trace: which
-     * of two it is that the data cannot tell apart is not to depend on which was tried.
+     * of two it is that the data cannot tell apart is not to depend on which was tried. A specific
+     * cause stays before a generic one.
      */
     private Judged amongAliases(Judged found, Traces traces) {
         Judged best = found;
         Hypothesis of = found.fit().hypothesis();
         for (int c = 0; c < of.causes().size() && contest.isEmpty(); c++) {
             Hypothesis others = of.without(c);
+            boolean isGeneric = of.causes().get(c).isGeneric();
             List<Cause> aliases =
                     traces.alike(of.causes().get(c)).stream()
+                            .filter(alias -> isGeneric || !alias.isGeneric())
                             .filter(alias -> !isJudged(others.and(alias, new double[0]).causes()))
                             .toList();
             if (!aliases.isEmpty() && course.goesOn()) {

@@ -17,7 +17,7 @@ class HiddenEffectTest {
     private static final double MOST_PARAMETER_ERROR = 20;
 
     @ParameterizedTest(name = "noise {0}, seed {1}")
-    @CsvSource({"0.01, 12", "0.01, 16", "0.01, 18", "0.01, 23"})
+    @CsvSource({"0.01, 12", "0.01, 16", "0.01, 18", "0.01, 23", "0.01, 4113"})
     void anEffectOfTheLibraryIsNamed(double noise, long seed) {
         HiddenCase of = CaseBook.draw(CaseKind.SINGLE, noise, seed);
         Outcome outcome = right(of);
@@ -39,6 +39,12 @@ class HiddenEffectTest {
     @CsvSource({"0.01, 5", "0.01, 15", "0.01, 22"})
     void whereNothingIsHiddenNothingIsNamed(double noise, long seed) {
         right(CaseBook.draw(CaseKind.NULL, noise, seed));
+    }
+
+    @ParameterizedTest(name = "noise {0}, seed {1}")
+    @CsvSource("0.05, 4204")
+    void whatNoCauseCoversStaysUnexplained(double noise, long seed) {
+        right(CaseBook.draw(CaseKind.UNCOVERED, noise, seed));
     }
 
     private static Outcome right(HiddenCase of) {

@@ -66,21 +66,25 @@ public final class FieldSearch {
 
     /** A field that halves the error on held-out runs at least; empty if none does. */
     public Optional<Proposal> proposal(Diagnosis diagnosis) {
-        List<MeasuredRun> fit = runs(diagnosis, false);
-        List<Sample> samples =
-                diagnosis.runs().stream()
-                        .filter(run -> !run.isHeldOut())
-                        .flatMap(run -> samples(run).stream())
-                        .toList();
-        if (samples.size() < FEWEST) {
-            return Optional.empty();
-        }
-        return found(samples, places(fit))
+        List<DiagnosedRun> fit = diagnosis.runs().stream().filter(r -> !r.isHeldOut()).toList();
+        return field(fit)
                 .flatMap(
                         field ->
-                                gain(field, fit, runs(diagnosis, true))
+                                gain(field, diagnosis)
                                         .filter(g -> g.after() < MOST_LEFT * g.before())
-                                        .map(g -> proposal(field, samples, g)));
+                                        .map(g -> proposal(field, samples(fit), g)));
+    }
+
+    /** The field along runs; empty if they say too little, or noise imitates it as well. */
+    static Optional<PotentialField> field(List<DiagnosedRun> runs) {
+        List<Sample> samples = samples(runs);
+        return samples.size() < FEWEST
+                ? Optional.empty()
+                : found(samples, places(runs.stream().map(DiagnosedRun::run).toList()));
+    }
+
+    private static List<Sample> samples(List<DiagnosedRun> runs) {
+        return runs.stream().flatMap(run -> samples(run).stream()).toList();
     }
 
     private static Proposal proposal(PotentialField field, List<Sample> samples, Gain gain) {
@@ -105,16 +109,16 @@ public final class FieldSearch {
     }
 
     private static List<Sample> samples(DiagnosedRun of) {
+        MeasuredRun run = of.run();
         List<Sample> samples = new ArrayList<>();
         int at = 0;
         for (ForceResidual residual : of.forces()) {
-            while (at + 1 < of.run().size() && of.run().time(at + 1) <= residual.time()) {
+            while (at + 1 < run.size() && run.time(at + 1) <= residual.time()) {
                 at++;
             }
             Vec3 force = residual.before();
             if (Double.isFinite(force.x() + force.y() + force.z())) {
-                of.run()
-                        .vector(Channel.POSITION, at)
+                run.vector(Channel.POSITION, at)
                         .ifPresent(place -> samples.add(new Sample(place, force)));
             }
         }
@@ -135,8 +139,12 @@ public final class FieldSearch {
     private static Optional<PotentialField> found(List<Sample> samples, List<Vec3> places) {
         RealVector forces = forces(samples);
         double range = range(places);
+        if (!(range > 0)) {
+            return Optional.empty(); // a body that stays where it is shows nothing of other places
+        }
         return IntStream.range(0, WIDTHS)
-                .mapToDouble(i -> NARROWEST * Math.pow(WIDEST / NARROWEST, i / (WIDTHS - 1.0)))
+                .mapToDouble(
+                        i -> NARROWEST * StrictMath.pow(WIDEST / NARROWEST, i / (WIDTHS - 1.0)))
                 .mapToObj(share -> field(samples, forces, places, share * range))
                 .flatMap(Optional::stream)
                 .max(Comparator.comparingDouble(Found::evidence))
@@ -178,7 +186,7 @@ public final class FieldSearch {
     private static Optional<Found> field(
             List<Sample> samples, RealVector forces, List<Vec3> places, double width) {
         List<Vec3> centres = new Grid(SPACING * width).within(REACH * width, places);
-        if (!(width > 0) || centres.size() > MOST) {
+        if (centres.size() > MOST) {
             return Optional.empty();
         }
         RealMatrix columns = new Array2DRowRealMatrix(3 * samples.size(), centres.size());
@@ -197,10 +205,12 @@ public final class FieldSearch {
     }
 
     /** On held-out runs, of the position. */
-    private Optional<Gain> gain(
-            PotentialField field, List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
+    private Optional<Gain> gain(PotentialField field, Diagnosis diagnosis) {
         UnaryOperator<WorldObjectDefinition.Builder> forced = body -> body.effect(field);
         Imitation imitation = new Imitation(variant -> variant.with(forced));
-        return Optional.ofNullable(imitation.gains(model, fit, heldOut).get(Channel.POSITION));
+        return Optional.ofNullable(
+                imitation
+                        .gains(model, runs(diagnosis, false), runs(diagnosis, true))
+                        .get(Channel.POSITION));
     }
 }

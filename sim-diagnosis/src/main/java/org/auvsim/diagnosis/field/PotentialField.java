@@ -46,7 +46,7 @@ record PotentialField(List<Vec3> centres, List<Double> heights, double width)
     }
 
     /** What the force of a potential of height 1 is, over the distance from its centre. */
-    static double slope(double distance, double width) {
+    private static double slope(double distance, double width) {
         double widths = distance / width;
         return widths > FAR ? 0 : StrictMath.exp(-widths * widths / 2) / (width * width);
     }

@@ -2,12 +2,20 @@ package org.auvsim.diagnosis.field;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.PushedSphere;
+import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.ForceResidual;
 import org.auvsim.diagnosis.result.Proposal;
 import org.auvsim.diagnosis.result.Verdict;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
 
@@ -39,6 +47,21 @@ class FieldSearchTest {
         assertThat(proposal.kind()).isEqualTo("force_field");
         assertThat(proposal.text()).contains("potentials of a width of").contains(" N at most");
         assertThat(proposal.heldOut().after()).isLessThan(proposal.heldOut().before() / 2);
+    }
+
+    @Test
+    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void aBodyThatStaysWhereItIsHasNoField() {
+        MeasuredRunBuilder still = MeasuredRun.named("still");
+        List<ForceResidual> forces = new ArrayList<>();
+        for (int k = 0; k < 20; k++) {
+            still.at(k).position(3, -2, 1);
+            forces.add(new ForceResidual(k, new Vec3(1, 0, k % 2), Vec3.ZERO));
+        }
+
+        DiagnosedRun run = new DiagnosedRun(still.build(), false, List.of(), List.of(), forces);
+
+        assertThat(FieldSearch.field(List.of(run))).isEmpty();
     }
 
     @Test

@@ -1,0 +1,24 @@
+package org.auvsim.viz.drawing;
+
+import java.awt.Component;
+import java.awt.image.BufferedImage;
+import java.util.concurrent.CompletableFuture;
+
+/** A picture that is painted again and again. */
+public interface Screen extends AutoCloseable {
+    /** What a window shows; add it, then {@link #start}. */
+    Component component();
+
+    /** Begins to paint. */
+    void start();
+
+    /** The next frame as it will be seen; fails with a {@link ScreenException}. */
+    CompletableFuture<BufferedImage> picture();
+
+    /** Frames a second, lately. */
+    double frameRate();
+
+    /** Ends painting and waits for its end. */
+    @Override
+    void close();
+}

@@ -1,0 +1,23 @@
+package org.auvsim.viz.scene;
+
+import org.auvsim.core.entity.WorldObjectDefinition;
+
+import java.util.Optional;
+
+/**
+ * A world object that a scene shows.
+ *
+ * @param definition what it is made of; empty while it is not known, and for good if the viewer
+ *     does not know a volume, an effect or a component of it
+ */
+public record SeenObject(long id, String name, Optional<WorldObjectDefinition> definition) {
+    /** An object and what it is made of. */
+    public static SeenObject of(long id, WorldObjectDefinition definition) {
+        return new SeenObject(id, definition.name(), Optional.of(definition));
+    }
+
+    /** Whether it never moves; also said of nothing that is not known. */
+    public boolean isFixed() {
+        return definition.map(WorldObjectDefinition::fixed).orElse(false);
+    }
+}

@@ -1,0 +1,10 @@
+package org.auvsim.viz.source;
+
+/** The simulator did not do what it was asked for; its message is a sentence for people. */
+public final class RefusedException extends Exception {
+    private static final long serialVersionUID = 1L;
+
+    RefusedException(String sentence) {
+        super(sentence);
+    }
+}

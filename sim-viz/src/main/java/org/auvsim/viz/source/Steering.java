@@ -1,0 +1,28 @@
+package org.auvsim.viz.source;
+
+import org.auvsim.auvsml.Role;
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.control.SimulatorStateResponse;
+
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+
+/** A simulator as somebody at a viewer reaches it, from any thread. */
+public interface Steering {
+    /** What this viewer may do there; what a viewer may while there is no connection. */
+    Role role();
+
+    /** Whether there is a connection now. */
+    boolean isConnected();
+
+    /** How the simulator stood when it last told. */
+    Optional<SimulatorStateResponse> state();
+
+    /**
+     * Sends a message and hears what it brings: the response, or {@code CommandDoneResponse}.
+     *
+     * @return fails with a {@link RefusedException} whose message is a sentence for people, if the
+     *     simulator refuses or there is no connection
+     */
+    CompletableFuture<Message> ask(Message message);
+}

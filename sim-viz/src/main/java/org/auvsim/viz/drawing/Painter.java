@@ -2,7 +2,7 @@ package org.auvsim.viz.drawing;
 
 import org.auvsim.viz.camera.OrbitCamera;
 
-/** What a renderer asks for each frame. */
+/** What a renderer asks for each picture. */
 public interface Painter {
     /** Paints all there is at an instant of the machine's clock (ns), on the renderer's thread. */
     void paint(Brush brush, long nanos);

@@ -9,8 +9,12 @@ public interface Screen extends AutoCloseable {
     /** What a window shows; add it, then {@link #start}. */
     Component component();
 
-    /** Begins to paint. */
-    void start();
+    /**
+     * Begins to paint.
+     *
+     * @return done with the first frame; fails with a {@link ScreenException} if there can be none
+     */
+    CompletableFuture<Void> start();
 
     /** The next frame as it will be seen; fails with a {@link ScreenException}. */
     CompletableFuture<BufferedImage> picture();

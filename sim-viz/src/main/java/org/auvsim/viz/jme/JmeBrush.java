@@ -1,0 +1,194 @@
+package org.auvsim.viz.jme;
+
+import com.jme3.asset.AssetManager;
+import com.jme3.material.Material;
+import com.jme3.material.RenderState.BlendMode;
+import com.jme3.material.RenderState.FaceCullMode;
+import com.jme3.renderer.queue.RenderQueue.Bucket;
+import com.jme3.scene.Mesh;
+import com.jme3.scene.Node;
+
+import org.auvsim.core.volume.HeightMap;
+import org.auvsim.core.volume.Pose;
+import org.auvsim.viz.camera.OrbitCamera;
+import org.auvsim.viz.drawing.Brush;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Collects a frame's shapes into a few batches. Places are counted from what the camera looks at,
+ * so that single precision is enough however far from the world's origin that is.
+ */
+final class JmeBrush implements Brush {
+    /** Rings of balls, sides of tubes and cones: the finer, the more pixels their radius takes. */
+    private static final int[] RINGS = {3, 5, 10, 20};
+
+    private static final int[] SIDES = {4, 8, 16, 32};
+
+    /** A shape of so many pixels' radius is painted coarser than those that follow. */
+    private static final double[] PIXELS = {3, 12, 40};
+
+    private static final int OPAQUE = 0xff;
+
+    private final Node node = new Node("scene");
+    private final List<InstanceBatch> batches = new ArrayList<>();
+    private final InstanceBatch[][] balls = new InstanceBatch[RINGS.length][];
+    private final InstanceBatch[][] tubes = new InstanceBatch[SIDES.length][];
+    private final InstanceBatch[][] cones = new InstanceBatch[SIDES.length][];
+    private final InstanceBatch[] cubes;
+    private final LineBatch lines;
+    private final Labels labels;
+    private final SeaFloors seaFloors;
+    private final double[] pixel = new double[3];
+    private final OrbitCamera camera;
+    private double originX;
+    private double originY;
+    private double originZ;
+    private int width;
+    private int height;
+
+    JmeBrush(AssetManager assets, OrbitCamera camera) {
+        this.camera = camera;
+        Material solid = new Material(assets, "org/auvsim/viz/jme/Solid.j3md");
+        solid.getAdditionalRenderState().setFaceCullMode(FaceCullMode.Off);
+        Material clear = solid.clone();
+        clear.getAdditionalRenderState().setBlendMode(BlendMode.Alpha);
+        clear.getAdditionalRenderState().setDepthWrite(false);
+        Material line = new Material(assets, "org/auvsim/viz/jme/Line.j3md");
+        line.getAdditionalRenderState().setBlendMode(BlendMode.Alpha);
+        line.getAdditionalRenderState().setDepthWrite(false);
+        for (int i = 0; i < RINGS.length; i++) {
+            balls[i] = both("balls", UnitMeshes.ball(RINGS[i]), solid, clear);
+            tubes[i] = both("tubes", UnitMeshes.tube(SIDES[i]), solid, clear);
+            cones[i] = both("cones", UnitMeshes.cone(SIDES[i]), solid, clear);
+        }
+        cubes = both("cubes", UnitMeshes.cube(), solid, clear);
+        lines = new LineBatch(line);
+        node.attachChild(lines.geometry());
+        labels = new Labels(assets.loadFont("Interface/Fonts/Default.fnt"));
+        seaFloors = new SeaFloors(solid, node);
+    }
+
+    /** A batch of what is opaque, and one of what is not. */
+    private InstanceBatch[] both(String name, Mesh mesh, Material solid, Material clear) {
+        return new InstanceBatch[] {
+            batch(name, mesh, solid, Bucket.Opaque),
+            batch("clear " + name, mesh, clear, Bucket.Transparent)
+        };
+    }
+
+    private InstanceBatch batch(String name, Mesh mesh, Material material, Bucket bucket) {
+        InstanceBatch batch = new InstanceBatch(name, mesh, material, bucket);
+        batches.add(batch);
+        node.attachChild(batch);
+        return batch;
+    }
+
+    /** What stands in the world. */
+    Node node() {
+        return node;
+    }
+
+    /** What stands on the picture. */
+    Node words() {
+        return labels.node();
+    }
+
+    /** Begins a frame of so many pixels. */
+    void begin(int wide, int high) {
+        width = wide;
+        height = high;
+        originX = camera.target(0);
+        originY = camera.target(1);
+        originZ = camera.target(2);
+        for (int i = 0; i < batches.size(); i++) {
+            batches.get(i).begin();
+        }
+        lines.begin();
+        labels.begin();
+        seaFloors.begin();
+    }
+
+    /** Ends a frame: what was collected will be seen. */
+    void end() {
+        for (int i = 0; i < batches.size(); i++) {
+            batches.get(i).end();
+        }
+        lines.end();
+        labels.end();
+        seaFloors.end();
+    }
+
+    private static int kind(int colour) {
+        return colour >>> 24 == OPAQUE ? 0 : 1;
+    }
+
+    private void add(InstanceBatch batch, Pose pose, double x, double y, double z, int colour) {
+        batch.add(pose, pose.x - originX, pose.y - originY, pose.z - originZ, x, y, z, colour);
+    }
+
+    @Override
+    public void ball(Pose pose, double radius, int colour) {
+        add(balls[detail(pose, radius)][kind(colour)], pose, radius, radius, radius, colour);
+    }
+
+    /** How fine something of this radius (m) has to be. */
+    private int detail(Pose pose, double radius) {
+        camera.project(pose.x, pose.y, pose.z, width, height, pixel);
+        double pixels = radius * camera.pixelsPerMetre(pixel[2], height);
+        int detail = 0;
+        while (detail < PIXELS.length && pixels > PIXELS[detail]) {
+            detail++;
+        }
+        return detail;
+    }
+
+    @Override
+    public void box(Pose pose, double x, double y, double z, int colour) {
+        add(cubes[kind(colour)], pose, x, y, z, colour);
+    }
+
+    @Override
+    public void tube(Pose pose, double length, double radius, int colour) {
+        add(tubes[detail(pose, radius)][kind(colour)], pose, length, radius, radius, colour);
+    }
+
+    @Override
+    public void cone(Pose pose, double length, double radius, int colour) {
+        add(cones[detail(pose, radius)][kind(colour)], pose, length, radius, radius, colour);
+    }
+
+    @Override
+    public void line(
+            double ax, double ay, double az, double bx, double by, double bz, int colour) {
+        lines.add(
+                ax - originX,
+                ay - originY,
+                az - originZ,
+                bx - originX,
+                by - originY,
+                bz - originZ,
+                colour);
+    }
+
+    @Override
+    public void surface(long id, HeightMap map, Pose pose, int colour) {
+        seaFloors.add(
+                id, map, pose, pose.x - originX, pose.y - originY, pose.z - originZ, colour);
+    }
+
+    @Override
+    public void label(double x, double y, double z, String text, int colour) {
+        camera.project(x, y, z, width, height, pixel);
+        boolean seen =
+                (pixel[2] > 0 || !camera.isPerspective())
+                        && pixel[0] > 0
+                        && pixel[0] < width
+                        && pixel[1] > 0
+                        && pixel[1] < height;
+        if (seen) {
+            labels.add(pixel[0], height - pixel[1], text, colour);
+        }
+    }
+}

@@ -1,0 +1,68 @@
+package org.auvsim.viz.jme;
+
+import com.jme3.font.BitmapFont;
+import com.jme3.font.BitmapText;
+import com.jme3.math.ColorRGBA;
+import com.jme3.scene.Node;
+import com.jme3.scene.Spatial.CullHint;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Words on the picture. A label of the frame before is used again where its words are the same. */
+final class Labels {
+    private static final float SIZE = 15;
+
+    private final BitmapFont font;
+    private final Node node = new Node("labels");
+    private final List<BitmapText> texts = new ArrayList<>();
+    private final ColorRGBA shade = new ColorRGBA();
+    private int used;
+
+    Labels(BitmapFont font) {
+        this.font = font;
+    }
+
+    Node node() {
+        return node;
+    }
+
+    void begin() {
+        used = 0;
+    }
+
+    /** Words whose middle stands at a pixel, counted from the left and from the bottom. */
+    void add(double x, double y, String words, int colour) {
+        BitmapText text = next();
+        if (!text.getText().equals(words)) {
+            text.setText(words);
+        }
+        shade.set(
+                (colour >> 16 & 0xff) / 255f,
+                (colour >> 8 & 0xff) / 255f,
+                (colour & 0xff) / 255f,
+                1);
+        if (!shade.equals(text.getColor())) {
+            text.setColor(shade.clone());
+        }
+        text.setLocalTranslation(
+                Math.round(x - text.getLineWidth() / 2), Math.round(y + SIZE), 0);
+        text.setCullHint(CullHint.Never);
+    }
+
+    private BitmapText next() {
+        if (used == texts.size()) {
+            BitmapText text = new BitmapText(font);
+            text.setSize(SIZE);
+            texts.add(text);
+            node.attachChild(text);
+        }
+        return texts.get(used++);
+    }
+
+    void end() {
+        for (int i = used; i < texts.size(); i++) {
+            texts.get(i).setCullHint(CullHint.Always);
+        }
+    }
+}

@@ -8,8 +8,11 @@ import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.Received;
 import org.auvsim.auvsml.document.recording.SmallDisk;
 import org.auvsim.auvsml.message.command.ListenedObject;
+import org.auvsim.auvsml.message.entity.DescribeWorldObjectRequest;
+import org.auvsim.auvsml.message.entity.WorldObjectDescriptionResponse;
 import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 import org.auvsim.auvsml.message.movement.TimestepAdvancedNotification;
+import org.auvsim.core.entity.WorldObjectDefinition;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -294,7 +297,22 @@ class ReplayTest {
                 AuvsmlClient viewer = AuvsmlClient.connect("127.0.0.1", replaying.port())) {
             assertThat(viewer.welcome().role()).isEqualTo("viewer");
             assertThat(timeHeard(viewer, 0)).isPositive();
+            WorldObjectDefinition boat = described(viewer, 1);
+            assertThat(boat.name()).isEqualTo("Boat");
+            assertThat(boat.position().x()).isPositive();
         }
+    }
+
+    private static WorldObjectDefinition described(AuvsmlClient client, long id) throws Exception {
+        client.send(new DescribeWorldObjectRequest(id));
+        for (Optional<Received> next = client.next(); next.isPresent(); next = client.next()) {
+            for (var message : next.get().messages()) {
+                if (message instanceof WorldObjectDescriptionResponse answer) {
+                    return answer.worldObject();
+                }
+            }
+        }
+        throw new AssertionError("the server has ended");
     }
 
     @Test

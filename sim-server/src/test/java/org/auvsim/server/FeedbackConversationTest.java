@@ -100,7 +100,9 @@ class FeedbackConversationTest {
                 .contains("is-projected-state=\"0\"")
                 .contains("<position x=\"0.98\" y=\"2.1\" z=\"3.4\"/>");
         String applied = client.next();
-        assertThat(applied).contains("handler-name=\"DirectPositionChangeFeedbackHandler\"");
+        assertThat(applied)
+                .contains("handler-name=\"DirectPositionChangeFeedbackHandler\"")
+                .contains("<measured-position x=\"0.98\" y=\"2.1\" z=\"3.4\"/>");
         assertThat(RawClient.number(applied, "feedback-applied", "error-before"))
                 .isCloseTo(new Vec3(0.98, 2.1, 3.4).norm(), within(1e-12));
         assertThat(RawClient.number(applied, "feedback-applied", "error-after")).isZero();

@@ -106,6 +106,8 @@ class StateFeedbackConversationTest {
         assertThat(applied).contains("converged=\"1\"").doesNotContain("angular-velocity-error");
         assertThat(RawClient.number(applied, "feedback-applied", "error-before"))
                 .isCloseTo(5, within(1e-12));
+        assertThat(RawClient.number(applied, "measured-position", "x")).isCloseTo(4, within(1e-12));
+        assertThat(RawClient.number(applied, "measured-position", "y")).isCloseTo(3, within(1e-12));
         assertThat(RawClient.number(applied, "feedback-applied", "angle-error-before"))
                 .isCloseTo(Math.PI / 2, within(1e-12));
         assertThat(RawClient.number(applied, "feedback-applied", "velocity-error-before"))

@@ -33,14 +33,11 @@ public final class AuvsmlClient implements AutoCloseable {
     private static final int TIMEOUT = 5_000;
     private static final int PACKET = 8192;
 
-    /** What a server sends may be longer than what it takes. */
-    private static final Limits LIMITS = Limits.SCENARIO;
-
     private final Socket socket;
     private final String address;
     private final AuvsmlWriter writer;
     private final RootDecoder decoder;
-    private final FrameReader frames = new FrameReader(LIMITS);
+    private final FrameReader frames = new FrameReader(Limits.ANSWER);
     private final byte[] packet = new byte[PACKET];
     private final InputStream in;
     private final OutputStream out;
@@ -52,7 +49,7 @@ public final class AuvsmlClient implements AutoCloseable {
         this.socket = socket;
         this.address = address;
         this.writer = new AuvsmlWriter(catalogue);
-        this.decoder = RootDecoder.lenient(catalogue, LIMITS);
+        this.decoder = RootDecoder.lenient(catalogue, Limits.ANSWER);
         this.in = socket.getInputStream();
         this.out = socket.getOutputStream();
         this.welcome = awaitWelcome();

@@ -14,6 +14,9 @@ public record Limits(int bytes, int depth, int attributes, int valueLength) {
     /** For one root element with its messages: 64 KiB. */
     public static final Limits MESSAGE = new Limits(64 << 10, 32, 64);
 
+    /** For one root element that a server sends, which may be longer than what it takes: 1 MiB. */
+    public static final Limits ANSWER = new Limits(1 << 20, 32, 64);
+
     /** For a scenario file: 1 MiB. */
     public static final Limits SCENARIO = new Limits(1 << 20, 32, 64);
 

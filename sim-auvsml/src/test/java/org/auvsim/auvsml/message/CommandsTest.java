@@ -41,6 +41,7 @@ import org.auvsim.auvsml.message.entity.AddFieldCommand;
 import org.auvsim.auvsml.message.entity.AddWorldObjectCommand;
 import org.auvsim.auvsml.message.entity.AddWorldObjectResponse;
 import org.auvsim.auvsml.message.entity.ControlSurfaceListResponse;
+import org.auvsim.auvsml.message.entity.DescribeWorldObjectRequest;
 import org.auvsim.auvsml.message.entity.EffectListResponse;
 import org.auvsim.auvsml.message.entity.FieldListResponse;
 import org.auvsim.auvsml.message.entity.GetControlSurfaceListRequest;
@@ -53,6 +54,7 @@ import org.auvsim.auvsml.message.entity.ListedPropulsor;
 import org.auvsim.auvsml.message.entity.PropulsorListResponse;
 import org.auvsim.auvsml.message.entity.RemoveEffectCommand;
 import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
+import org.auvsim.auvsml.message.entity.WorldObjectDescriptionResponse;
 import org.auvsim.auvsml.message.entity.WorldObjectListResponse;
 import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 import org.auvsim.auvsml.message.radio.SendAcousticMessageCommand;
@@ -193,6 +195,8 @@ class CommandsTest {
         silent(WorldControl.class, new RemoveEntityCommand(48));
         assertThat(new GetEffectListRequest(47).execute(port(WorldView.class, List.of(WEIGHT))))
                 .contains(new EffectListResponse(47, List.of(WEIGHT)));
+        assertThat(new DescribeWorldObjectRequest(47).execute(port(WorldView.class, rock)))
+                .contains(new WorldObjectDescriptionResponse(rock));
         assertThat(new GetFieldListRequest().execute(port(WorldView.class, List.of(TIDE))))
                 .contains(new FieldListResponse(List.of(TIDE)));
         silent(WorldControl.class, new AddFieldCommand(TIDE));
@@ -213,6 +217,7 @@ class CommandsTest {
                         "add" + List.of(rock),
                         "remove[48]",
                         "effects[47]",
+                        "description[47]",
                         "fields[]",
                         "add" + List.of(TIDE),
                         "addEffect" + List.of(47L, WEIGHT),

@@ -36,19 +36,22 @@ final class PlainText {
             case CommandDoneResponse _ -> "done";
             case ErrorResponse error -> "refused: " + error.text();
             case DisconnectedNotification end -> "disconnected: " + end.reason();
-            default -> hasDescriptions(message) ? inside(message) : plain(message);
+            default -> hasDescriptions(message.getClass()) ? inside(message) : plain(message);
         };
     }
 
-    /** Whether it holds effects, fields or the like, which are best seen as they are sent back. */
-    private static boolean hasDescriptions(Message message) {
-        return Arrays.stream(message.getClass().getRecordComponents())
+    /**
+     * Whether it holds effects, fields, world objects or the like, which are best seen as they are
+     * sent back.
+     */
+    private static boolean hasDescriptions(Class<?> record) {
+        return Arrays.stream(record.getRecordComponents())
                 .map(PlainText::elementType)
-                .anyMatch(type -> type instanceof Class<?> c && c.isInterface() && !isOptional(c));
-    }
-
-    private static boolean isOptional(Class<?> type) {
-        return type == Optional.class;
+                .anyMatch(
+                        type ->
+                                type instanceof Class<?> c
+                                        && (c.isInterface()
+                                                || (c.isRecord() && hasDescriptions(c))));
     }
 
     private static Type elementType(RecordComponent component) {

@@ -129,6 +129,30 @@ class AdministrationTest {
     }
 
     @Test
+    void aWorldObjectIsDescribedAsAScenarioWouldStateIt() throws Exception {
+        assertThat(perform("set propulsor 7 Tail 0.5", "describe world object \"Red Fish\""))
+                .isEqualTo(
+                        """
+                        done
+                        <world-object-description-response>
+                          <world-object id="7" name="Red Fish" fixed="0" mass="2.0" restitution="1.0" friction="0.0" layer="0">
+                            <sphere radius="1.0"/>
+                            <position x="0.0" y="0.0" z="0.0"/>
+                            <orientation w="1.0" x="0.0" y="0.0" z="0.0"/>
+                            <velocity x="0.0" y="0.0" z="0.0"/>
+                            <angular-velocity x="0.0" y="0.0" z="0.0"/>
+                            <propulsor name="Tail" maximum-thrust="10.0" level="0.5" lag="0.0" dead-zone="0.0" reaction-torque="0.0">
+                              <position x="0.0" y="0.0" z="0.0"/>
+                              <direction x="1.0" y="0.0" z="0.0"/>
+                            </propulsor>
+                          </world-object>
+                        </world-object-description-response>
+                        """);
+        assertThat(perform("help describe world object"))
+                .startsWith("describe world object OBJECT\n\nAsks for a world object as it is now");
+    }
+
+    @Test
     void auvsmlIsTakenAsItIs() throws Exception {
         assertThat(
                         perform(

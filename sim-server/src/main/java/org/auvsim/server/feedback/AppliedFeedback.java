@@ -31,6 +31,7 @@ public record AppliedFeedback(
                 objectId,
                 time,
                 processor,
+                target.position(),
                 before.position(),
                 after.position(),
                 before.angle(),

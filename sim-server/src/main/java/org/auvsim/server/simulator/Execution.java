@@ -17,7 +17,6 @@ import org.auvsim.auvsml.message.entity.AddWorldObjectResponse;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.core.description.ElementName;
 import org.auvsim.core.entity.WorldObject;
-import org.auvsim.core.world.World;
 import org.auvsim.server.feedback.CorrectiveFeedbackSystem;
 import org.auvsim.server.net.ClientSession;
 import org.auvsim.server.net.Notifications;
@@ -30,7 +29,7 @@ import java.util.function.Supplier;
 
 /** What messages do: to the world, to the session of their sender, to the simulator. */
 final class Execution {
-    private final World world;
+    private final WorldPort world;
     private final ControlledObjects controlled;
     private final CorrectiveFeedbackSystem feedback;
     private final Members members;
@@ -40,7 +39,7 @@ final class Execution {
     private final Set<ClientSession> ending = new HashSet<>();
 
     Execution(
-            World world,
+            WorldPort world,
             ControlledObjects controlled,
             CorrectiveFeedbackSystem feedback,
             Members members,
@@ -120,12 +119,12 @@ final class Execution {
     }
 
     private Optional<Message> perform(WorldCommand command) {
-        return command.execute(new WorldPort(world));
+        return command.execute(world);
     }
 
     private Optional<Message> perform(WorldObjectCommand command) {
-        WorldObject object = WorldPort.object(world, command.worldObjectId());
-        return command.execute(new WorldObjectPort(world, object));
+        WorldObject object = WorldPort.object(world.world(), command.worldObjectId());
+        return command.execute(new WorldObjectPort(world.world(), object));
     }
 
     /** What leads to the same again: an object that was added keeps its id. */
@@ -150,7 +149,7 @@ final class Execution {
             case ClientCommand c -> c.execute(port(session));
             case SimulatorQuery q -> q.execute(simulator);
             case SimulatorCommand c -> c.execute(simulator);
-            case WorldQuery q -> q.execute(new WorldPort(world));
+            case WorldQuery q -> q.execute(world);
             case WorldCommand c -> perform(c);
             case WorldObjectCommand c -> holding(session, c.worldObjectId(), () -> perform(c));
             default -> throw new AssertionError(message + " is not for the simulator");
@@ -160,7 +159,7 @@ final class Execution {
     private SessionPort port(ClientSession session) {
         return new SessionPort(
                 session,
-                world,
+                world.world(),
                 controlled,
                 name -> join(session, name),
                 step -> members.ready(session, step),

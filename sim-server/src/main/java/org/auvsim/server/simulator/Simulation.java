@@ -86,7 +86,7 @@ final class Simulation {
                         notifications,
                         members,
                         new Execution(
-                                world,
+                                new WorldPort(world, new DescriptionLimits(settings.writer())),
                                 controlled,
                                 feedback,
                                 members,

@@ -18,7 +18,7 @@ import org.auvsim.core.world.WorldException;
 import java.util.List;
 
 /** The world as commands reach it. */
-record WorldPort(World world) implements WorldControl {
+record WorldPort(World world, DescriptionLimits limits) implements WorldControl {
     /** Grids of more points than this are not told: no client could take the message. */
     private static final int MOST_GRID_POINTS = 20_000;
 
@@ -60,6 +60,13 @@ record WorldPort(World world) implements WorldControl {
     @Override
     public List<Effect> effects(long worldObjectId) {
         return object(world, worldObjectId).effects();
+    }
+
+    @Override
+    public WorldObjectDefinition description(long worldObjectId) {
+        WorldObjectDefinition definition = object(world, worldObjectId).presentDefinition();
+        limits.requireReadable(definition);
+        return definition;
     }
 
     @Override

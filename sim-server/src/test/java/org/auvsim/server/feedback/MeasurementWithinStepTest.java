@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
 import org.auvsim.auvsml.message.feedback.DifferentVelocityFeedbackMessage;
+import org.auvsim.auvsml.message.feedback.FeedbackAppliedNotification;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.auvsml.message.feedback.MeasurementFrame;
 import org.auvsim.core.entity.Frame;
@@ -90,6 +91,7 @@ class MeasurementWithinStepTest {
                                         Optional.empty())));
         step.advanceTimestep();
         assertThat(world.object(1).velocity().distance(new Vec3(1.6, 0.5, 0))).isLessThan(1e-12);
+        assertThat(step.applied.getFirst().notification().measuredPosition()).isEmpty();
     }
 
     /** Ahead of an object whose nose points to the north. */
@@ -100,6 +102,9 @@ class MeasurementWithinStepTest {
         step.advanceTimestep();
         Vec3 expected = model(STEP).plus(new Vec3(0, 0.5, 0));
         assertThat(world.object(1).position().distance(expected)).isLessThan(1e-12);
+        FeedbackAppliedNotification told = step.applied.getFirst().notification();
+        assertThat(told.timestamp()).isEqualTo(STEP);
+        assertThat(told.measuredPosition().orElseThrow().distance(expected)).isLessThan(1e-12);
     }
 
     /** Each has the model's own motion since its time added, not that of corrections before it. */

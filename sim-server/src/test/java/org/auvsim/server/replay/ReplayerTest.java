@@ -10,6 +10,7 @@ import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.recording.RecordingReader;
 import org.auvsim.auvsml.message.command.EventType;
 import org.auvsim.auvsml.message.control.ApplyDirectForceCommand;
+import org.auvsim.auvsml.message.entity.DescribeWorldObjectRequest;
 import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
 import org.auvsim.auvsml.recording.Entry;
 import org.auvsim.auvsml.recording.StepFailed;
@@ -260,6 +261,7 @@ class ReplayerTest {
                 new Viewer(
                         ListenerRegistrationRequestCommand.of(
                                 "1", List.of(EventType.MOVEMENT_STATE_CHANGE)),
+                        new DescribeWorldObjectRequest(1),
                         new ApplyDirectForceCommand(1, "p", Frame.WORLD, new Vec3(9, 0, 0)));
         try (Replayer replayer =
                 new Replayer(
@@ -275,6 +277,7 @@ class ReplayerTest {
         }
         assertThat(viewer.heard())
                 .contains("role=\"viewer\"")
+                .contains("<world-object-description-response><world-object id=\"1\"")
                 .contains("needs the role controller, but client 1000000001 is a viewer")
                 .contains("<movement-state-change-message timestamp=\"1.55\"")
                 .contains("<movement-state-change-message timestamp=\"2.5")

@@ -2,6 +2,7 @@ package org.auvsim.auvsml.message.command;
 
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.Field;
+import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.sensor.Sensor;
 
 import java.util.List;
@@ -38,6 +39,14 @@ public interface WorldView {
      * @throws RefusedException if there is no such world object
      */
     List<Effect> effects(long worldObjectId);
+
+    /**
+     * An object as it is now, described as in a scenario, with its id.
+     *
+     * @throws RefusedException if there is no such world object, or its description is too long for
+     *     a client
+     */
+    WorldObjectDefinition description(long worldObjectId);
 
     /** All fields, in order of id. */
     List<Field<?>> fields();

@@ -2,8 +2,10 @@ package org.auvsim.auvsml.message.feedback;
 
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.math.Vec3;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
@@ -11,6 +13,9 @@ import java.util.OptionalDouble;
  * measured, each there if that part was: without the correction and with it.
  *
  * @param handlerName the processor
+ * @param measuredPosition where the object was measured, in the world's axes, at the timestamp: the
+ *     model's own motion is added to a measurement from within the step; there if a position was
+ *     measured
  * @param errorBefore distance of the object from the measured position before
  * @param errorAfter the same distance after
  * @param angleErrorBefore angle to the measured orientation before
@@ -27,6 +32,7 @@ public record FeedbackAppliedNotification(
         long worldObjectId,
         @Unit("s") double timestamp,
         String handlerName,
+        @Unit("m") Optional<Vec3> measuredPosition,
         @Unit("m") OptionalDouble errorBefore,
         @Unit("m") OptionalDouble errorAfter,
         @Unit("rad") OptionalDouble angleErrorBefore,

@@ -123,6 +123,12 @@ public final class AuvsmlClient implements AutoCloseable {
                 || !(first.messages().getFirst() instanceof WelcomeMessage greeting)) {
             throw notAuvsml("its first message is no welcome-message");
         }
+        if (!greeting.protocolVersion().equals(WelcomeMessage.PROTOCOL)) {
+            throw new ConnectionException(
+                    "%s speaks version %s of AUVSML, this program version %s: take the same release of both."
+                            .formatted(
+                                    address, greeting.protocolVersion(), WelcomeMessage.PROTOCOL));
+        }
         return greeting;
     }
 

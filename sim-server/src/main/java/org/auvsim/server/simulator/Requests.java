@@ -31,7 +31,6 @@ import java.util.Set;
  */
 final class Requests {
     private static final Logger LOG = LoggerFactory.getLogger(Requests.class);
-    private static final String PROTOCOL_VERSION = "1";
 
     /** So many commands may wait for the end of a step. */
     private static final int MOST_WAITING = 4096;
@@ -120,7 +119,7 @@ final class Requests {
         notifications.add(session);
         session.send(
                 new WelcomeMessage(
-                        PROTOCOL_VERSION, serverName, session.id(), session.role().roleName()));
+                        WelcomeMessage.PROTOCOL, serverName, session.id(), session.role().roleName()));
     }
 
     /** Those of a replayed run do not come and go today. */

@@ -45,10 +45,11 @@ public final class Scene {
             Actor actor = new Actor(object, time);
             byId.put(object.id(), actor);
             actors.add(actor);
+            revision++;
         } else {
+            revision += known.object().looksLike(object) ? 0 : 1;
             known.become(object);
         }
-        revision++;
     }
 
     /** An object has gone. */
@@ -150,7 +151,7 @@ public final class Scene {
         return all;
     }
 
-    /** Counts up whenever objects or fields come, go or change otherwise than by moving. */
+    /** Counts up whenever objects or fields come, go or look otherwise; not when they move. */
     public synchronized long revision() {
         return revision;
     }

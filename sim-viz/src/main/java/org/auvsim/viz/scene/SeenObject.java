@@ -16,6 +16,14 @@ public record SeenObject(long id, String name, Optional<WorldObjectDefinition> d
         return new SeenObject(id, definition.name(), Optional.of(definition));
     }
 
+    /** Whether it has the same name and volume as another one. */
+    boolean looksLike(SeenObject other) {
+        return name.equals(other.name)
+                && definition
+                        .map(WorldObjectDefinition::volume)
+                        .equals(other.definition.map(WorldObjectDefinition::volume));
+    }
+
     /** Whether it never moves; also said of nothing that is not known. */
     public boolean isFixed() {
         return definition.map(WorldObjectDefinition::fixed).orElse(false);

@@ -10,4 +10,7 @@ import org.auvsim.auvsml.message.Message;
  * @param role what the client may do
  */
 public record WelcomeMessage(String protocolVersion, String server, long sessionId, String role)
-        implements Message {}
+        implements Message {
+    /** The version of AUVSML that is spoken here. */
+    public static final String PROTOCOL = "1";
+}

@@ -1,0 +1,130 @@
+package org.auvsim.viz.source;
+
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.command.EventType;
+import org.auvsim.auvsml.message.command.ListedWorldObject;
+import org.auvsim.auvsml.message.command.ListenedObject;
+import org.auvsim.auvsml.message.command.Listener;
+import org.auvsim.auvsml.message.entity.DescribeWorldObjectRequest;
+import org.auvsim.auvsml.message.entity.EntityAddedMessage;
+import org.auvsim.auvsml.message.entity.GetFieldListRequest;
+import org.auvsim.auvsml.message.entity.GetWorldObjectListCommand;
+import org.auvsim.auvsml.message.entity.WorldObjectListResponse;
+import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
+import org.auvsim.core.actuator.Fin;
+import org.auvsim.core.actuator.Propulsor;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.viz.scene.Occurrence;
+import org.auvsim.viz.scene.Scene;
+import org.auvsim.viz.scene.SeenObject;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.Stream;
+
+/** What a viewer asks for: what there is, how it moves, and now and then what is done to it. */
+final class Audience {
+    /** More movements a second of world time are no smoother to the eye. */
+    private static final double MOST_A_SECOND = 30;
+
+    /** In a larger world projected states are left out: they would double what is sent. */
+    private static final int MOST_PROJECTED = 200;
+
+    /** So many objects' forces and propulsors are asked for again and again. */
+    private static final int MOST_WATCHED = 20;
+
+    private static final List<EventType> EVENTS =
+            List.of(
+                    EventType.KINEMATIC_STATE,
+                    EventType.TIMESTEP_ADVANCED,
+                    EventType.COLLISION,
+                    EventType.RADIO,
+                    EventType.ENTITY_ADDED,
+                    EventType.ENTITY_REMOVED,
+                    EventType.FEEDBACK_APPLIED,
+                    EventType.MODEL_CORRECTION);
+
+    private final Scene scene;
+    private final Exchange exchange;
+
+    Audience(Scene scene, Exchange exchange) {
+        this.scene = scene;
+        this.exchange = exchange;
+    }
+
+    /** Asks for everything; the answers come while the exchange is read. */
+    void begin() {
+        exchange.ask(GET_OBJECTS).thenAccept(this::listed);
+        exchange.ask(new GetFieldListRequest());
+    }
+
+    private static final Message GET_OBJECTS = new GetWorldObjectListCommand();
+
+    /** Never waits: sending may, and this is where answers are read. */
+    private void listed(Message answer) {
+        if (answer instanceof WorldObjectListResponse(List<ListedWorldObject> objects)) {
+            Thread.startVirtualThread(() -> attend(objects));
+        }
+    }
+
+    private void attend(List<ListedWorldObject> objects) {
+        objects.forEach(o -> describe(o.id(), o.name()));
+        boolean projected = objects.size() <= MOST_PROJECTED;
+        if (!projected) {
+            scene.tell(
+                    new Occurrence(
+                            scene.time(),
+                            "There are %d objects: their projected states are left out"
+                                    .formatted(objects.size())));
+        }
+        exchange.ask(registration(projected));
+    }
+
+    private static Message registration(boolean projected) {
+        List<EventType> types =
+                projected
+                        ? Stream.concat(
+                                        EVENTS.stream(), Stream.of(EventType.PROJECTED_MOVEMENT))
+                                .toList()
+                        : EVENTS;
+        List<Listener> listeners =
+                types.stream()
+                        .map(t -> new Listener(t.eventName(), OptionalDouble.of(MOST_A_SECOND)))
+                        .toList();
+        return new ListenerRegistrationRequestCommand(
+                true, List.of(new ListenedObject(ListenedObject.EVERY, listeners)));
+    }
+
+    /** Asks what an object is made of; if that cannot be told, its name is all that is known. */
+    private void describe(long id, String name) {
+        exchange.ask(new DescribeWorldObjectRequest(id))
+                .whenComplete(
+                        (_, refusal) -> {
+                            if (refusal != null) {
+                                scene.add(new SeenObject(id, name, Optional.empty()));
+                            }
+                        });
+    }
+
+    /** Asks about what has come. */
+    void hear(Message message) {
+        if (message instanceof EntityAddedMessage(double _, long id)) {
+            Thread.startVirtualThread(() -> exchange.ask(new DescribeWorldObjectRequest(id)));
+        }
+    }
+
+    /** Asks again about those that something is done to. */
+    void refresh() {
+        scene.objects().stream()
+                .filter(o -> o.definition().filter(Audience::isDriven).isPresent())
+                .limit(MOST_WATCHED)
+                .forEach(o -> exchange.ask(new DescribeWorldObjectRequest(o.id())));
+    }
+
+    private static boolean isDriven(WorldObjectDefinition definition) {
+        return !definition.force().isEmpty()
+                || definition.component().stream()
+                        .anyMatch(c -> c instanceof Propulsor || c instanceof Fin);
+    }
+}

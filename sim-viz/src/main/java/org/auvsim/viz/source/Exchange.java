@@ -1,0 +1,106 @@
+package org.auvsim.viz.source;
+
+import org.auvsim.auvsml.client.AuvsmlClient;
+import org.auvsim.auvsml.client.ConnectionException;
+import org.auvsim.auvsml.client.Received;
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.session.DisconnectedNotification;
+import org.auvsim.auvsml.message.session.ErrorResponse;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+
+/** One connection: questions out, answers and news in. */
+final class Exchange {
+    private final AuvsmlClient client;
+    private final Map<String, CompletableFuture<Message>> open = new ConcurrentHashMap<>();
+    private final AtomicLong asked = new AtomicLong();
+    private volatile boolean ended;
+
+    Exchange(AuvsmlClient client) {
+        this.client = client;
+    }
+
+    AuvsmlClient client() {
+        return client;
+    }
+
+    /** Sends a question; its answer comes while {@link #read} runs. */
+    CompletableFuture<Message> ask(Message message) {
+        String id = "view-" + asked.incrementAndGet();
+        CompletableFuture<Message> answer = new CompletableFuture<>();
+        open.put(id, answer);
+        try {
+            client.request(id, message);
+        } catch (ConnectionException e) {
+            refuse(id, String.valueOf(e.getMessage()));
+        }
+        if (ended) {
+            refuse(id, "The connection to the simulator has ended.");
+        }
+        return answer;
+    }
+
+    private void refuse(String id, String why) {
+        CompletableFuture<Message> answer = open.remove(id);
+        if (answer != null) {
+            answer.completeExceptionally(new RefusedException(why));
+        }
+    }
+
+    /**
+     * Reads until the connection ends, and hands on each message.
+     *
+     * @return why it ended, in a sentence
+     */
+    String read(Consumer<Message> reader) {
+        String why = "The simulator at %s has ended the connection.".formatted(client.address());
+        try {
+            Optional<Received> received = client.next();
+            while (received.isPresent()) {
+                for (Message message : received.get().messages()) {
+                    reader.accept(message);
+                    if (message instanceof DisconnectedNotification(String reason)) {
+                        why = "The simulator at %s ends: %s.".formatted(client.address(), reason);
+                    }
+                }
+                received.get().requestId().ifPresent(answered(received.get()));
+                received = client.next();
+            }
+        } catch (ConnectionException e) {
+            why = String.valueOf(e.getMessage());
+        }
+        ended = true;
+        for (String id : open.keySet()) {
+            refuse(id, why);
+        }
+        return why;
+    }
+
+    private Consumer<String> answered(Received received) {
+        return id -> {
+            CompletableFuture<Message> answer = open.remove(id);
+            if (answer == null) {
+                return;
+            }
+            if (received.messages().isEmpty()) {
+                answer.completeExceptionally(
+                        new RefusedException(
+                                "The answer holds what this viewer does not know: start it with the"
+                                        + " simulator's --extensions."));
+            } else if (received.messages().getFirst() instanceof ErrorResponse error) {
+                answer.completeExceptionally(new RefusedException(error.text()));
+            } else {
+                answer.complete(received.messages().getFirst());
+            }
+        };
+    }
+
+    void close() {
+        client.close();
+    }
+}

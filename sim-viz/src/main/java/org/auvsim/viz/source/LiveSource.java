@@ -1,0 +1,211 @@
+package org.auvsim.viz.source;
+
+import org.auvsim.auvsml.Role;
+import org.auvsim.auvsml.client.AuvsmlClient;
+import org.auvsim.auvsml.client.ConnectionException;
+import org.auvsim.auvsml.mapping.MessageCatalogue;
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.WorldObjectMessage;
+import org.auvsim.auvsml.message.control.GetSimulatorStateRequest;
+import org.auvsim.auvsml.message.control.SimulatorStateResponse;
+import org.auvsim.auvsml.message.entity.DescribeWorldObjectRequest;
+import org.auvsim.viz.scene.LiveClock;
+import org.auvsim.viz.scene.Occurrence;
+import org.auvsim.viz.scene.Scene;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * A simulator that runs, seen by an ordinary client. A thread reads what it tells, another one asks
+ * twice a second how it stands; when the connection breaks, it is tried again until it holds.
+ */
+public final class LiveSource implements Source, Steering {
+    private static final long REFRESH_MILLIS = 500;
+    private static final long TRY_AGAIN_MILLIS = 2_000;
+
+    private final String host;
+    private final int port;
+    private final MessageCatalogue catalogue;
+    private final Scene scene = new Scene(new LiveClock());
+    private final CountDownLatch closed = new CountDownLatch(1);
+    private volatile Exchange exchange;
+    private volatile Optional<SimulatorStateResponse> state = Optional.empty();
+    private volatile Optional<String> trouble = Optional.empty();
+
+    private LiveSource(String host, int port, MessageCatalogue catalogue, Exchange first) {
+        this.host = host;
+        this.port = port;
+        this.catalogue = catalogue;
+        this.exchange = first;
+    }
+
+    /**
+     * Connects to a simulator.
+     *
+     * @param catalogue the messages that it may send
+     * @throws ConnectionException if there is none, or it speaks otherwise
+     */
+    public static LiveSource connect(String host, int port, MessageCatalogue catalogue)
+            throws ConnectionException {
+        Exchange first = new Exchange(AuvsmlClient.connect(host, port, catalogue));
+        LiveSource source = new LiveSource(host, port, catalogue, first);
+        Thread.ofVirtual().name("viewer reads").start(source::stayConnected);
+        Thread.ofVirtual().name("viewer asks").start(source::keepAsking);
+        return source;
+    }
+
+    private void stayConnected() {
+        while (!isClosed()) {
+            attend(exchange);
+            reconnect();
+        }
+    }
+
+    private void attend(Exchange to) {
+        scene.clear();
+        trouble = Optional.empty();
+        SceneWriter writer = new SceneWriter(scene);
+        Audience audience = new Audience(scene, to);
+        Thread.startVirtualThread(audience::begin);
+        String why =
+                to.read(
+                        message -> {
+                            writer.write(message);
+                            audience.hear(message);
+                            if (message instanceof SimulatorStateResponse now) {
+                                state = Optional.of(now);
+                            }
+                        });
+        to.close();
+        state = Optional.empty();
+        say(why);
+    }
+
+    private void say(String why) {
+        if (!isClosed() && !trouble.equals(Optional.of(why))) {
+            trouble = Optional.of(why);
+            scene.tell(new Occurrence(scene.time(), why));
+        }
+    }
+
+    private void reconnect() {
+        while (!isClosed() && !waits(TRY_AGAIN_MILLIS)) {
+            try {
+                Exchange next = new Exchange(AuvsmlClient.connect(host, port, catalogue));
+                scene.tell(new Occurrence(scene.time(), "Connected again."));
+                exchange = next;
+                if (isClosed()) {
+                    next.close();
+                }
+                return;
+            } catch (ConnectionException e) {
+                say(String.valueOf(e.getMessage()));
+            }
+        }
+    }
+
+    private void keepAsking() {
+        while (!waits(REFRESH_MILLIS)) {
+            if (isConnected()) {
+                exchange.ask(new GetSimulatorStateRequest());
+                new Audience(scene, exchange).refresh();
+            }
+        }
+    }
+
+    /** Waits; whether the source was closed meanwhile. */
+    private boolean waits(long millis) {
+        try {
+            return closed.await(millis, TimeUnit.MILLISECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return true;
+        }
+    }
+
+    private boolean isClosed() {
+        return closed.getCount() == 0;
+    }
+
+    @Override
+    public Scene scene() {
+        return scene;
+    }
+
+    @Override
+    public void bring(long nanos) {
+        // What comes is written when it comes.
+    }
+
+    @Override
+    public String status() {
+        if (trouble.isPresent()) {
+            return trouble.get() + " Trying again ...";
+        }
+        String place = "%s:%d, %s".formatted(host, port, exchange.client().welcome().server());
+        return state.map(
+                        now ->
+                                String.format(
+                                        Locale.ROOT,
+                                        "%s, as %s: %.2f s, %s",
+                                        place,
+                                        role().roleName(),
+                                        now.time(),
+                                        now.running() ? "rate " + now.rate() : "paused"))
+                .orElse(place);
+    }
+
+    @Override
+    public Optional<Steering> steering() {
+        return Optional.of(this);
+    }
+
+    @Override
+    public Optional<Playback> playback() {
+        return Optional.empty();
+    }
+
+    @Override
+    public Role role() {
+        String name = exchange.client().welcome().role().toUpperCase(Locale.ROOT);
+        return isConnected() ? Role.valueOf(name) : Role.VIEWER;
+    }
+
+    @Override
+    public boolean isConnected() {
+        return trouble.isEmpty() && !isClosed();
+    }
+
+    @Override
+    public Optional<SimulatorStateResponse> state() {
+        return state;
+    }
+
+    /** What was done to an object is asked for at once, so that it is seen. */
+    @Override
+    public CompletableFuture<Message> ask(Message message) {
+        Exchange to = exchange;
+        CompletableFuture<Message> answer = to.ask(message);
+        if (message instanceof WorldObjectMessage about
+                && !(message instanceof DescribeWorldObjectRequest)) {
+            answer.thenRun(
+                    () ->
+                            Thread.startVirtualThread(
+                                    () ->
+                                            to.ask(
+                                                    new DescribeWorldObjectRequest(
+                                                            about.worldObjectId()))));
+        }
+        return answer;
+    }
+
+    @Override
+    public void close() {
+        closed.countDown();
+        exchange.close();
+    }
+}

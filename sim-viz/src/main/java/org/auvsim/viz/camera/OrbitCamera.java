@@ -94,6 +94,11 @@ public final class OrbitCamera {
         return target[axis];
     }
 
+    /** Coordinate {@code axis} of where the camera stands (m, world). */
+    public synchronized double position(int axis) {
+        return target[axis] - distance * forward(axis);
+    }
+
     /** Component {@code axis} of the unit vector from the camera to the target. */
     public synchronized double forward(int axis) {
         return switch (axis) {

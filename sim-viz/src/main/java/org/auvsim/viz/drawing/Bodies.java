@@ -1,13 +1,19 @@
 package org.auvsim.viz.drawing;
 
+import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.Box;
 import org.auvsim.core.volume.HalfSpace;
 import org.auvsim.core.volume.HeightMap;
 import org.auvsim.core.volume.Volume;
+import org.auvsim.viz.camera.OrbitCamera;
 import org.auvsim.viz.scene.ActorView;
 import org.auvsim.viz.scene.SceneLook;
 
 /** The objects, and as ghosts where the step under way will bring them. */
 final class Bodies implements Part {
+    /** A wall that hides the rest is seen through. */
+    private static final int WALL_ALPHA = 0x38;
+
     private final Shapes shapes = new Shapes();
     private final Placement place = new Placement();
 
@@ -34,15 +40,49 @@ final class Bodies implements Part {
         }
     }
 
-    private static int colour(ActorView actor, Picture picture) {
+    private int colour(ActorView actor, Picture picture) {
         long id = actor.object().id();
         if (picture.options().isSelected(id)) {
             return picture.palette().chosen();
         }
-        if (isGround(actor)) {
-            return picture.palette().ground();
+        if (!actor.object().isFixed()) {
+            return Palette.of(actor.object());
         }
-        return actor.object().isFixed() ? picture.palette().fixed() : Palette.ofObject(id);
+        int colour = isGround(actor) ? picture.palette().ground() : picture.palette().fixed();
+        return hides(actor, picture.camera()) ? Palette.faded(colour, WALL_ALPHA) : colour;
+    }
+
+    /** Whether a wall or the ground stands between the camera and what it looks at. */
+    private boolean hides(ActorView wall, OrbitCamera camera) {
+        if (wall.object().definition().isEmpty()) {
+            return false;
+        }
+        Volume volume = wall.object().definition().get().volume();
+        int across =
+                switch (volume) {
+                    case HalfSpace _ -> 2;
+                    case Box box -> thinnest(box.size());
+                    default -> -1;
+                };
+        return across >= 0
+                && side(camera.position(0), camera.position(1), camera.position(2), across)
+                                * side(camera.target(0), camera.target(1), camera.target(2), across)
+                        < 0;
+    }
+
+    private static int thinnest(Vec3 size) {
+        double least = Math.min(size.x(), Math.min(size.y(), size.z()));
+        return size.x() == least ? 0 : size.y() == least ? 1 : 2;
+    }
+
+    /** How far a point is from the middle of the body in place, along one of its axes. */
+    private double side(double x, double y, double z, int axis) {
+        double ex = axis == 0 ? 1 : 0;
+        double ey = axis == 1 ? 1 : 0;
+        double ez = axis == 2 ? 1 : 0;
+        return (x - place.pose.x) * place.world(0, ex, ey, ez)
+                + (y - place.pose.y) * place.world(1, ex, ey, ez)
+                + (z - place.pose.z) * place.world(2, ex, ey, ez);
     }
 
     private static boolean isGround(ActorView actor) {

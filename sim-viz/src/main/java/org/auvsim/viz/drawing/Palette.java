@@ -1,5 +1,7 @@
 package org.auvsim.viz.drawing;
 
+import org.auvsim.viz.scene.SeenObject;
+
 /**
  * The colours of a picture, 0xAARRGGBB.
  *
@@ -44,9 +46,23 @@ public record Palette(
         0xffe58fc6, 0xff9aa7f0, 0xffc2a283,
     };
 
-    /** The colour of an object that moves: the same in every run. */
-    static int ofObject(long id) {
-        return OBJECTS[(int) Math.floorMod(id, (long) OBJECTS.length)];
+    private static final String[] NAMED = {
+        "red", "green", "blue", "yellow", "orange", "white", "black", "purple",
+    };
+
+    private static final int[] NAMED_COLOURS = {
+        0xffe0504a, 0xff58b865, 0xff4b83e8, 0xffe6c84f, 0xfff2933a, 0xfff2f2f2, 0xff3a3d40,
+        0xffa070e0,
+    };
+
+    /** The colour of an object that moves: what its name says, or one of ten by its id. */
+    static int of(SeenObject object) {
+        for (int i = 0; i < NAMED.length; i++) {
+            if (object.name().regionMatches(/* ignoreCase= */ true, 0, NAMED[i], 0, NAMED[i].length())) {
+                return NAMED_COLOURS[i];
+            }
+        }
+        return OBJECTS[(int) Math.floorMod(object.id(), (long) OBJECTS.length)];
     }
 
     /** A colour, to be seen through. */

@@ -33,7 +33,7 @@ final class Trails implements Part {
     }
 
     private static void trail(ActorView actor, double time, Picture picture) {
-        int colour = Palette.ofObject(actor.object().id());
+        int colour = Palette.of(actor.object());
         for (int i = 1; i < actor.trailLength(); i++) {
             double age = time - actor.trailTime(i);
             if (age < 0) {

@@ -4,6 +4,7 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 
 import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.ConnectionException;
+import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.cli.admin.Administration;
 import org.jline.terminal.Terminal;
@@ -42,7 +43,7 @@ final class Admin implements Callable<Integer> {
 
     @Override
     public Integer call() throws ConnectionException, IOException, InterruptedException {
-        MessageCatalogue catalogue = MessageCatalogue.load(Admin.class.getClassLoader());
+        MessageCatalogue catalogue = MessageCatalogue.load(ContextClasses.loader());
         try (AuvsmlClient client = connection.open(catalogue)) {
             Administration administration = new Administration(client, catalogue);
             if (StandardTerminal.isThere()) {

@@ -3,6 +3,7 @@ package org.auvsim.cli;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.cli.diagnose.Account;
 import org.auvsim.cli.diagnose.ProgressBar;
 import org.auvsim.cli.report.FileTrouble;
@@ -160,7 +161,7 @@ final class Diagnose implements Callable<Integer> {
     public Integer call() throws DocumentException {
         PrintWriter err = spec.commandLine().getErr();
         BelievedModel model = model(ScenarioFile.load(scenarioFile, err));
-        AuvsmlMapper mapper = AuvsmlMapper.load(Diagnose.class.getClassLoader());
+        AuvsmlMapper mapper = AuvsmlMapper.load(ContextClasses.loader());
         RunReader reader = between(new RunReader(model, format.mapping(mapper), mapper));
         RunFiles runs = inParts(RunFiles.read(reader, fit, heldOut));
         runs.notices().forEach(notice -> err.println("notice: " + notice));

@@ -4,6 +4,7 @@ import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.recording.Reach;
 import org.auvsim.auvsml.document.recording.RecordingReader;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.cli.export.ExportFormat;
 import org.auvsim.cli.export.RecordingExport;
 import org.auvsim.cli.export.Table;
@@ -63,7 +64,7 @@ final class Export implements Callable<Integer> {
     public Integer call() throws DocumentException {
         RecordingExport export = new RecordingExport(format, out);
         requireWritable(export);
-        AuvsmlMapper mapper = AuvsmlMapper.load(Export.class.getClassLoader());
+        AuvsmlMapper mapper = AuvsmlMapper.load(ContextClasses.loader());
         try (RecordingReader recording = RecordingReader.open(file, mapper)) {
             tell(write(export, recording, mapper), recording.reach());
         } catch (IOException e) {

@@ -3,6 +3,7 @@ package org.auvsim.cli;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.recording.RecordingWriter;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.auvsml.recording.Recording;
 import org.auvsim.cli.report.FileTrouble;
 import org.auvsim.cli.report.UserError;
@@ -88,7 +89,7 @@ final class RecordingOptions {
     }
 
     private Recorder start(Path target, Recording recording, Scenario scenario) {
-        AuvsmlMapper mapper = AuvsmlMapper.load(RecordingOptions.class.getClassLoader());
+        AuvsmlMapper mapper = AuvsmlMapper.load(ContextClasses.loader());
         try {
             return Recorder.start(new RecordingWriter(open(target), mapper), recording, scenario);
         } catch (FileAlreadyExistsException e) {

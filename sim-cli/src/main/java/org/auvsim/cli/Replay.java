@@ -4,6 +4,7 @@ import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.recording.Reach;
 import org.auvsim.auvsml.document.recording.RecordingReader;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.cli.report.FileTrouble;
 import org.auvsim.cli.report.UserError;
 import org.auvsim.server.lanes.ThreadLanes;
@@ -77,7 +78,7 @@ final class Replay implements Callable<Integer> {
 
     @Override
     public Integer call() throws DocumentException {
-        AuvsmlMapper mapper = AuvsmlMapper.load(Replay.class.getClassLoader());
+        AuvsmlMapper mapper = AuvsmlMapper.load(ContextClasses.loader());
         try (ThreadLanes lanes = laneCount.open();
                 RecordingReader recording = RecordingReader.open(file, mapper);
                 Replayer replayer = replayer(recording, lanes)) {

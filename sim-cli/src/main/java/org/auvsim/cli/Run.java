@@ -6,6 +6,7 @@ import static java.util.Objects.requireNonNull;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.cli.report.FileTrouble;
 import org.auvsim.cli.report.UserError;
 import org.auvsim.core.world.World;
@@ -112,7 +113,7 @@ final class Run implements Callable<Integer> {
     private UserError keep(Scenario state, RunEndedException end) {
         Path file = lastGood.orElseThrow();
         try {
-            Files.writeString(file, AuvsmlMapper.load(Run.class.getClassLoader()).encode(state));
+            Files.writeString(file, AuvsmlMapper.load(ContextClasses.loader()).encode(state));
         } catch (IOException e) {
             return FileTrouble.writing(file, e);
         }

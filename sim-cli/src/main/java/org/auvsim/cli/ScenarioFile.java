@@ -3,6 +3,7 @@ package org.auvsim.cli;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.auvsml.mapping.ContextClasses;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -14,7 +15,7 @@ final class ScenarioFile {
 
     /** The scenario in a file; its notices are printed. */
     static Scenario load(Path file, PrintWriter err) throws DocumentException {
-        Scenario scenario = ScenarioLoader.load(ScenarioFile.class.getClassLoader()).load(file);
+        Scenario scenario = ScenarioLoader.load(ContextClasses.loader()).load(file);
         print(file, scenario.notices(), err);
         return scenario;
     }

@@ -3,6 +3,7 @@ package org.auvsim.cli;
 import org.auvsim.auvsml.Fault;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Validation;
+import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 
 import picocli.CommandLine.Command;
@@ -30,7 +31,7 @@ final class Validate implements Callable<Integer> {
 
     @Override
     public Integer call() throws DocumentException {
-        MessageCatalogue catalogue = MessageCatalogue.load(Validate.class.getClassLoader());
+        MessageCatalogue catalogue = MessageCatalogue.load(ContextClasses.loader());
         Validation validation = new Validation(catalogue);
         boolean ok = true;
         for (Path file : files) {

@@ -108,7 +108,7 @@ class AuvsimTest {
     }
 
     private int run(Callable<Integer> action, String... arguments) {
-        CommandLine line = Auvsim.commandLine(reports).addSubcommand(new Act(action));
+        CommandLine line = Auvsim.commandLine(reports, reports).addSubcommand(new Act(action));
         return line.setOut(new PrintWriter(out)).setErr(new PrintWriter(err)).execute(arguments);
     }
 

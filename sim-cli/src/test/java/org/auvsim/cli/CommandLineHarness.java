@@ -25,7 +25,7 @@ final class CommandLineHarness {
 
     int run(Object... arguments) {
         String[] texts = List.of(arguments).stream().map(Object::toString).toArray(String[]::new);
-        return Auvsim.commandLine(folder)
+        return Auvsim.commandLine(folder, folder)
                 .setOut(new PrintWriter(out))
                 .setErr(new PrintWriter(err))
                 .execute(texts);

@@ -33,8 +33,9 @@ final class ServerProcess implements AutoCloseable {
         StringWriter err = new StringWriter();
         PipedWriter out = new PipedWriter();
         BufferedReader said = new BufferedReader(new PipedReader(out));
+        Path temporary = Path.of(System.getProperty("java.io.tmpdir"));
         CommandLine line =
-                Auvsim.commandLine(Path.of(System.getProperty("java.io.tmpdir")))
+                Auvsim.commandLine(temporary, temporary)
                         .setOut(new PrintWriter(out))
                         .setErr(new PrintWriter(err));
         code = CompletableFuture.supplyAsync(() -> line.execute(arguments.toArray(String[]::new)));

@@ -7,6 +7,7 @@ import org.auvsim.auvsml.framing.Frame;
 import org.auvsim.auvsml.framing.FrameReader;
 import org.auvsim.auvsml.framing.Incoming;
 import org.auvsim.auvsml.framing.RootDecoder;
+import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.session.WelcomeMessage;
@@ -61,7 +62,7 @@ public final class AuvsmlClient implements AutoCloseable {
      * @throws ConnectionException if no simulator answers there
      */
     public static AuvsmlClient connect(String host, int port) throws ConnectionException {
-        return connect(host, port, MessageCatalogue.load(AuvsmlClient.class.getClassLoader()));
+        return connect(host, port, MessageCatalogue.load(ContextClasses.loader()));
     }
 
     /**

@@ -3,6 +3,7 @@ package org.auvsim.cli.demo;
 import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.auvsml.message.learning.ModelCorrectionNotification;
 import org.auvsim.server.net.TransportException;
 import org.auvsim.server.simulator.Simulator;
@@ -104,8 +105,7 @@ public final class Demonstration {
             if (in == null) {
                 throw new IllegalStateException(SCENARIO + " is missing from the program");
             }
-            return ScenarioLoader.load(Demonstration.class.getClassLoader())
-                    .parse(in.readAllBytes());
+            return ScenarioLoader.load(ContextClasses.loader()).parse(in.readAllBytes());
         } catch (AuvsmlException e) {
             throw new IllegalStateException("the shipped " + SCENARIO + " is wrong", e);
         } catch (IOException e) {

@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.cause;
 
+import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
@@ -31,13 +32,13 @@ public final class Library {
 
     /**
      * Those that make sense for a model's body and what was measured of it: those of this library,
-     * effects of scenarios that none of them covers, and those of {@link CauseFamily}s on the class
-     * path.
+     * effects of scenarios that none of them covers, and those of {@link CauseFamily}s that
+     * provider files name in the thread's context.
      *
      * @param runs that are to be explained, one or more
      */
     public static List<Cause> of(BelievedModel model, List<MeasuredRun> runs) {
-        return of(model, runs, Library.class.getClassLoader());
+        return of(model, runs, ContextClasses.loader());
     }
 
     /** The same, with effects and families of causes that another class path has. */

@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.report;
 
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
+import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Phrases;
@@ -16,7 +17,7 @@ final class ExtendedScenario {
     private ExtendedScenario() {}
 
     static String text(Diagnosis diagnosis) {
-        AuvsmlMapper mapper = AuvsmlMapper.load(ExtendedScenario.class.getClassLoader());
+        AuvsmlMapper mapper = AuvsmlMapper.load(ContextClasses.loader());
         return comment(lines(diagnosis)) + mapper.encode(diagnosis.extended());
     }
 

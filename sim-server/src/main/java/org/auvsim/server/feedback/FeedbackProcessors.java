@@ -2,6 +2,7 @@ package org.auvsim.server.feedback;
 
 import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.document.FeedbackProcessing;
+import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.auvsml.message.command.RefusedException;
 
 import java.util.List;
@@ -27,7 +28,7 @@ public final class FeedbackProcessors {
      * @throws IllegalArgumentException if one of the latter cannot be had
      */
     public static FeedbackProcessors standard() {
-        return standard(FeedbackProcessors.class.getClassLoader());
+        return standard(ContextClasses.loader());
     }
 
     static FeedbackProcessors standard(ClassLoader classes) {

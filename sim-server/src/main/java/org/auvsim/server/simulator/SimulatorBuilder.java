@@ -5,6 +5,7 @@ import org.auvsim.auvsml.document.FeedbackProcessorChoice;
 import org.auvsim.auvsml.document.ReleasedObject;
 import org.auvsim.auvsml.framing.AuvsmlWriter;
 import org.auvsim.auvsml.framing.RootDecoder;
+import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.command.RefusedException;
 import org.auvsim.auvsml.xml.Limits;
@@ -197,8 +198,7 @@ public final class SimulatorBuilder {
     }
 
     private MessageCatalogue messages() {
-        return catalogue.orElseGet(
-                () -> MessageCatalogue.load(SimulatorBuilder.class.getClassLoader()));
+        return catalogue.orElseGet(() -> MessageCatalogue.load(ContextClasses.loader()));
     }
 
     private SimulationSettings settings(AuvsmlWriter writer) {

@@ -35,6 +35,7 @@ import java.util.Optional;
             Validate.class,
             Vehicle.class,
             Watch.class,
+            View.class,
             Admin.class,
             Feed.class,
             Export.class,

@@ -22,12 +22,12 @@ import java.util.List;
  */
 final class JmeBrush implements Brush {
     /** Rings of balls, sides of tubes and cones: the finer, the more pixels their radius takes. */
-    private static final int[] RINGS = {3, 5, 10, 20};
+    private static final int[] RINGS = {3, 6, 10, 20};
 
     private static final int[] SIDES = {4, 8, 16, 32};
 
     /** A shape of so many pixels' radius is painted coarser than those that follow. */
-    private static final double[] PIXELS = {3, 12, 40};
+    private static final double[] PIXELS = {4, 20, 60};
 
     private static final int OPAQUE = 0xff;
 

@@ -18,9 +18,12 @@ import org.auvsim.viz.scene.Occurrence;
 import org.auvsim.viz.scene.Scene;
 import org.auvsim.viz.scene.SeenObject;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
 
 /** What a viewer asks for: what there is, how it moves, and now and then what is done to it. */
@@ -53,23 +56,32 @@ final class Audience {
         this.exchange = exchange;
     }
 
-    /** Asks for everything; the answers come while the exchange is read. */
+    /**
+     * Asks for everything and waits for the answers, which come while the exchange is read by
+     * another thread; then the scene has all objects and hears how they move.
+     */
     void begin() {
-        exchange.ask(GET_OBJECTS).thenAccept(this::listed);
-        exchange.ask(new GetFieldListRequest());
+        CompletableFuture<Message> fields = exchange.ask(new GetFieldListRequest());
+        Message answer = exchange.ask(new GetWorldObjectListCommand()).join();
+        if (answer instanceof WorldObjectListResponse(List<ListedWorldObject> objects)) {
+            attend(objects);
+        }
+        fields.handle((_, refusal) -> told(refusal)).join();
     }
 
-    private static final Message GET_OBJECTS = new GetWorldObjectListCommand();
-
-    /** Never waits: sending may, and this is where answers are read. */
-    private void listed(Message answer) {
-        if (answer instanceof WorldObjectListResponse(List<ListedWorldObject> objects)) {
-            Thread.startVirtualThread(() -> attend(objects));
+    private boolean told(@Nullable Throwable refusal) {
+        if (refusal != null) {
+            scene.tell(new Occurrence(scene.time(), String.valueOf(refusal.getMessage())));
         }
+        return refusal == null;
     }
 
     private void attend(List<ListedWorldObject> objects) {
-        objects.forEach(o -> describe(o.id(), o.name()));
+        CompletableFuture.allOf(
+                        objects.stream()
+                                .map(o -> describe(o.id(), o.name()))
+                                .toArray(CompletableFuture[]::new))
+                .join();
         boolean projected = objects.size() <= MOST_PROJECTED;
         if (!projected) {
             scene.tell(
@@ -97,13 +109,14 @@ final class Audience {
     }
 
     /** Asks what an object is made of; if that cannot be told, its name is all that is known. */
-    private void describe(long id, String name) {
-        exchange.ask(new DescribeWorldObjectRequest(id))
-                .whenComplete(
+    private CompletableFuture<Boolean> describe(long id, String name) {
+        return exchange.ask(new DescribeWorldObjectRequest(id))
+                .handle(
                         (_, refusal) -> {
                             if (refusal != null) {
                                 scene.add(new SeenObject(id, name, Optional.empty()));
                             }
+                            return refusal == null;
                         });
     }
 

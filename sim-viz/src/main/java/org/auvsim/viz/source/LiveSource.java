@@ -1,5 +1,7 @@
 package org.auvsim.viz.source;
 
+import static java.util.Objects.requireNonNullElse;
+
 import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.ConnectionException;
@@ -16,6 +18,7 @@ import org.auvsim.viz.scene.Scene;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
@@ -32,6 +35,7 @@ public final class LiveSource implements Source, Steering {
     private final MessageCatalogue catalogue;
     private final Scene scene = new Scene(new LiveClock());
     private final CountDownLatch closed = new CountDownLatch(1);
+    private final CompletableFuture<Void> ready = new CompletableFuture<>();
     private volatile Exchange exchange;
     private volatile Optional<SimulatorStateResponse> state = Optional.empty();
     private volatile Optional<String> trouble = Optional.empty();
@@ -70,7 +74,7 @@ public final class LiveSource implements Source, Steering {
         trouble = Optional.empty();
         SceneWriter writer = new SceneWriter(scene);
         Audience audience = new Audience(scene, to);
-        Thread.startVirtualThread(audience::begin);
+        Thread.startVirtualThread(() -> begin(audience));
         String why =
                 to.read(
                         message -> {
@@ -83,6 +87,15 @@ public final class LiveSource implements Source, Steering {
         to.close();
         state = Optional.empty();
         say(why);
+    }
+
+    private void begin(Audience audience) {
+        try {
+            audience.begin();
+            ready.complete(null);
+        } catch (CompletionException e) {
+            say(String.valueOf(requireNonNullElse(e.getCause(), e).getMessage()));
+        }
     }
 
     private void say(String why) {
@@ -134,6 +147,11 @@ public final class LiveSource implements Source, Steering {
     @Override
     public Scene scene() {
         return scene;
+    }
+
+    @Override
+    public CompletableFuture<Void> ready() {
+        return ready;
     }
 
     @Override
@@ -207,5 +225,6 @@ public final class LiveSource implements Source, Steering {
     public void close() {
         closed.countDown();
         exchange.close();
+        ready.completeExceptionally(new RefusedException("The viewer was closed."));
     }
 }

@@ -3,11 +3,17 @@ package org.auvsim.viz.source;
 import org.auvsim.viz.scene.Scene;
 
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 
 /** Where a scene comes from. */
 public interface Source extends AutoCloseable {
     /** What it shows. */
     Scene scene();
+
+    /** Done when the scene has all objects that there were at the beginning. */
+    default CompletableFuture<Void> ready() {
+        return CompletableFuture.completedFuture(null);
+    }
 
     /** Brings the scene to what is to be seen at an instant of the machine's clock (ns). */
     void bring(long nanos);

@@ -1,0 +1,60 @@
+package org.auvsim.viz.drawing;
+
+import org.auvsim.viz.camera.OrbitCamera;
+import org.auvsim.viz.scene.ActorView;
+import org.auvsim.viz.scene.Scene;
+import org.auvsim.viz.scene.SceneLook;
+
+/** Brings everything that a scene holds into the picture. */
+public final class Framing {
+    /** So many times the radius of what is seen is the camera away. */
+    private static final double AWAY = 2.4;
+
+    private static final double LEAST = 1;
+
+    private final double[] low = new double[3];
+    private final double[] high = new double[3];
+    private boolean empty = true;
+
+    private Framing() {}
+
+    /** Lets a camera see all objects of a scene that have an end; if there are none, its origin. */
+    public static void fit(Scene scene, OrbitCamera camera) {
+        Framing framing = new Framing();
+        scene.look(System.nanoTime(), framing::measure);
+        framing.aim(camera);
+    }
+
+    private void measure(SceneLook look) {
+        for (int i = 0; i < look.count(); i++) {
+            double radius = radius(look.actor(i));
+            if (radius < Double.POSITIVE_INFINITY) {
+                include(look.actor(i), radius);
+            }
+        }
+    }
+
+    private static double radius(ActorView actor) {
+        return actor.object().definition().map(d -> d.volume().boundingRadius()).orElse(0.0);
+    }
+
+    private void include(ActorView actor, double radius) {
+        for (int axis = 0; axis < 3; axis++) {
+            double at = actor.position(axis);
+            low[axis] = empty ? at - radius : Math.min(low[axis], at - radius);
+            high[axis] = empty ? at + radius : Math.max(high[axis], at + radius);
+        }
+        empty = false;
+    }
+
+    private void aim(OrbitCamera camera) {
+        double square = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double half = (high[axis] - low[axis]) / 2;
+            square += half * half;
+        }
+        double radius = Math.max(Math.sqrt(square), LEAST);
+        camera.aim(
+                (low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2, AWAY * radius);
+    }
+}

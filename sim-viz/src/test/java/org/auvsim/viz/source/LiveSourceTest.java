@@ -1,0 +1,193 @@
+package org.auvsim.viz.source;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.auvsim.auvsml.Role;
+import org.auvsim.auvsml.client.ConnectionException;
+import org.auvsim.auvsml.mapping.MessageCatalogue;
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.control.ApplyDirectForceCommand;
+import org.auvsim.auvsml.message.control.GetSimulatorStateRequest;
+import org.auvsim.auvsml.message.control.SimulatorStateResponse;
+import org.auvsim.auvsml.message.control.StepCommand;
+import org.auvsim.auvsml.message.entity.AddWorldObjectCommand;
+import org.auvsim.auvsml.message.entity.DescribeWorldObjectRequest;
+import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
+import org.auvsim.core.entity.Frame;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.field.UniformCurrent;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.Sphere;
+import org.auvsim.core.world.World;
+import org.auvsim.server.net.TcpTransport;
+import org.auvsim.server.simulator.Simulator;
+import org.auvsim.viz.scene.Scene;
+import org.auvsim.viz.scene.SeenObject;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.util.concurrent.ExecutionException;
+
+/** Over real sockets. */
+@Timeout(60)
+class LiveSourceTest {
+    private static final MessageCatalogue CATALOGUE =
+            MessageCatalogue.load(LiveSourceTest.class.getClassLoader());
+
+    private static WorldObjectDefinition ball(String name, long id, double vx) {
+        return WorldObjectDefinition.named(name)
+                .id(id)
+                .mass(2)
+                .volume(new Sphere(0.5))
+                .position(id, 0, 0)
+                .velocity(vx, 0, 0)
+                .build();
+    }
+
+    private static World world() {
+        return World.builder()
+                .timeStep(0.1)
+                .add(ball("Bob", 10, 1))
+                .add(ball("Carl", 20, 0))
+                .add(new UniformCurrent(100, "Tide", new Vec3(0.3, 0, 0)))
+                .build();
+    }
+
+    private static Simulator serving(TcpTransport tcp, Role role) {
+        return Simulator.of(world()).paused().role(role).transport(tcp).start();
+    }
+
+    private static LiveSource connected(int port) throws Exception {
+        LiveSource source = LiveSource.connect("127.0.0.1", port, CATALOGUE);
+        source.ready().get();
+        return source;
+    }
+
+    /** What the simulator told before it answered is in the scene when this returns. */
+    private static void makeSteps(LiveSource source, long until) throws Exception {
+        source.ask(new StepCommand((int) until)).get();
+        Message state = source.ask(new GetSimulatorStateRequest()).get();
+        while (((SimulatorStateResponse) state).step() < until) {
+            state = source.ask(new GetSimulatorStateRequest()).get();
+        }
+        source.ask(new GetSimulatorStateRequest()).get();
+    }
+
+    private static double x(Scene scene, long id) {
+        scene.look(Long.MAX_VALUE / 2, _ -> {});
+        return scene.motion(id).orElseThrow().position().x();
+    }
+
+    @Test
+    void aViewerKnowsWhatThereIsWhenItIsReady() throws Exception {
+        TcpTransport tcp = TcpTransport.onLoopback(0);
+        try (Simulator _ = serving(tcp, Role.VIEWER);
+                LiveSource source = connected(tcp.port())) {
+            assertThat(source.scene().objects())
+                    .extracting(SeenObject::name)
+                    .containsExactly("Bob", "Carl");
+            assertThat(source.scene().object(10).orElseThrow().definition().orElseThrow().volume())
+                    .isEqualTo(new Sphere(0.5));
+            source.scene().look(0, look -> assertThat(look.fields()).hasSize(1));
+            assertThat(source.role()).isEqualTo(Role.VIEWER);
+        }
+    }
+
+    @Test
+    void objectsMoveAsTheSimulatorSays() throws Exception {
+        TcpTransport tcp = TcpTransport.onLoopback(0);
+        try (Simulator _ = serving(tcp, Role.ADMIN);
+                LiveSource source = connected(tcp.port())) {
+            makeSteps(source, 5);
+            assertThat(x(source.scene(), 10)).isEqualTo(10.5);
+            assertThat(x(source.scene(), 20)).isEqualTo(20);
+            assertThat(source.scene().motion(10).orElseThrow().velocity().x()).isEqualTo(1);
+            assertThat(source.status()).contains("as admin");
+        }
+    }
+
+    @Test
+    void whatComesAndGoesIsSeen() throws Exception {
+        TcpTransport tcp = TcpTransport.onLoopback(0);
+        try (Simulator _ = serving(tcp, Role.ADMIN);
+                LiveSource source = connected(tcp.port())) {
+            source.ask(new AddWorldObjectCommand(ball("Dora", 30, 0))).get();
+            source.ask(new RemoveEntityCommand(20)).get();
+            makeSteps(source, 1);
+            source.ask(new DescribeWorldObjectRequest(30)).get();
+            assertThat(source.scene().objects())
+                    .extracting(SeenObject::name)
+                    .containsExactly("Bob", "Dora");
+        }
+    }
+
+    @Test
+    void aForceThatIsSetIsSeen() throws Exception {
+        TcpTransport tcp = TcpTransport.onLoopback(0);
+        try (Simulator _ = serving(tcp, Role.CONTROLLER);
+                LiveSource source = connected(tcp.port())) {
+            source.ask(
+                            new ApplyDirectForceCommand(
+                                    10, "Viewer", Frame.WORLD, new Vec3(0, 3, 0)))
+                    .get();
+            source.ask(new DescribeWorldObjectRequest(10)).get();
+            source.scene()
+                    .look(
+                            0,
+                            look ->
+                                    assertThat(look.actor(0).forces().getFirst().vector())
+                                            .isEqualTo(new Vec3(0, 3, 0)));
+        }
+    }
+
+    @Test
+    void whatTheRoleDoesNotAllowIsRefusedInWords() throws Exception {
+        TcpTransport tcp = TcpTransport.onLoopback(0);
+        try (Simulator _ = serving(tcp, Role.VIEWER);
+                LiveSource source = connected(tcp.port())) {
+            assertThatThrownBy(() -> source.ask(new StepCommand(1)).get())
+                    .isInstanceOf(ExecutionException.class)
+                    .cause()
+                    .isInstanceOf(RefusedException.class)
+                    .hasMessageContaining("admin");
+        }
+    }
+
+    @Test
+    void aSimulatorThatComesBackIsConnectedToAgain() throws Exception {
+        TcpTransport tcp = TcpTransport.onLoopback(0);
+        int port = tcp.port();
+        Simulator first = serving(tcp, Role.ADMIN);
+        try (LiveSource source = connected(port)) {
+            first.close();
+            while (source.isConnected()) {
+                Thread.onSpinWait();
+            }
+            assertThat(source.status()).contains("127.0.0.1:" + port).endsWith("Trying again ...");
+            assertThat(source.role()).isEqualTo(Role.VIEWER);
+            assertThatThrownBy(() -> source.ask(new StepCommand(1)).get())
+                    .hasCauseInstanceOf(RefusedException.class);
+            try (Simulator _ = serving(TcpTransport.onLoopback(port), Role.CONTROLLER)) {
+                while (source.role() != Role.CONTROLLER || source.scene().objects().size() < 2) {
+                    Thread.onSpinWait();
+                }
+                assertThat(source.status()).contains("as controller");
+            }
+        }
+    }
+
+    @Test
+    void nobodyThereIsSaidAtOnce() throws IOException {
+        int free;
+        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            free = socket.getLocalPort();
+        }
+        assertThatThrownBy(() -> LiveSource.connect("127.0.0.1", free, CATALOGUE))
+                .isInstanceOf(ConnectionException.class)
+                .hasMessageContaining("Nobody listens at 127.0.0.1:" + free);
+    }
+}

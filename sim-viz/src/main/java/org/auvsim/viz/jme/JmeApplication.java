@@ -27,7 +27,7 @@ final class JmeApplication extends LegacyApplication {
 
     private final Painter painter;
     private final CompletableFuture<Void> started = new CompletableFuture<>();
-    private final CompletableFuture<Void> ended = new CompletableFuture<>();
+    private final CompletableFuture<Thread> paintingThread = new CompletableFuture<>();
     private final JmeCamera eye = new JmeCamera();
     private final ColorRGBA background = new ColorRGBA();
     private final Node words = new Node("words");
@@ -58,8 +58,13 @@ final class JmeApplication extends LegacyApplication {
         return started;
     }
 
-    CompletableFuture<Void> ended() {
-        return ended;
+    /**
+     * Ends it and waits until nothing of it is left: another one that began earlier would find the
+     * windowing library closed under its feet.
+     */
+    void end() throws InterruptedException {
+        stop();
+        paintingThread.join().join();
     }
 
     double frameRate() {
@@ -74,6 +79,7 @@ final class JmeApplication extends LegacyApplication {
     @Override
     public void initialize() {
         super.initialize();
+        paintingThread.complete(Thread.currentThread());
         JmeBrush made = new JmeBrush(assetManager, painter.camera());
         brush = made;
         viewPort.attachScene(made.node());
@@ -125,6 +131,7 @@ final class JmeApplication extends LegacyApplication {
 
     @Override
     public void handleError(String what, Throwable why) {
+        paintingThread.complete(Thread.currentThread());
         started.completeExceptionally(
                 new ScreenException(
                         ("Three dimensions cannot be shown here (OpenGL 3.2 is needed): %s. Install"
@@ -146,6 +153,5 @@ final class JmeApplication extends LegacyApplication {
         if (snapshots != null) {
             snapshots.fail(new ScreenException("The window was closed before a picture was taken."));
         }
-        ended.complete(null);
     }
 }

@@ -40,16 +40,18 @@ public final class JmeRenderer implements Renderer {
         JmeApplication application = new JmeApplication(painter, width, height);
         application.start(JmeContext.Type.OffscreenSurface, false);
         try {
-            return application.picture().get();
-        } catch (ExecutionException e) {
-            throw e.getCause() instanceof ScreenException known
-                    ? known
-                    : new ScreenException("The picture could not be painted: " + e.getCause(), e);
+            try {
+                return application.picture().get();
+            } catch (ExecutionException e) {
+                throw e.getCause() instanceof ScreenException known
+                        ? known
+                        : new ScreenException("The picture could not be painted: " + e, e);
+            } finally {
+                application.end();
+            }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            throw new ScreenException("The picture was not painted: interrupted", e);
-        } finally {
-            application.stop(true);
+            throw new ScreenException("The picture was not painted: interrupted.", e);
         }
     }
 }

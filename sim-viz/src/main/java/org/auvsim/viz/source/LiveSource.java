@@ -164,14 +164,19 @@ public final class LiveSource implements Source, Steering {
         if (trouble.isPresent()) {
             return trouble.get() + " Trying again ...";
         }
-        String place = "%s:%d, %s".formatted(host, port, exchange.client().welcome().server());
+        String place =
+                "%s:%d, %s, as %s"
+                        .formatted(
+                                host,
+                                port,
+                                exchange.client().welcome().server(),
+                                role().roleName());
         return state.map(
                         now ->
                                 String.format(
                                         Locale.ROOT,
-                                        "%s, as %s: %.2f s, %s",
+                                        "%s: %.2f s, %s",
                                         place,
-                                        role().roleName(),
                                         now.time(),
                                         now.running() ? "rate " + now.rate() : "paused"))
                 .orElse(place);

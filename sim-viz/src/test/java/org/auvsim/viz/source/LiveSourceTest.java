@@ -2,6 +2,7 @@ package org.auvsim.viz.source;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.client.ConnectionException;
@@ -103,7 +104,7 @@ class LiveSourceTest {
         try (Simulator _ = serving(tcp, Role.ADMIN);
                 LiveSource source = connected(tcp.port())) {
             makeSteps(source, 5);
-            assertThat(x(source.scene(), 10)).isEqualTo(10.5);
+            assertThat(x(source.scene(), 10)).isCloseTo(10.5, within(1e-12));
             assertThat(x(source.scene(), 20)).isEqualTo(20);
             assertThat(source.scene().motion(10).orElseThrow().velocity().x()).isEqualTo(1);
             assertThat(source.status()).contains("as admin");
@@ -160,8 +161,8 @@ class LiveSourceTest {
     @Test
     void aSimulatorThatComesBackIsConnectedToAgain() throws Exception {
         TcpTransport tcp = TcpTransport.onLoopback(0);
-        int port = tcp.port();
         Simulator first = serving(tcp, Role.ADMIN);
+        int port = tcp.port();
         try (LiveSource source = connected(port)) {
             first.close();
             while (source.isConnected()) {

@@ -238,10 +238,7 @@ final class ChronicleReader {
 
     /** One that had gone is there again, as in a snapshot. */
     private Optional<Course> back(long id, double at) {
-        return chronicle
-                .known(id)
-                .map(object -> new SeenObject(id, object.name(), Optional.empty()))
-                .map(object -> chronicle.begin(object, at, order));
+        return chronicle.known(id).map(object -> chronicle.begin(object, at, order));
     }
 
     private void carryOut(ClientSent sent, double now) {

@@ -56,10 +56,10 @@ final class PlayHead implements Playback {
     @Override
     public synchronized void step(int count) {
         playing = false;
-        long at = steps.at(time);
-        boolean between = steps.get((int) at) < time;
-        long to = at + count + (between && count < 0 ? 1 : 0);
-        time = steps.get((int) Math.clamp(to, 0, steps.count() - 1));
+        int at = steps.at(time);
+        boolean between = steps.get(at) < time;
+        long to = (long) at + count + (between && count < 0 ? 1 : 0);
+        time = steps.get(Math.clamp(to, 0, steps.count() - 1));
     }
 
     @Override

@@ -119,7 +119,9 @@ final class View implements Callable<Integer> {
     private Source source() throws DocumentException, ConnectionException {
         Path file = Path.of(target);
         if (Files.exists(file) || target.endsWith(".auvsml.gz") || target.endsWith(".auvsml")) {
-            return RecordedSource.open(file, AuvsmlMapper.load(ContextClasses.loader()));
+            ShareRead told = new ShareRead(file, spec.commandLine().getErr(), System::nanoTime);
+            return RecordedSource.open(
+                    file, AuvsmlMapper.load(ContextClasses.loader()), told::at);
         }
         Address address = new Address.Converter().convert(target);
         return LiveSource.connect(

@@ -43,6 +43,7 @@ final class JmeApplication extends LegacyApplication {
         AppSettings wanted = new AppSettings(true);
         wanted.setRenderer(AppSettings.LWJGL_OPENGL32);
         wanted.setAudioRenderer(null);
+        wanted.setX11PlatformPreferred(true);
         wanted.setUseInput(false);
         wanted.setUseJoysticks(false);
         wanted.setGammaCorrection(false);
@@ -134,7 +135,7 @@ final class JmeApplication extends LegacyApplication {
         paintingThread.complete(Thread.currentThread());
         started.completeExceptionally(
                 new ScreenException(
-                        ("Three dimensions cannot be shown here (OpenGL 3.2 is needed): %s. Install"
+                        ("Three dimensions cannot be shown here, as there is no display with OpenGL 3.2: %s. Install"
                                         + " a graphics driver, use --renderer osp, which needs no"
                                         + " OpenGL, or 'auvsim watch', which needs no display.")
                                 .formatted(cause(what, why)),

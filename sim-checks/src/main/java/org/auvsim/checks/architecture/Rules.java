@@ -35,7 +35,7 @@ final class Rules {
                         List.of(
                                 Set.of("core"),
                                 Set.of("auvsml", "plot"),
-                                Set.of("server"),
+                                Set.of("server", "viz"),
                                 Set.of("diagnosis", "junit"),
                                 Set.of("experiments"),
                                 Set.of("cli", "examples", "bench")))

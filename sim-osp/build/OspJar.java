@@ -17,7 +17,7 @@ public final class OspJar {
                 fault = "has no " + SOLVER;
             }
         } catch (IOException e) {
-            fault = "cannot be read as a jar (" + e.getMessage() + ")";
+            fault = "is not there or no jar (" + e.getMessage() + ")";
         }
         if (!fault.isEmpty()) {
             System.err.println(
@@ -25,7 +25,8 @@ public final class OspJar {
                             + file
                             + ", which "
                             + fault
-                            + ": name the jar of Open Source Physics (docs/osp.md).");
+                            + ": give the absolute path of the jar of Open Source Physics"
+                            + " (docs/osp.md says where to get it).");
             System.exit(1);
         }
     }

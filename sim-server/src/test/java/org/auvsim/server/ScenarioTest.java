@@ -12,6 +12,7 @@ import org.auvsim.auvsml.document.FeedbackTimestepping.AwaitedClient;
 import org.auvsim.auvsml.document.MomentumRule;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.TimeStep;
+import org.auvsim.core.dynamics.Rk4;
 import org.auvsim.core.step.SnapshotStepper;
 import org.auvsim.server.net.TcpTransport;
 import org.auvsim.server.simulator.Simulator;
@@ -35,6 +36,7 @@ class ScenarioTest {
                 0,
                 new TimeStep(0.05),
                 SnapshotStepper.standard(),
+                new Rk4(),
                 stepping,
                 choice,
                 Optional.empty(),

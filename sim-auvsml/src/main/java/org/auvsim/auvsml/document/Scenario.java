@@ -2,6 +2,8 @@ package org.auvsim.auvsml.document;
 
 import org.auvsim.core.description.Default;
 import org.auvsim.core.description.Unit;
+import org.auvsim.core.dynamics.Integrator;
+import org.auvsim.core.dynamics.Rk4;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -25,6 +27,7 @@ import java.util.Optional;
  *     are made again with it
  * @param timeStep by how much a step moves time on
  * @param stepper how a step is made
+ * @param integrator how the equations of motion are solved over it
  * @param feedbackTimestepping when robots' feedback is taken
  * @param feedbackProcessor which processor uses it; empty: the one that each message names
  * @param releasedObject what becomes of objects that clients let go; empty: all goes on
@@ -39,6 +42,7 @@ public record Scenario(
         @Unit("s") @Default("0.0") double feedbackHorizon,
         @Default("0.05") TimeStep timeStep,
         @Default("event-stepper") Stepper stepper,
+        @Default("rk4") Integrator integrator,
         @Default("asynchronous-feedback-timestepper") FeedbackTimestepping feedbackTimestepping,
         Optional<FeedbackProcessorChoice> feedbackProcessor,
         Optional<ReleasedObject> releasedObject,
@@ -75,6 +79,7 @@ public record Scenario(
                 /* feedbackHorizon= */ 0,
                 new TimeStep(world.timeStep()),
                 new EventStepper(),
+                new Rk4(),
                 new FeedbackTimestepping.AsynchronousFeedbackTimestepper(),
                 Optional.empty(),
                 Optional.empty(),
@@ -105,6 +110,7 @@ public record Scenario(
                         .startTime(startTime)
                         .timeStep(timeStep.delta())
                         .stepper(stepper)
+                        .integrator(integrator)
                         .lanes(lanes);
         if (boundingSpheres) {
             world.asBoundingSpheres();
@@ -143,6 +149,7 @@ public record Scenario(
                 feedbackHorizon,
                 other,
                 stepper,
+                integrator,
                 feedbackTimestepping,
                 feedbackProcessor,
                 releasedObject,
@@ -160,6 +167,7 @@ public record Scenario(
                 feedbackHorizon,
                 timeStep,
                 stepper,
+                integrator,
                 feedbackTimestepping,
                 feedbackProcessor,
                 releasedObject,
@@ -180,6 +188,7 @@ public record Scenario(
                 feedbackHorizon,
                 timeStep,
                 stepper,
+                integrator,
                 feedbackTimestepping,
                 feedbackProcessor,
                 releasedObject,

@@ -11,6 +11,7 @@ import org.auvsim.auvsml.document.FeedbackTimestepping.AwaitedClient;
 import org.auvsim.auvsml.document.FeedbackTimestepping.SimpleFixedTimeFeedbackTimestepper;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.core.actuator.Propulsor;
+import org.auvsim.core.dynamics.Rk4;
 import org.auvsim.core.effect.Damping;
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Frame;
@@ -111,6 +112,7 @@ class ScenarioLoaderTest {
                                         new MaximumSpeedRestricter(20),
                                         new AllPairsPartitioner(),
                                         BisectionFinder.standard()),
+                                new Rk4(),
                                 new SimpleFixedTimeFeedbackTimestepper(
                                         0.02, List.of(new AwaitedClient("robot"))),
                                 Optional.of(

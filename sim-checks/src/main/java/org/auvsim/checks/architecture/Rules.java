@@ -38,7 +38,7 @@ final class Rules {
                                 Set.of("server", "viz"),
                                 Set.of("diagnosis", "junit"),
                                 Set.of("experiments"),
-                                Set.of("cli", "examples", "bench")))
+                                Set.of("cli", "examples", "bench", "osp")))
                 .rule();
     }
 

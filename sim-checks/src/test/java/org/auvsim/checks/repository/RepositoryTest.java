@@ -8,6 +8,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -33,6 +35,30 @@ class RepositoryTest {
             broken.addAll(Links.broken(ROOT, file));
         }
         assertThat(broken).isEmpty();
+    }
+
+    /** The one module that stands on a library under the GPL; no other may. */
+    @Test
+    void whatIsUnderTheGplSaysSo() throws Exception {
+        List<Path> files = TrackedFiles.of(ROOT);
+        assertThat(files)
+                .filteredOn(file -> file.startsWith("sim-osp"))
+                .isNotEmpty()
+                .allSatisfy(
+                        file ->
+                                assertThat(Files.readString(ROOT.resolve(file)))
+                                        .contains("SPDX-License-Identifier: GPL-2.0-or-later"));
+        assertThat(tracked(".java", ".scala"))
+                .filteredOn(file -> !file.startsWith("sim-osp"))
+                .noneMatch(file -> importsOpenSourcePhysics(ROOT.resolve(file)));
+    }
+
+    private static boolean importsOpenSourcePhysics(Path file) {
+        try {
+            return Files.readString(file).contains("import org.opensource" + "physics");
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     @ParameterizedTest

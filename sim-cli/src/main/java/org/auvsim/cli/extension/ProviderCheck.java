@@ -1,5 +1,7 @@
 package org.auvsim.cli.extension;
 
+import static java.util.Objects.requireNonNull;
+
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.cli.extension.ExtensionJar.Named;
 import org.auvsim.cli.report.UserError;
@@ -7,7 +9,9 @@ import org.auvsim.core.description.ElementName;
 import org.auvsim.diagnosis.cause.CauseFamily;
 import org.auvsim.server.feedback.FeedbackProcessor;
 
+import java.lang.reflect.Modifier;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -76,8 +80,8 @@ final class ProviderCheck {
         try {
             Class<?> provider = Class.forName(named.provider(), false, loader);
             // Looks up all that is in its signatures, too.
-            provider.getDeclaredConstructors();
-            provider.getDeclaredMethods();
+            requireNonNull(provider.getDeclaredConstructors());
+            requireNonNull(provider.getDeclaredMethods());
             return provider;
         } catch (ClassNotFoundException e) {
             throw unusable(jar, named, "is in no jar: correct the line, or build the jar again", e);
@@ -102,11 +106,16 @@ final class ProviderCheck {
     }
 
     private static void requireMakeable(Path jar, Named named, Class<?> provider) {
-        try {
-            provider.getConstructor();
-        } catch (NoSuchMethodException e) {
+        boolean isMakeable =
+                Modifier.isPublic(provider.getModifiers())
+                        && !Modifier.isAbstract(provider.getModifiers())
+                        && Arrays.stream(provider.getConstructors())
+                                .anyMatch(constructor -> constructor.getParameterCount() == 0);
+        if (!isMakeable) {
             throw unusable(
-                    jar, named, "has no public constructor without parameters: give it one", e);
+                    jar,
+                    named,
+                    "is no public class with a public constructor without parameters: make it one");
         }
     }
 

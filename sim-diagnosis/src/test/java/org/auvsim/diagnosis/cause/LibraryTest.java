@@ -304,6 +304,7 @@ class LibraryTest {
                 scenario.feedbackHorizon(),
                 scenario.timeStep(),
                 scenario.stepper(),
+                scenario.integrator(),
                 scenario.feedbackTimestepping(),
                 scenario.feedbackProcessor(),
                 scenario.releasedObject(),

@@ -244,10 +244,10 @@ class RecordingReaderTest {
                     """
                     version="1"    | version="2" | run.auvsml.gz:1:1: root element 1: the recording has the format's version 2, but this auvsim reads version 1; replay it with the auvsim that wrote it
                     <recording     | <recorded   | run.auvsml.gz:1:1: root element 1: expected the root element <recording>, but found <recorded> at recorded
-                    <client-came   | <client-met | run.auvsml.gz:7:1: root element 3: no entry of a recording has the name 'client-met'; there are client-came, client-sent, client-sent-unreadable, client-went, happened, recording-ended, state-hash, step-failed, wait-timed-out
-                    pause-sim      | pose-sim    | run.auvsml.gz:8:109: root element 4: unknown element 'pose-simulator-command'; the nearest known name is 'pause-simulator-command' at client-sent/pose-simulator-command
-                    request-id="r0"| answer="r0" | run.auvsml.gz:8:93: root element 4: <client-sent> has no attribute 'answer'; the nearest known names are 'index', 'step' at client-sent@answer
-                    hash="         | hash="x     | run.auvsml.gz:12:1: root element 8: a hash has 16 digits of 0-9 and a-f, but this is 'x
+                    <client-came   | <client-met | run.auvsml.gz:8:1: root element 3: no entry of a recording has the name 'client-met'; there are client-came, client-sent, client-sent-unreadable, client-went, happened, recording-ended, state-hash, step-failed, wait-timed-out
+                    pause-sim      | pose-sim    | run.auvsml.gz:9:109: root element 4: unknown element 'pose-simulator-command'; the nearest known name is 'pause-simulator-command' at client-sent/pose-simulator-command
+                    request-id="r0"| answer="r0" | run.auvsml.gz:9:93: root element 4: <client-sent> has no attribute 'answer'; the nearest known names are 'index', 'step' at client-sent@answer
+                    hash="         | hash="x     | run.auvsml.gz:13:1: root element 8: a hash has 16 digits of 0-9 and a-f, but this is 'x
                     step="5"       | step="2"    | its step must be 4 or more, as in the entry before, but is 2
                     timestamp="3.1"| timestamp="2.5" | its timestamp must be 3.05 or more, as in the entry before, but is 2.5
                     index="1"      | index="0"   | its index must be above 0, that of the input before, but is 0

@@ -1,0 +1,72 @@
+package org.auvsim.viz.window;
+
+import javax.swing.Action;
+import javax.swing.JButton;
+import javax.swing.JToggleButton;
+import javax.swing.JToolBar;
+
+/** The buttons above the picture. */
+final class Tools {
+    private final Desk desk;
+    private final JToolBar bar = new JToolBar();
+
+    Tools(Desk desk) {
+        this.desk = desk;
+        bar.setName("tools");
+        bar.setFloatable(false);
+    }
+
+    JToolBar component() {
+        return bar;
+    }
+
+    Tools add(Action action, Signs sign, String name, String tip) {
+        JButton button = new JButton(action);
+        button.setHideActionText(true);
+        button.setText(null);
+        button.setIcon(sign);
+        button.setName(name);
+        button.setToolTipText(tip);
+        button.setFocusable(false);
+        bar.add(button);
+        return this;
+    }
+
+    Tools gap() {
+        bar.addSeparator();
+        return this;
+    }
+
+    /** A button with a word for each thing that may be shown. */
+    Tools toggles() {
+        for (Shown what : Shown.values()) {
+            JToggleButton button = new JToggleButton(word(what));
+            button.setName(what.componentName() + "-tool");
+            button.setToolTipText(what.words());
+            button.setFocusable(false);
+            button.addActionListener(
+                    e -> {
+                        desk.options().show(what, button.isSelected());
+                        desk.refresh();
+                    });
+            desk.onRefresh(() -> button.setSelected(desk.options().shows(what)));
+            bar.add(button);
+        }
+        return this;
+    }
+
+    private static String word(Shown what) {
+        return switch (what) {
+            case GHOSTS -> "Ghosts";
+            case TRAILS -> "Trails";
+            case VELOCITIES -> "Velocity";
+            case FORCES -> "Force";
+            case CURRENTS -> "Current";
+            case SENSORS -> "Sensors";
+            case LABELS -> "Names";
+            case GRID -> "Grid";
+            case WATER -> "Water";
+            case MEASURED -> "Measured";
+        };
+    }
+}

@@ -53,8 +53,7 @@ public final class Driving {
         if (hasPropulsors) {
             return new Orders(thrust.levels(wanted), angles, Optional.empty());
         }
-        Vec3 force =
-                new Vec3(wanted.surge() * push, wanted.sway() * push, wanted.heave() * push);
+        Vec3 force = new Vec3(wanted.surge() * push, wanted.sway() * push, wanted.heave() * push);
         return new Orders(
                 Map.of(), angles, force.norm() > 0 ? Optional.of(force) : Optional.empty());
     }

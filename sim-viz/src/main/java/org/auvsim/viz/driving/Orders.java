@@ -20,8 +20,7 @@ import java.util.Optional;
  * @param angles of fins (rad), by their names
  * @param force on an object without propulsors (N, body axes)
  */
-public record Orders(
-        Map<String, Double> levels, Map<String, Double> angles, Optional<Vec3> force) {
+public record Orders(Map<String, Double> levels, Map<String, Double> angles, Optional<Vec3> force) {
     /** None. */
     public static final Orders NONE = new Orders(Map.of(), Map.of(), Optional.empty());
 

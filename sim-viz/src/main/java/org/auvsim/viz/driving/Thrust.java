@@ -21,7 +21,7 @@ final class Thrust {
     /** Roll is kept small, but not at the cost of what is asked for. */
     private static final double WEIGHT_OF_ROLL = 0.03;
 
-    private final List<Propulsor> propulsors;
+    private final List<Thruster> thrusters;
     private final RealMatrix inverse;
 
     /** The most force (N) and torque (N m) along and about each axis. */
@@ -30,7 +30,7 @@ final class Thrust {
     private final double[] weight = {1, 1, 1, WEIGHT_OF_ROLL, 1, 1};
 
     Thrust(List<Propulsor> propulsors, Vec3 centre) {
-        this.propulsors = propulsors;
+        thrusters = propulsors.stream().map(Thruster::new).toList();
         RealMatrix wrenches = new Array2DRowRealMatrix(6, Math.max(1, propulsors.size()));
         double longest = 0;
         for (Propulsor p : propulsors) {
@@ -40,7 +40,7 @@ final class Thrust {
             weight[axis] /= longest > 0 ? longest : 1;
         }
         for (int k = 0; k < propulsors.size(); k++) {
-            double[] wrench = wrench(propulsors.get(k), centre);
+            double[] wrench = wrench(thrusters.get(k), centre);
             for (int axis = 0; axis < 6; axis++) {
                 most[axis] += Math.abs(wrench[axis]);
                 wrenches.setEntry(axis, k, weight[axis] * wrench[axis]);
@@ -49,13 +49,11 @@ final class Thrust {
         inverse = damped(new SingularValueDecomposition(wrenches));
     }
 
-    private static double[] wrench(Propulsor p, Vec3 centre) {
-        Vec3 force = p.direction().times(p.maximumThrust());
-        Vec3 torque =
-                p.position().minus(centre).cross(force).plus(force.times(p.reactionTorque()));
-        return new double[] {
-            force.x(), force.y(), force.z(), torque.x(), torque.y(), torque.z()
-        };
+    private static double[] wrench(Thruster thruster, Vec3 centre) {
+        Propulsor p = thruster.propulsor();
+        Vec3 force = p.direction().times(thruster.reach());
+        Vec3 torque = p.position().minus(centre).cross(force).plus(force.times(p.reactionTorque()));
+        return new double[] {force.x(), force.y(), force.z(), torque.x(), torque.y(), torque.z()};
     }
 
     private static RealMatrix damped(SingularValueDecomposition svd) {
@@ -83,9 +81,9 @@ final class Thrust {
             largest = Math.max(largest, Math.abs(thrust));
         }
         Map<String, Double> levels = new HashMap<>();
-        for (int k = 0; k < propulsors.size(); k++) {
-            Propulsor p = propulsors.get(k);
-            levels.put(p.name(), Levels.of(p, thrusts[k] / largest));
+        for (int k = 0; k < thrusters.size(); k++) {
+            Thruster thruster = thrusters.get(k);
+            levels.put(thruster.propulsor().name(), thruster.level(thrusts[k] / largest));
         }
         return levels;
     }

@@ -31,8 +31,7 @@ final class ActuatorSlider {
             DoubleFunction<String> words,
             DoubleFunction<Message> message) {
         JSlider slider =
-                new JSlider(
-                        -PARTS, PARTS, (int) Math.round(actuator.command() / most * PARTS));
+                new JSlider(-PARTS, PARTS, (int) Math.round(actuator.command() / most * PARTS));
         slider.setName("actuator-" + actuator.name());
         JLabel name = new JLabel(actuator.name());
         name.setToolTipText(actuator.name());

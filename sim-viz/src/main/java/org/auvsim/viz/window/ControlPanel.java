@@ -103,10 +103,16 @@ final class ControlPanel {
         JPanel buttons = new JPanel();
         buttons.setLayout(new BoxLayout(buttons, BoxLayout.X_AXIS));
         buttons.add(
-                button("take-control", "Take control", () -> desk.ask(new TakeControlCommand(object.id()))));
+                button(
+                        "take-control",
+                        "Take control",
+                        () -> desk.ask(new TakeControlCommand(object.id()))));
         buttons.add(Box.createHorizontalStrut(4));
         buttons.add(
-                button("release-control", "Release", () -> desk.ask(new ReleaseControlCommand(object.id()))));
+                button(
+                        "release-control",
+                        "Release",
+                        () -> desk.ask(new ReleaseControlCommand(object.id()))));
         buttons.add(Box.createHorizontalStrut(4));
         JToggleButton drive = new JToggleButton("Drive", desk.isDriving());
         drive.setName("drive-here");
@@ -131,8 +137,7 @@ final class ControlPanel {
             thrusters.forEach(p -> add(ActuatorSlider.of(desk, id, p).component()));
         }
         var surfaces = definition.component().stream().filter(Fin.class::isInstance);
-        List<Fin> fins =
-                surfaces.map(Fin.class::cast).filter(f -> f.maximumAngle() > 0).toList();
+        List<Fin> fins = surfaces.map(Fin.class::cast).filter(f -> f.maximumAngle() > 0).toList();
         if (!fins.isEmpty()) {
             add(heading("Fins (degrees)"));
             fins.forEach(f -> add(ActuatorSlider.of(desk, id, f).component()));

@@ -129,8 +129,7 @@ final class Desk {
                 ? Optional.empty()
                 : Optional.of(
                         "This needs the role '%s'; this viewer has the role '%s'."
-                                .formatted(
-                                        needed.roleName(), steering.get().role().roleName()));
+                                .formatted(needed.roleName(), steering.get().role().roleName()));
     }
 
     /** Asks the simulator; a refusal is told. */

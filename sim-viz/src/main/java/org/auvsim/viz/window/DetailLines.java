@@ -17,12 +17,8 @@ import java.util.Locale;
 
 /** What is to be read about an object. */
 final class DetailLines {
-    /** A line; a heading has no value. */
-    record Line(String name, String value) {
-        boolean isHeading() {
-            return value.isEmpty();
-        }
-    }
+    /** A line, or a heading without a value. */
+    record Line(String name, String value, boolean isHeading) {}
 
     private final List<Line> lines = new ArrayList<>();
 
@@ -38,14 +34,16 @@ final class DetailLines {
     }
 
     private void motion(SeenObject object, Motion motion) {
-        heading(object.name());
+        heading("Object");
+        line("Name", object.name());
         line("Id", Long.toString(object.id()) + (object.isFixed() ? ", fixed" : ""));
         line("Position", vector(motion.position()) + " m");
         line("Depth", number(-motion.position().z()) + " m");
         double[] turn = Angles.rollPitchYaw(motion.orientation());
         line(
                 "Roll, pitch, yaw",
-                "%.1f, %.1f, %.1f \u00b0".formatted(degrees(turn[0]), degrees(turn[1]), degrees(turn[2])));
+                "%.1f, %.1f, %.1f \u00b0"
+                        .formatted(degrees(turn[0]), degrees(turn[1]), degrees(turn[2])));
         heading("Velocity");
         line("World", vector(motion.velocity()) + " m/s");
         Vec3 body = motion.orientation().rotateInverse(motion.velocity());
@@ -55,7 +53,7 @@ final class DetailLines {
         line(
                 "Roll, pitch, yaw rate",
                 "%.1f, %.1f, %.1f \u00b0/s"
-                        .formatted(degrees(spin.x()), degrees(-spin.y()), degrees(spin.z())));
+                        .formatted(degrees(spin.x()), 0.0 - degrees(spin.y()), degrees(spin.z())));
     }
 
     private void body(WorldObjectDefinition definition) {
@@ -89,7 +87,7 @@ final class DetailLines {
         if (!definition.effect().isEmpty()) {
             heading("Effects");
             for (Effect effect : definition.effect()) {
-                line(ElementName.of(effect.getClass()), " ");
+                line(ElementName.of(effect.getClass()), "");
             }
         }
         if (!definition.component().isEmpty()) {
@@ -109,15 +107,15 @@ final class DetailLines {
     }
 
     private void heading(String text) {
-        lines.add(new Line(text, ""));
+        lines.add(new Line(text, "", true));
     }
 
     private void line(String name, String value) {
-        lines.add(new Line(name, value));
+        lines.add(new Line(name, value, false));
     }
 
     private static double degrees(double angle) {
-        return Math.toDegrees(angle);
+        return Math.round(Math.toDegrees(angle) * 10) / 10.0 + 0.0;
     }
 
     private static String vector(Vec3 v) {
@@ -125,6 +123,7 @@ final class DetailLines {
     }
 
     static String number(double value) {
-        return String.format(Locale.ROOT, Math.abs(value) < 1000 ? "%.2f" : "%.1f", value + 0.0);
+        double shown = Math.abs(value) < 0.005 ? 0 : value;
+        return String.format(Locale.ROOT, Math.abs(value) < 1000 ? "%.2f" : "%.1f", shown);
     }
 }

@@ -18,7 +18,7 @@ import javax.swing.table.DefaultTableCellRenderer;
 /** The panel that tells about the selected object. */
 final class Details {
     private static final DetailLines.Line NOBODY =
-            new DetailLines.Line("Select an object in the list or the picture.", "");
+            new DetailLines.Line("Nothing selected", "Select in list or picture", false);
 
     private final Desk desk;
     private final Rows rows = new Rows();
@@ -33,7 +33,7 @@ final class Details {
         table.setFocusable(false);
         table.setRowSelectionAllowed(false);
         table.setDefaultRenderer(Object.class, new Words());
-        table.getColumnModel().getColumn(0).setPreferredWidth(128);
+        table.getColumnModel().getColumn(0).setPreferredWidth(144);
         table.getColumnModel().getColumn(1).setPreferredWidth(170);
         table.setFillsViewportHeight(true);
         desk.onRefresh(this::refresh);

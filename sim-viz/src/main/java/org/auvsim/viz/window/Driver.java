@@ -67,7 +67,8 @@ final class Driver implements KeyEventDispatcher {
         if (driving.isEmpty() || driven.isEmpty()) {
             return;
         }
-        Wanted wanted = keys.wanted().plus(gamepad.poll().map(Sticks::wanted).orElse(Wanted.NOTHING));
+        Wanted wanted =
+                keys.wanted().plus(gamepad.poll().map(Sticks::wanted).orElse(Wanted.NOTHING));
         if (!wanted.equals(before)) {
             before = wanted;
             give(driving.get().orders(wanted));

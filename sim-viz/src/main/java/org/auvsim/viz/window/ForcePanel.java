@@ -8,12 +8,16 @@ import org.auvsim.core.math.Vec3;
 import org.auvsim.viz.driving.Driving;
 import org.auvsim.viz.scene.SeenObject;
 
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.GridLayout;
+import java.util.Locale;
 
+import javax.swing.DefaultListCellRenderer;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
+import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JSpinner;
 import javax.swing.SpinnerNumberModel;
@@ -32,11 +36,25 @@ final class ForcePanel {
     ForcePanel(Desk desk, SeenObject object) {
         this.desk = desk;
         id = object.id();
-        double step = object.definition().flatMap(d -> d.mass().stream().boxed().findFirst())
-                .map(ForcePanel::round).orElse(1.0);
+        double step =
+                object.definition()
+                        .flatMap(d -> d.mass().stream().boxed().findFirst())
+                        .map(ForcePanel::round)
+                        .orElse(1.0);
         row("Force N", "force-", force, step);
         row("Point m", "point-", point, 0.1);
         frame.setName("force-frame");
+        frame.setRenderer(
+                new DefaultListCellRenderer() {
+                    private static final long serialVersionUID = 1L;
+
+                    @Override
+                    public Component getListCellRendererComponent(
+                            JList<?> list, Object value, int at, boolean is, boolean has) {
+                        String word = value.toString().toLowerCase(Locale.ROOT);
+                        return super.getListCellRendererComponent(list, word, at, is, has);
+                    }
+                });
         frame.setToolTipText("The axes of the force; the point is always in the body's");
         panel.add(new JLabel("Axes"));
         panel.add(frame);
@@ -57,8 +75,7 @@ final class ForcePanel {
     private void row(String words, String name, JSpinner[] spinners, double step) {
         panel.add(new JLabel(words));
         for (int axis = 0; axis < AXES.length; axis++) {
-            JSpinner spinner =
-                    new JSpinner(new SpinnerNumberModel(0.0, -1e9, 1e9, step));
+            JSpinner spinner = new JSpinner(new SpinnerNumberModel(0.0, -1e9, 1e9, step));
             spinner.setName(name + AXES[axis]);
             spinner.setToolTipText(AXES[axis]);
             ((JSpinner.DefaultEditor) spinner.getEditor()).getTextField().setColumns(4);

@@ -23,7 +23,8 @@ final class FrameDialog {
     private final Desk desk;
     private final Window window;
     private final Recorder recorder;
-    private final JTextField folder = new JTextField(System.getProperty("user.dir") + "/frames", 34);
+    private final JTextField folder =
+            new JTextField(System.getProperty("user.dir") + "/frames", 34);
     private final JSpinner rate = new JSpinner(new SpinnerNumberModel(25, 1, 60, 1));
     private final JTextField film = new JTextField();
     private final JLabel words = new JLabel(" ");

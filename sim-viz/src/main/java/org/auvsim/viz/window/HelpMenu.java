@@ -25,7 +25,8 @@ final class HelpMenu {
             <tr><td><b>Q E</b><td>to port and starboard
             <tr><td><b>R F</b><td>up and down
             <tr><td><b>Up and down</b><td>the bow up and down
-            </table></html>""";
+            </table></html>\
+            """;
 
     private HelpMenu() {}
 

@@ -3,7 +3,9 @@ package org.auvsim.viz.window;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.viz.scene.Motion;
 
-/** How an object moved over the last minute of the world's time; never more than it has room for. */
+/**
+ * How an object moved over the last minute of the world's time; never more than it has room for.
+ */
 final class History {
     /** x, y, z, depth (m), speed (m/s), yaw (degrees). */
     static final int QUANTITIES = 6;

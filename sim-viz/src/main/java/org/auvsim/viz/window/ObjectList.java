@@ -57,7 +57,7 @@ final class ObjectList {
         table.setRowSorter(sorter);
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         table.setFillsViewportHeight(true);
-        int[] widths = {100, 36, 48, 56};
+        int[] widths = {128, 34, 46, 54};
         for (int column = 0; column < widths.length; column++) {
             table.getColumnModel().getColumn(column).setPreferredWidth(widths[column]);
         }
@@ -72,8 +72,7 @@ final class ObjectList {
                     public void mouseClicked(MouseEvent e) {
                         int row = table.rowAtPoint(e.getPoint());
                         if (e.getClickCount() == 2 && row >= 0) {
-                            desk.toggleFollow(
-                                    rows.object(table.convertRowIndexToModel(row)).id());
+                            desk.toggleFollow(rows.object(table.convertRowIndexToModel(row)).id());
                         }
                     }
                 });

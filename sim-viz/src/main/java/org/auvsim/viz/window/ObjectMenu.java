@@ -41,7 +41,11 @@ final class ObjectMenu {
                 .setName("release-control-item");
         menu.addSeparator();
         menu.add(act("Add an effect...", Role.ADMIN, effects::open)).setName("add-effect");
-        menu.add(act("Remove from the world", Role.ADMIN, id -> desk.ask(new RemoveEntityCommand(id))))
+        menu.add(
+                        act(
+                                "Remove from the world",
+                                Role.ADMIN,
+                                id -> desk.ask(new RemoveEntityCommand(id))))
                 .setName("remove-entity");
         return menu;
     }

@@ -91,8 +91,7 @@ final class ObjectRows extends AbstractTableModel {
         };
     }
 
-    private String live(
-            SeenObject object, java.util.function.ToDoubleFunction<Motion> quantity) {
+    private String live(SeenObject object, java.util.function.ToDoubleFunction<Motion> quantity) {
         Optional<Motion> motion = scene.motion(object.id());
         return motion.map(m -> number(quantity.applyAsDouble(m))).orElse("");
     }

@@ -19,8 +19,7 @@ final class Picking {
      * The object at a pixel: of those whose round is hit the one whose middle is nearest to the
      * click for its size.
      */
-    static OptionalLong at(
-            Scene scene, OrbitCamera camera, int x, int y, int width, int height) {
+    static OptionalLong at(Scene scene, OrbitCamera camera, int x, int y, int width, int height) {
         double[] place = new double[3];
         double best = 1;
         OptionalLong found = OptionalLong.empty();

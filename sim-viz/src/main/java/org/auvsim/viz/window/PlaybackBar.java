@@ -102,7 +102,6 @@ final class PlaybackBar {
             isUpdating = false;
         }
         play.setIcon(playback.isPlaying() ? Signs.PAUSE : Signs.PLAY);
-        time.setText(
-                String.format(Locale.ROOT, "%.2f of %.2f s", playback.time(), playback.end()));
+        time.setText(String.format(Locale.ROOT, "%.2f of %.2f s", playback.time(), playback.end()));
     }
 }

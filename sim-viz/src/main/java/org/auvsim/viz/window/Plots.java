@@ -9,6 +9,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.GridLayout;
 import java.util.List;
@@ -21,6 +22,7 @@ import javax.swing.UIManager;
 /** Plots of the selected object's last minute. */
 final class Plots {
     private static final List<String> NAMES = List.of("x", "y", "z", "depth", "speed", "yaw");
+    private static final int YAW = 5;
     private static final List<Color> COLOURS =
             List.of(
                     new Color(0xE5734F),
@@ -52,10 +54,9 @@ final class Plots {
         panel.setName("plots");
         for (XYChart chart : charts) {
             XChartPanel<XYChart> one = new XChartPanel<>(chart);
-            one.setMinimumSize(new java.awt.Dimension(60, 60));
+            one.setMinimumSize(new Dimension(60, 60));
             panel.add(one);
         }
-        charts.get(1).getStyler().setYAxisMax(null);
         colour();
         desk.onRefresh(this::refresh);
     }
@@ -127,6 +128,15 @@ final class Plots {
         }
     }
 
+    /** Draws no line from 180 to -180 degrees. */
+    private static void breakAtTurns(double... yaw) {
+        for (int i = yaw.length - 1; i > 0; i--) {
+            if (Math.abs(yaw[i] - yaw[i - 1]) > 180) {
+                yaw[i] = Double.NaN;
+            }
+        }
+    }
+
     private void draw() {
         double[] times = history.times();
         if (times.length < 2) {
@@ -135,6 +145,9 @@ final class Plots {
         for (int c = 0; c < charts.size(); c++) {
             for (int q : shown.get(c)) {
                 double[] values = history.values(q);
+                if (q == YAW) {
+                    breakAtTurns(values);
+                }
                 charts.get(c)
                         .updateXYSeries(
                                 NAMES.get(q),

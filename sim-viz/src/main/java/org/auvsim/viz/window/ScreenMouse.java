@@ -79,8 +79,10 @@ final class ScreenMouse extends MouseAdapter {
         if (e.getClickCount() == 1) {
             desk.select(id);
         } else if (id.isPresent()) {
-            desk.scene().motion(id.getAsLong()).map(Motion::position).ifPresent(
-                    p -> desk.camera().lookAt(p.x(), p.y(), p.z()));
+            desk.scene()
+                    .motion(id.getAsLong())
+                    .map(Motion::position)
+                    .ifPresent(p -> desk.camera().lookAt(p.x(), p.y(), p.z()));
         }
     }
 }

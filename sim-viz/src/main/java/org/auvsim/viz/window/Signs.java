@@ -108,9 +108,7 @@ enum Signs implements Icon {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setStroke(new BasicStroke(1.5f));
         g.setColor(
-                c.isEnabled()
-                        ? c.getForeground()
-                        : UIManager.getColor("Label.disabledForeground"));
+                c.isEnabled() ? c.getForeground() : UIManager.getColor("Label.disabledForeground"));
         draw(g);
         g.dispose();
     }

@@ -42,6 +42,7 @@ final class SimulatorBar {
         pause = PlaybackBar.button("pause", Signs.PAUSE, "", this::toggle);
         JButton step = PlaybackBar.button("step", Signs.STEP, "", this::step);
         steps.setName("steps");
+        ((JSpinner.DefaultEditor) steps.getEditor()).getTextField().setColumns(4);
         rate.setName("rate");
         rate.addActionListener(e -> setRate());
         words.setName("simulator-words");

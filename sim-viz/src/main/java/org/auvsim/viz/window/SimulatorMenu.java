@@ -94,49 +94,66 @@ final class SimulatorMenu {
     /** Fills the menus of snapshots and clients. */
     void list() {
         if (desk.may(Role.ADMIN)) {
-            desk.ask(new ListSnapshotsRequest(), answer -> {
-                if (answer instanceof SnapshotListResponse response) {
-                    snapshots(response);
-                }
-            });
-            desk.ask(new ListClientsRequest(), answer -> {
-                if (answer instanceof ClientListResponse response) {
-                    clients(response);
-                }
-            });
+            desk.ask(
+                    new ListSnapshotsRequest(),
+                    answer -> {
+                        if (answer instanceof SnapshotListResponse response) {
+                            snapshots(response);
+                        }
+                    });
+            desk.ask(
+                    new ListClientsRequest(),
+                    answer -> {
+                        if (answer instanceof ClientListResponse response) {
+                            clients(response);
+                        }
+                    });
         }
     }
 
     private void snapshots(SnapshotListResponse response) {
         restore.removeAll();
-        response.snapshot().forEach(kept -> {
-            String words =
-                    String.format(Locale.ROOT, "%s, of %.2f s", kept.name(), kept.time());
-            JMenuItem item =
-                    restore.add(
-                            new Act(words, () -> desk.ask(new RestoreSnapshotCommand(kept.name()))));
-            item.setName("restore-" + kept.name());
-        });
+        response.snapshot()
+                .forEach(
+                        kept -> {
+                            String words =
+                                    String.format(
+                                            Locale.ROOT, "%s, of %.2f s", kept.name(), kept.time());
+                            JMenuItem item =
+                                    restore.add(
+                                            new Act(
+                                                    words,
+                                                    () ->
+                                                            desk.ask(
+                                                                    new RestoreSnapshotCommand(
+                                                                            kept.name()))));
+                            item.setName("restore-" + kept.name());
+                        });
         none(restore);
     }
 
     private void clients(ClientListResponse response) {
         clients.removeAll();
-        response.client().forEach(client -> {
-            String words =
-                    "Disconnect %s, %s at %s".formatted(client.name(), client.role(), client.peer());
-            String session = Long.toString(client.sessionId());
-            JMenuItem item =
-                    clients.add(
-                            new Act(
-                                    words,
-                                    () ->
-                                            desk.ask(
-                                                    new DisconnectClientCommand(
-                                                            session,
-                                                            "an administrator has ended the session"))));
-            item.setName("disconnect-" + session);
-        });
+        response.client()
+                .forEach(
+                        client -> {
+                            String words =
+                                    "Disconnect %s, %s at %s"
+                                            .formatted(client.name(), client.role(), client.peer());
+                            String session = Long.toString(client.sessionId());
+                            JMenuItem item =
+                                    clients.add(
+                                            new Act(
+                                                    words,
+                                                    () ->
+                                                            desk.ask(
+                                                                    new DisconnectClientCommand(
+                                                                            session,
+                                                                            "an administrator has"
+                                                                                + " ended the"
+                                                                                + " session"))));
+                            item.setName("disconnect-" + session);
+                        });
         none(clients);
     }
 
@@ -147,9 +164,10 @@ final class SimulatorMenu {
     }
 
     private void takeSnapshot() {
-        String name =
-                String.format(Locale.ROOT, "viewer at %.2f s", desk.scene().time());
-        desk.ask(new TakeSnapshotCommand(name), answer -> desk.say("Snapshot '" + name + "' is kept."));
+        String name = String.format(Locale.ROOT, "viewer at %.2f s", desk.scene().time());
+        desk.ask(
+                new TakeSnapshotCommand(name),
+                answer -> desk.say("Snapshot '" + name + "' is kept."));
     }
 
     private void load() {

@@ -14,7 +14,8 @@ final class ViewMenu {
     private final Desk desk;
     private final Runnable theme;
     private final Action fit;
-    private final Action follow = new Act("Follow the selected object", this::followSelected).key("F");
+    private final Action follow =
+            new Act("Follow the selected object", this::followSelected).key("F");
 
     ViewMenu(Desk desk, Runnable theme) {
         this.desk = desk;
@@ -43,7 +44,8 @@ final class ViewMenu {
         JMenu menu = new JMenu("View");
         menu.setName("menu-view");
         menu.setMnemonic('V');
-        menu.add(new Act("From above", () -> Views.top(desk.camera())).key("1")).setName("view-top");
+        menu.add(new Act("From above", () -> Views.top(desk.camera())).key("1"))
+                .setName("view-top");
         menu.add(new Act("Side (against x)", () -> Views.side(desk.camera())).key("2"))
                 .setName("view-side");
         menu.add(new Act("Front (along y)", () -> Views.front(desk.camera())).key("3"))

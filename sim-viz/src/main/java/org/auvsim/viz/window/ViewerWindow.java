@@ -83,16 +83,22 @@ public final class ViewerWindow {
         menus.add(view.menu());
         menus.add(object.menu());
         JPanel bottom = new JPanel(new BorderLayout());
-        desk.source().playback().ifPresent(p -> {
-            PlaybackBar bar = new PlaybackBar(desk, p);
-            menus.add(bar.menu(desk));
-            bottom.add(bar.component(), BorderLayout.NORTH);
-        });
-        desk.source().steering().ifPresent(s -> {
-            SimulatorBar bar = new SimulatorBar(desk, s);
-            menus.add(new SimulatorMenu(desk, frame).menu(bar));
-            bottom.add(bar.component(), BorderLayout.CENTER);
-        });
+        desk.source()
+                .playback()
+                .ifPresent(
+                        p -> {
+                            PlaybackBar bar = new PlaybackBar(desk, p);
+                            menus.add(bar.menu(desk));
+                            bottom.add(bar.component(), BorderLayout.NORTH);
+                        });
+        desk.source()
+                .steering()
+                .ifPresent(
+                        s -> {
+                            SimulatorBar bar = new SimulatorBar(desk, s);
+                            menus.add(new SimulatorMenu(desk, frame).menu(bar));
+                            bottom.add(bar.component(), BorderLayout.CENTER);
+                        });
         menus.add(HelpMenu.menu(frame));
         bottom.add(new StatusBar(desk).component(), BorderLayout.SOUTH);
         Tools tools =
@@ -128,12 +134,12 @@ public final class ViewerWindow {
         right.addTab("Details", new Details(desk).component());
         right.addTab("Control", new ControlPanel(desk).component());
         right.setMinimumSize(new Dimension(180, 100));
-        right.setPreferredSize(new Dimension(320, 500));
+        right.setPreferredSize(new Dimension(340, 500));
         JSplitPane centre = split(JSplitPane.VERTICAL_SPLIT, picture, below, 1);
         JSplitPane withRight = split(JSplitPane.HORIZONTAL_SPLIT, centre, right, 1);
         JPanel left = new ObjectList(desk).component();
         left.setMinimumSize(new Dimension(140, 100));
-        left.setPreferredSize(new Dimension(250, 500));
+        left.setPreferredSize(new Dimension(270, 500));
         return split(JSplitPane.HORIZONTAL_SPLIT, left, withRight, 0);
     }
 
@@ -149,6 +155,7 @@ public final class ViewerWindow {
         KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(driver);
         frame.setVisible(true);
         desk.screen().start();
+        desk.screen().component().requestFocusInWindow();
         desk.refresh();
         refresh.start();
         follow.start();
@@ -190,10 +197,7 @@ public final class ViewerWindow {
     private void follow() {
         OptionalLong id = desk.options().followed();
         if (id.isPresent()) {
-            desk.scene()
-                    .motion(id.getAsLong())
-                    .map(Motion::position)
-                    .ifPresent(this::lookAt);
+            desk.scene().motion(id.getAsLong()).map(Motion::position).ifPresent(this::lookAt);
         }
     }
 

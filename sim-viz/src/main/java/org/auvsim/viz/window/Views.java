@@ -66,10 +66,7 @@ final class Views {
         double radius = Math.sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2]);
         double away = MARGIN * radius / Math.sin(OrbitCamera.FIELD_OF_VIEW / 2);
         camera.aim(
-                least[0] + half[0],
-                least[1] + half[1],
-                least[2] + half[2],
-                Math.max(away, LEAST));
+                least[0] + half[0], least[1] + half[1], least[2] + half[2], Math.max(away, LEAST));
         return true;
     }
 }

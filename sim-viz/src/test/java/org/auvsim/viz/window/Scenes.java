@@ -29,6 +29,7 @@ final class Scenes {
     static Scene withBuoy() {
         Scene scene = new Scene(new LiveClock());
         scene.add(SeenObject.of(9, buoy()));
+        scene.look(0, look -> {});
         return scene;
     }
 

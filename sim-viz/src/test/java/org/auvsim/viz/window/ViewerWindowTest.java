@@ -96,8 +96,7 @@ class ViewerWindowTest {
                 });
         assertThat(simulator.asked)
                 .containsExactly(
-                        new ApplyDirectForceCommand(
-                                9, "Viewer", Frame.BODY, new Vec3(3, 0, -1.5)));
+                        new ApplyDirectForceCommand(9, "Viewer", Frame.BODY, new Vec3(3, 0, -1.5)));
     }
 
     @Test
@@ -114,8 +113,7 @@ class ViewerWindowTest {
                     slider.setValue(75);
                     window.orElseThrow().turn();
                 });
-        assertThat(simulator.asked)
-                .containsExactly(new SetPropulsorCommand(1, "Aft Port", 0.75));
+        assertThat(simulator.asked).containsExactly(new SetPropulsorCommand(1, "Aft Port", 0.75));
     }
 
     @Test
@@ -211,8 +209,7 @@ class ViewerWindowTest {
                 new int[] {
                     MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED, MouseEvent.MOUSE_CLICKED
                 }) {
-            on.dispatchEvent(
-                    new MouseEvent(on, id, 0, 0, x, y, 1, false, MouseEvent.BUTTON1));
+            on.dispatchEvent(new MouseEvent(on, id, 0, 0, x, y, 1, false, MouseEvent.BUTTON1));
         }
     }
 

@@ -35,7 +35,7 @@ final class ActuatorSlider {
         slider.setName("actuator-" + actuator.name());
         JLabel name = new JLabel(actuator.name());
         name.setToolTipText(actuator.name());
-        name.setPreferredSize(new Dimension(112, 22));
+        name.setPreferredSize(new Dimension(164, 22));
         JLabel value = new JLabel(words.apply(actuator.command()), SwingConstants.RIGHT);
         value.setPreferredSize(new Dimension(42, 22));
         slider.addChangeListener(

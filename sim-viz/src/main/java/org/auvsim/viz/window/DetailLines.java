@@ -87,7 +87,7 @@ final class DetailLines {
         if (!definition.effect().isEmpty()) {
             heading("Effects");
             for (Effect effect : definition.effect()) {
-                line(ElementName.of(effect.getClass()), "");
+                line("effect", ElementName.of(effect.getClass()));
             }
         }
         if (!definition.component().isEmpty()) {
@@ -101,7 +101,7 @@ final class DetailLines {
     private static String strength(Component component) {
         return switch (component) {
             case Propulsor p -> ", " + number(p.maximumThrust()) + " N";
-            case Fin f -> ", \u00b1" + number(degrees(f.maximumAngle())) + "\u00b0";
+            case Fin f -> ", \u00b1" + degrees(f.maximumAngle()) + "\u00b0";
             default -> "";
         };
     }

@@ -4,6 +4,7 @@ import org.auvsim.viz.source.Playback;
 
 import java.awt.BorderLayout;
 import java.awt.FlowLayout;
+import java.util.List;
 import java.util.Locale;
 
 import javax.swing.BorderFactory;
@@ -34,6 +35,9 @@ final class PlaybackBar {
         JComboBox<Double> rate = new JComboBox<>(RATES);
         rate.setName("playback-rate");
         rate.setToolTipText("World seconds a second");
+        if (!List.of(RATES).contains(playback.rate())) {
+            rate.addItem(playback.rate());
+        }
         rate.setSelectedItem(playback.rate());
         rate.addActionListener(e -> playback.rate((Double) rate.getSelectedItem()));
         slider.setName("time");

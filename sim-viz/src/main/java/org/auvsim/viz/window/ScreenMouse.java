@@ -3,6 +3,8 @@ package org.auvsim.viz.window;
 import org.auvsim.viz.scene.Motion;
 
 import java.awt.Component;
+import java.awt.event.KeyAdapter;
+import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
@@ -33,6 +35,16 @@ final class ScreenMouse extends MouseAdapter {
         mouse.screen.addMouseListener(mouse);
         mouse.screen.addMouseMotionListener(mouse);
         mouse.screen.addMouseWheelListener(mouse);
+        // A component of the system's has no key bindings; those of the menus are asked here.
+        mouse.screen.addKeyListener(
+                new KeyAdapter() {
+                    @Override
+                    public void keyPressed(KeyEvent e) {
+                        if (SwingUtilities.processKeyBindings(e)) {
+                            e.consume();
+                        }
+                    }
+                });
     }
 
     @Override

@@ -47,8 +47,9 @@ final class StatusBar {
         rate.setText(
                 String.format(
                         Locale.ROOT,
-                        "%s%d objects   %s   %.0f frames/s",
+                        "%s%s%d objects   %s   %.0f frames/s",
                         desk.isDriving() ? "driving   " : "",
+                        desk.options().followed().isPresent() ? "following   " : "",
                         desk.scene().objects().size(),
                         role,
                         desk.screen().frameRate()));

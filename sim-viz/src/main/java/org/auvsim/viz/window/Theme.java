@@ -6,6 +6,7 @@ import com.formdev.flatlaf.FlatLightLaf;
 
 import javax.swing.JPopupMenu;
 import javax.swing.ToolTipManager;
+import javax.swing.UIManager;
 
 /** The colours of windows. */
 final class Theme {
@@ -16,6 +17,8 @@ final class Theme {
         // The picture is a component of the system's: menus must be, too, to be seen above it.
         JPopupMenu.setDefaultLightWeightPopupEnabled(false);
         ToolTipManager.sharedInstance().setLightWeightPopupEnabled(false);
+        // A click beside a slider's knob brings it there.
+        UIManager.put("Slider.scrollOnTrackClick", false);
         if (dark) {
             FlatDarkLaf.setup();
         } else {

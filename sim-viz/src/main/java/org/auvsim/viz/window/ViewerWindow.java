@@ -28,6 +28,9 @@ public final class ViewerWindow {
     /** Lists and words are brought up to date so often (ms). */
     private static final int REFRESH = 100;
 
+    /** What is below the picture is so high at first (pixels). */
+    private static final int BELOW = 200;
+
     /** The camera follows so often (ms). */
     private static final int FOLLOW = 16;
 
@@ -39,6 +42,7 @@ public final class ViewerWindow {
     private final Runnable onClose;
     private final Timer refresh = new Timer(REFRESH, e -> turn());
     private final Timer follow = new Timer(FOLLOW, e -> follow());
+    private JSplitPane centre = new JSplitPane();
     private boolean isClosed;
 
     /**
@@ -128,14 +132,14 @@ public final class ViewerWindow {
         below.addTab("Plots", plots.component());
         below.addTab("Log", new WordsLog(desk).component());
         below.setMinimumSize(new Dimension(100, 60));
-        below.setPreferredSize(new Dimension(600, 190));
+        below.setPreferredSize(new Dimension(600, BELOW));
         JTabbedPane right = new JTabbedPane();
         right.setName("right");
         right.addTab("Details", new Details(desk).component());
         right.addTab("Control", new ControlPanel(desk).component());
         right.setMinimumSize(new Dimension(180, 100));
-        right.setPreferredSize(new Dimension(340, 500));
-        JSplitPane centre = split(JSplitPane.VERTICAL_SPLIT, picture, below, 1);
+        right.setPreferredSize(new Dimension(356, 500));
+        centre = split(JSplitPane.VERTICAL_SPLIT, picture, below, 1);
         JSplitPane withRight = split(JSplitPane.HORIZONTAL_SPLIT, centre, right, 1);
         JPanel left = new ObjectList(desk).component();
         left.setMinimumSize(new Dimension(140, 100));
@@ -154,6 +158,7 @@ public final class ViewerWindow {
     public void show() {
         KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(driver);
         frame.setVisible(true);
+        centre.setDividerLocation(Math.max(0, centre.getHeight() - BELOW));
         desk.screen().start();
         desk.screen().component().requestFocusInWindow();
         desk.refresh();

@@ -9,6 +9,7 @@ import org.auvsim.viz.scene.Scene;
 import org.auvsim.viz.scene.SeenObject;
 import org.auvsim.viz.source.Source;
 import org.auvsim.viz.source.Steering;
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -143,19 +144,22 @@ final class Desk {
             say("A recording cannot be changed; this needs a simulator.");
             return;
         }
-        source.steering()
-                .get()
-                .ask(message)
-                .whenComplete(
-                        (answer, failure) ->
-                                SwingUtilities.invokeLater(
-                                        () -> {
-                                            if (failure == null) {
-                                                then.accept(answer);
-                                            } else {
-                                                say(sentence(failure));
-                                            }
-                                        }));
+        var _ =
+                source.steering()
+                        .get()
+                        .ask(message)
+                        .whenComplete(
+                                (answer, failure) ->
+                                        SwingUtilities.invokeLater(
+                                                () -> settle(answer, failure, then)));
+    }
+
+    private void settle(Message answer, @Nullable Throwable failure, Consumer<Message> then) {
+        if (failure == null) {
+            then.accept(answer);
+        } else {
+            say(sentence(failure));
+        }
     }
 
     /** What a failure says to people. */

@@ -43,7 +43,7 @@ final class Driver implements KeyEventDispatcher {
                         && HeldKeys.drives(e.getKeyCode())
                         && !e.isControlDown()
                         && !e.isAltDown()
-                        && focus.getFocusedWindow() == window
+                        && window.isFocused()
                         && !(focus.getFocusOwner() instanceof JTextComponent);
         if (e.getID() == KeyEvent.KEY_RELEASED) {
             keys.release(e.getKeyCode());

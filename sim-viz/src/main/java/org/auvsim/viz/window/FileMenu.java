@@ -4,6 +4,7 @@ import java.awt.Window;
 import java.io.File;
 import java.nio.file.Path;
 import java.time.LocalDateTime;
+import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
 
@@ -54,7 +55,7 @@ final class FileMenu {
     }
 
     static String pictureName() {
-        return "auvsim-" + TIME.format(LocalDateTime.now()) + ".png";
+        return "auvsim-" + TIME.format(LocalDateTime.now(ZoneId.systemDefault())) + ".png";
     }
 
     private void choose() {
@@ -68,14 +69,17 @@ final class FileMenu {
 
     /** Saves the next frame and tells how it went. */
     void save(Path file) {
-        recorder.save(file)
-                .whenComplete(
-                        (done, failure) ->
-                                SwingUtilities.invokeLater(
-                                        () ->
-                                                desk.say(
-                                                        failure == null
-                                                                ? "The picture is in " + file + "."
-                                                                : Desk.sentence(failure))));
+        var _ =
+                recorder.save(file)
+                        .whenComplete(
+                                (done, failure) ->
+                                        SwingUtilities.invokeLater(
+                                                () ->
+                                                        desk.say(
+                                                                failure == null
+                                                                        ? "The picture is in "
+                                                                                + file
+                                                                                + "."
+                                                                        : Desk.sentence(failure))));
     }
 }

@@ -69,7 +69,7 @@ final class ForcePanel {
 
     /** A power of ten near to a mass times 1 m/s^2. */
     private static double round(double mass) {
-        return Math.pow(10, Math.round(Math.log10(Math.max(mass, 1e-3))));
+        return Math.pow(10, Math.rint(Math.log10(Math.max(mass, 1e-3))));
     }
 
     private void row(String words, String name, JSpinner[] spinners, double step) {

@@ -68,14 +68,15 @@ final class Recorder implements AutoCloseable {
             return;
         }
         frames++;
-        save(frame(folder, frames))
-                .whenComplete(
-                        (done, failure) -> {
-                            isBusy.set(false);
-                            if (failure != null) {
-                                failed.accept(failure);
-                            }
-                        });
+        var _ =
+                save(frame(folder, frames))
+                        .whenComplete(
+                                (done, failure) -> {
+                                    isBusy.set(false);
+                                    if (failure != null) {
+                                        failed.accept(failure);
+                                    }
+                                });
     }
 
     private static void write(BufferedImage picture, Path file) {

@@ -61,7 +61,7 @@ final class ScreenMouse extends MouseAdapter {
         x = e.getX();
         y = e.getY();
         boolean isLeft = SwingUtilities.isLeftMouseButton(e);
-        if (SwingUtilities.isMiddleMouseButton(e) || isLeft && e.isShiftDown()) {
+        if (SwingUtilities.isMiddleMouseButton(e) || (isLeft && e.isShiftDown())) {
             desk.options().follow(OptionalLong.empty());
             double height = Math.max(1, screen.getHeight());
             desk.camera().pan(-right / height, down / height);

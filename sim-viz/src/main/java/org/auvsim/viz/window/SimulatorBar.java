@@ -102,10 +102,10 @@ final class SimulatorBar {
     }
 
     private String tip(JComponent part) {
-        if (part == pause) {
+        if (part.equals(pause)) {
             return isRunning() ? "Pause (Space)" : "Go on (Space)";
         }
-        return part == rate ? "World seconds a second, or max; Enter sets it" : "Make steps";
+        return part.equals(rate) ? "World seconds a second, or max; Enter sets it" : "Make steps";
     }
 
     private void show(SimulatorStateResponse state) {

@@ -180,17 +180,18 @@ final class SimulatorMenu {
 
     /** Reads a scenario aside and sends it. */
     void load(Path file) {
-        CompletableFuture.supplyAsync(() -> read(file))
-                .whenComplete(
-                        (scenario, failure) ->
-                                SwingUtilities.invokeLater(
-                                        () -> {
-                                            if (failure == null) {
-                                                desk.ask(new LoadScenarioCommand(scenario));
-                                            } else {
-                                                desk.say(Desk.sentence(failure));
-                                            }
-                                        }));
+        var _ =
+                CompletableFuture.supplyAsync(() -> read(file))
+                        .whenComplete(
+                                (scenario, failure) ->
+                                        SwingUtilities.invokeLater(
+                                                () -> {
+                                                    if (failure == null) {
+                                                        desk.ask(new LoadScenarioCommand(scenario));
+                                                    } else {
+                                                        desk.say(Desk.sentence(failure));
+                                                    }
+                                                }));
     }
 
     private static Scenario read(Path file) {

@@ -47,7 +47,7 @@ final class Views {
         for (SeenObject object : scene.objects()) {
             double radius = Picking.radius(object);
             Optional<Vec3> at = scene.motion(object.id()).map(m -> m.position());
-            if (at.isEmpty() || Double.isInfinite(radius) || onlyMoving && object.isFixed()) {
+            if (at.isEmpty() || Double.isInfinite(radius) || (onlyMoving && object.isFixed())) {
                 continue;
             }
             double[] p = {at.get().x(), at.get().y(), at.get().z()};

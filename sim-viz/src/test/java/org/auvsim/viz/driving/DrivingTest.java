@@ -70,7 +70,7 @@ class DrivingTest {
         WorldObjectDefinition torpedo = Examples.first("remus-turn.xml");
         Orders orders = new Driving(torpedo).orders(new Wanted(0, 0, 0, 0, 0.5));
         Fin plane = fin(torpedo, "Port Stern Plane");
-        double angle = orders.angles().get("Port Stern Plane");
+        double angle = orders.angles().getOrDefault("Port Stern Plane", Double.NaN);
         Vec3 lift = plane.span().cross(new Vec3(1, 0, 0)).times(angle);
         // About +y the bow goes down.
         assertThat(plane.position().cross(lift).y()).isNegative();
@@ -87,7 +87,8 @@ class DrivingTest {
                         .component(rudder("down", new Vec3(0, 0, -1)))
                         .build();
         Orders orders = new Driving(body).orders(new Wanted(0, 0, 0, -1, 0));
-        assertThat(orders.angles().get("up")).isEqualTo(-orders.angles().get("down"));
+        assertThat(orders.angles().get("up"))
+                .isEqualTo(-orders.angles().getOrDefault("down", Double.NaN));
         assertThat(orders.angles().get("up")).isPositive();
     }
 
@@ -153,7 +154,7 @@ class DrivingTest {
                 .map(Propulsor.class::cast)
                 .forEach(
                         p -> {
-                            double level = orders.levels().get(p.name());
+                            double level = orders.levels().getOrDefault(p.name(), Double.NaN);
                             Vec3 force = p.direction().times(p.commanded(level, 0).thrustAt(1e6));
                             Vec3 torque = p.position().cross(force);
                             sum[0] += force.x();

@@ -39,6 +39,11 @@ final class History {
         count = Math.min(count + 1, ROOM);
     }
 
+    /** The time of the last state (s). */
+    double last() {
+        return last;
+    }
+
     void clear() {
         count = 0;
         last = Double.NEGATIVE_INFINITY;

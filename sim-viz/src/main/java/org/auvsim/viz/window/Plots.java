@@ -48,6 +48,7 @@ final class Plots {
             List.of(new int[] {0, 1}, new int[] {3}, new int[] {4}, new int[] {5});
     private OptionalLong of = OptionalLong.empty();
     private int turn;
+    private double drawn;
 
     Plots(Desk desk) {
         this.desk = desk;
@@ -123,7 +124,8 @@ final class Plots {
                 now.isPresent() ? desk.scene().motion(now.getAsLong()) : Optional.empty();
         motion.ifPresent(m -> history.add(desk.scene().time(), m));
         turn = (turn + 1) % EVERY;
-        if (turn == 0 && panel.isShowing()) {
+        if (turn == 0 && panel.isShowing() && history.last() != drawn) {
+            drawn = history.last();
             draw();
         }
     }

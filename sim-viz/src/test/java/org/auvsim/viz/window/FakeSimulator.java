@@ -2,8 +2,14 @@ package org.auvsim.viz.window;
 
 import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.command.KeptSnapshot;
+import org.auvsim.auvsml.message.command.ListedClient;
+import org.auvsim.auvsml.message.control.ListSnapshotsRequest;
 import org.auvsim.auvsml.message.control.SimulatorStateResponse;
+import org.auvsim.auvsml.message.control.SnapshotListResponse;
+import org.auvsim.auvsml.message.session.ClientListResponse;
 import org.auvsim.auvsml.message.session.CommandDoneResponse;
+import org.auvsim.auvsml.message.session.ListClientsRequest;
 import org.auvsim.viz.scene.Scene;
 import org.auvsim.viz.source.Playback;
 import org.auvsim.viz.source.Source;
@@ -75,6 +81,24 @@ final class FakeSimulator implements Source, Steering {
         asked.add(message);
         return refusal.<CompletableFuture<Message>>map(
                         words -> CompletableFuture.failedFuture(new IllegalStateException(words)))
-                .orElseGet(() -> CompletableFuture.completedFuture(new CommandDoneResponse()));
+                .orElseGet(() -> CompletableFuture.completedFuture(answer(message)));
+    }
+
+    private static Message answer(Message message) {
+        return switch (message) {
+            case ListSnapshotsRequest _ ->
+                    new SnapshotListResponse(List.of(new KeptSnapshot("before", 3)));
+            case ListClientsRequest _ ->
+                    new ClientListResponse(
+                            List.of(
+                                    new ListedClient(
+                                            4,
+                                            "Vehicle",
+                                            "127.0.0.1:5",
+                                            "controller",
+                                            false,
+                                            List.of())));
+            default -> new CommandDoneResponse();
+        };
     }
 }

@@ -5,8 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.message.control.ApplyDirectForceCommand;
 import org.auvsim.auvsml.message.control.PauseSimulatorCommand;
+import org.auvsim.auvsml.message.control.RestoreSnapshotCommand;
 import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
 import org.auvsim.auvsml.message.control.SetPropulsorCommand;
+import org.auvsim.auvsml.message.entity.AddEffectCommand;
+import org.auvsim.auvsml.message.session.DisconnectClientCommand;
+import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.viz.camera.OrbitCamera;
@@ -168,6 +172,36 @@ class ViewerWindowTest {
                     assertThat(find("banner", JLabel.class).isVisible()).isTrue();
                     assertThat(find("banner", JLabel.class).getText()).contains("lost");
                 });
+    }
+
+    @Test
+    void restoresASnapshotAndDisconnectsAClient() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        open(simulator);
+        inSwing(() -> find("menu-simulator", JMenu.class).setSelected(true));
+        inSwing(() -> find("menu-simulator", JMenu.class).setSelected(false));
+        inSwing(() -> find("restore-before", AbstractButton.class).doClick(0));
+        inSwing(() -> find("disconnect-4", AbstractButton.class).doClick(0));
+        assertThat(simulator.asked)
+                .contains(
+                        new RestoreSnapshotCommand("before"),
+                        new DisconnectClientCommand("4", "an administrator has ended the session"));
+    }
+
+    @Test
+    void readsAnEffectFromItsElement() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        open(simulator);
+        EffectDialog effects =
+                new EffectDialog(
+                        new Desk(simulator, camera, new FakeScreen(), view),
+                        window.orElseThrow().frame());
+        inSwing(
+                () -> {
+                    assertThat(effects.add(9, "<gravity acceleration=\"5\"/>")).isEmpty();
+                    assertThat(effects.add(9, "<levity/>")).contains("levity");
+                });
+        assertThat(simulator.asked).containsExactly(new AddEffectCommand(9, new Gravity(5)));
     }
 
     @Test

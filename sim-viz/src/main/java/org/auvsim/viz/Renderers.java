@@ -29,8 +29,8 @@ public final class Renderers {
     private static ScreenException unknown(String name, List<Renderer> all) {
         return new ScreenException(
                 ("There is no renderer '%s'; there %s. One of an extension is found in"
-                                + " ~/.auvsim/extensions or --extensions DIR (docs/osp.md has the one for"
-                                + " Open Source Physics).")
+                     + " ~/.auvsim/extensions or --extensions DIR (docs/osp.md has the one for Open"
+                     + " Source Physics).")
                         .formatted(
                                 name,
                                 all.size() == 1

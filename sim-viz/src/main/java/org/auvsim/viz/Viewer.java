@@ -3,14 +3,24 @@ package org.auvsim.viz;
 import org.auvsim.viz.camera.OrbitCamera;
 import org.auvsim.viz.drawing.Renderer;
 import org.auvsim.viz.drawing.SceneDrawing;
+import org.auvsim.viz.drawing.Screen;
 import org.auvsim.viz.drawing.ScreenException;
 import org.auvsim.viz.drawing.ViewOptions;
+import org.auvsim.viz.driving.Gamepad;
+import org.auvsim.viz.driving.GlfwGamepad;
+import org.auvsim.viz.scene.Occurrence;
 import org.auvsim.viz.source.Source;
 import org.auvsim.viz.window.ViewerWindow;
 
+import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
 import java.awt.image.BufferedImage;
+import java.lang.reflect.InvocationTargetException;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
+
+import javax.swing.SwingUtilities;
 
 /** Shows what a source has, in a window or as a picture. */
 public final class Viewer {
@@ -42,12 +52,76 @@ public final class Viewer {
      */
     public void show(ViewStart start) throws ScreenException {
         if (GraphicsEnvironment.isHeadless()) {
-            throw new ScreenException(
-                    "There is no display here: set DISPLAY, use 'auvsim watch', or --picture FILE with"
-                            + " --renderer osp, which paints without one.");
+            throw noDisplay(new HeadlessException("no screen is connected"));
         }
         prepare(start);
-        ViewerWindow.show(source, options, camera, renderer);
+        try {
+            CompletableFuture<Void> closed = new CompletableFuture<>();
+            Opened opened = open(closed);
+            try {
+                opened.started().get();
+                closed.get();
+            } finally {
+                SwingUtilities.invokeAndWait(opened.window()::close);
+                opened.screen().close();
+            }
+        } catch (ExecutionException | InvocationTargetException e) {
+            throw explained(e);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new ScreenException("The window was closed: interrupted.", e);
+        } catch (AWTError e) {
+            throw noDisplay(e);
+        }
+    }
+
+    private record Opened(ViewerWindow window, Screen screen, CompletableFuture<Void> started) {}
+
+    private Opened open(CompletableFuture<Void> closed)
+            throws InterruptedException, InvocationTargetException, ExecutionException {
+        CompletableFuture<Opened> opened = new CompletableFuture<>();
+        SwingUtilities.invokeAndWait(
+                () -> {
+                    try {
+                        opened.complete(openInSwing(closed));
+                    } catch (ScreenException e) {
+                        opened.completeExceptionally(e);
+                    }
+                });
+        return opened.get();
+    }
+
+    private Opened openInSwing(CompletableFuture<Void> closed) throws ScreenException {
+        Screen screen = renderer.screen(new SceneDrawing(source, options, camera));
+        Gamepad gamepad =
+                GlfwGamepad.open(
+                        words -> source.scene().tell(new Occurrence(source.scene().time(), words)));
+        ViewerWindow window =
+                new ViewerWindow(
+                        source, camera, screen, options, gamepad, () -> closed.complete(null));
+        return new Opened(window, screen, window.show());
+    }
+
+    private static ScreenException explained(Exception e) {
+        return switch (e.getCause()) {
+            case ScreenException known -> known;
+            case AWTError none -> noDisplay(none);
+            case HeadlessException none -> noDisplay(none);
+            case null, default -> new ScreenException("The window cannot be shown: " + e, e);
+        };
+    }
+
+    private static ScreenException noDisplay(Throwable e) {
+        return new ScreenException(
+                ("There is no display here (%s): set DISPLAY, use 'auvsim watch', or --picture FILE"
+                     + " with --renderer osp, which paints without one.")
+                        .formatted(
+                                String.valueOf(e.getMessage())
+                                        .lines()
+                                        .findFirst()
+                                        .orElse("")
+                                        .strip()),
+                e);
     }
 
     private void prepare(ViewStart start) throws ScreenException {

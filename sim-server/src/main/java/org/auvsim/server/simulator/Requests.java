@@ -119,7 +119,10 @@ final class Requests {
         notifications.add(session);
         session.send(
                 new WelcomeMessage(
-                        WelcomeMessage.PROTOCOL, serverName, session.id(), session.role().roleName()));
+                        WelcomeMessage.PROTOCOL,
+                        serverName,
+                        session.id(),
+                        session.role().roleName()));
     }
 
     /** Those of a replayed run do not come and go today. */

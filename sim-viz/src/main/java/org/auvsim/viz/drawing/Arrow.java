@@ -10,7 +10,14 @@ final class Arrow {
 
     /** An arrow from a place (m, world) by a vector (m). */
     void paint(
-            double x, double y, double z, double vx, double vy, double vz, int colour, Picture picture) {
+            double x,
+            double y,
+            double z,
+            double vx,
+            double vy,
+            double vz,
+            int colour,
+            Picture picture) {
         double length = Math.sqrt(vx * vx + vy * vy + vz * vz);
         double radius = Math.min(picture.share(THIN), length * 0.05);
         if (!(length > picture.share(THIN) * 2)) {

@@ -98,10 +98,7 @@ final class Currents implements Part {
                 places[at + 2] = z;
                 Vec3 sum = Vec3.ZERO;
                 for (Current current : currents) {
-                    sum =
-                            sum.plus(
-                                    current.valueAt(
-                                            new Vec3(places[at], places[at + 1], z), time));
+                    sum = sum.plus(current.valueAt(new Vec3(places[at], places[at + 1], z), time));
                 }
                 velocities[at] = sum.x();
                 velocities[at + 1] = sum.y();

@@ -7,8 +7,8 @@ import org.auvsim.viz.scene.SceneLook;
 
 /** Brings everything that a scene holds into the picture. */
 public final class Framing {
-    /** So many times the radius of what is seen is the camera away. */
-    private static final double AWAY = 2.4;
+    /** What is seen fills so much less of the picture than it could. */
+    private static final double MARGIN = 1.15;
 
     private static final double LEAST = 1;
 
@@ -18,17 +18,27 @@ public final class Framing {
 
     private Framing() {}
 
-    /** Lets a camera see all objects of a scene that have an end; if there are none, its origin. */
+    /**
+     * Lets a camera see all that moves; if nothing does, all that has an end; if there is nothing,
+     * the scene's origin.
+     */
     public static void fit(Scene scene, OrbitCamera camera) {
         Framing framing = new Framing();
-        scene.look(System.nanoTime(), framing::measure);
+        scene.look(
+                System.nanoTime(),
+                look -> {
+                    framing.measure(look, /* fixed= */ false);
+                    if (framing.empty) {
+                        framing.measure(look, /* fixed= */ true);
+                    }
+                });
         framing.aim(camera);
     }
 
-    private void measure(SceneLook look) {
+    private void measure(SceneLook look, boolean fixed) {
         for (int i = 0; i < look.count(); i++) {
             double radius = radius(look.actor(i));
-            if (radius < Double.POSITIVE_INFINITY) {
+            if (radius < Double.POSITIVE_INFINITY && look.actor(i).object().isFixed() == fixed) {
                 include(look.actor(i), radius);
             }
         }
@@ -55,6 +65,9 @@ public final class Framing {
         }
         double radius = Math.max(Math.sqrt(square), LEAST);
         camera.aim(
-                (low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2, AWAY * radius);
+                (low[0] + high[0]) / 2,
+                (low[1] + high[1]) / 2,
+                (low[2] + high[2]) / 2,
+                MARGIN * radius / Math.sin(OrbitCamera.FIELD_OF_VIEW / 2));
     }
 }

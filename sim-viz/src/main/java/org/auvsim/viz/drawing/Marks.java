@@ -42,13 +42,7 @@ final class Marks implements Part {
         brush.line(x, y - arm, z, x, y + arm, z, Palette.MEASURED);
         brush.line(x, y, z - arm, x, y, z + arm, Palette.MEASURED);
         brush.line(
-                actor.position(0),
-                actor.position(1),
-                actor.position(2),
-                x,
-                y,
-                z,
-                Palette.MEASURED);
+                actor.position(0), actor.position(1), actor.position(2), x, y, z, Palette.MEASURED);
         place.at(x, y, z);
         brush.ball(place.pose, picture.share(DOT), Palette.MEASURED);
     }

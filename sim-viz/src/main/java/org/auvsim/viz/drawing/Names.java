@@ -16,8 +16,7 @@ final class Names implements Part {
         for (int i = 0; i < look.count(); i++) {
             ActorView actor = look.actor(i);
             long id = actor.object().id();
-            boolean chosen =
-                    picture.options().isSelected(id) || picture.options().isFollowed(id);
+            boolean chosen = picture.options().isSelected(id) || picture.options().isFollowed(id);
             if (chosen || look.count() <= CROWD && isBounded(actor)) {
                 name(actor, picture);
             }

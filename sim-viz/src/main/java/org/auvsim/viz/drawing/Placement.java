@@ -84,11 +84,17 @@ final class Placement {
         double c = pose.qz;
         return switch (axis) {
             case 0 ->
-                    (1 - 2 * (b * b + c * c)) * x + 2 * (a * b - w * c) * y + 2 * (a * c + w * b) * z;
+                    (1 - 2 * (b * b + c * c)) * x
+                            + 2 * (a * b - w * c) * y
+                            + 2 * (a * c + w * b) * z;
             case 1 ->
-                    2 * (a * b + w * c) * x + (1 - 2 * (a * a + c * c)) * y + 2 * (b * c - w * a) * z;
+                    2 * (a * b + w * c) * x
+                            + (1 - 2 * (a * a + c * c)) * y
+                            + 2 * (b * c - w * a) * z;
             default ->
-                    2 * (a * c - w * b) * x + 2 * (b * c + w * a) * y + (1 - 2 * (a * a + b * b)) * z;
+                    2 * (a * c - w * b) * x
+                            + 2 * (b * c + w * a) * y
+                            + (1 - 2 * (a * a + b * b)) * z;
         };
     }
 }

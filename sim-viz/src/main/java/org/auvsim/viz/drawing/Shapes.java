@@ -72,8 +72,7 @@ final class Shapes {
         double tx = picture.camera().target(0);
         double ty = picture.camera().target(1);
         double tz = picture.camera().target(2);
-        double above =
-                (tx - at.pose.x) * nx + (ty - at.pose.y) * ny + (tz - at.pose.z) * nz;
+        double above = (tx - at.pose.x) * nx + (ty - at.pose.y) * ny + (tz - at.pose.z) * nz;
         part.within(at, Vec3.ZERO, Quat.IDENTITY);
         part.pose.x = tx - above * nx;
         part.pose.y = ty - above * ny;

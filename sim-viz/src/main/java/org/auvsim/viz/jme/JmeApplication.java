@@ -11,7 +11,6 @@ import com.jme3.system.AppSettings;
 
 import org.auvsim.viz.drawing.Painter;
 import org.auvsim.viz.drawing.ScreenException;
-
 import org.jspecify.annotations.Nullable;
 
 import java.awt.image.BufferedImage;
@@ -135,9 +134,9 @@ final class JmeApplication extends LegacyApplication {
         paintingThread.complete(Thread.currentThread());
         started.completeExceptionally(
                 new ScreenException(
-                        ("Three dimensions cannot be shown here, as there is no display with OpenGL 3.2: %s. Install"
-                                        + " a graphics driver, use --renderer osp, which needs no"
-                                        + " OpenGL, or 'auvsim watch', which needs no display.")
+                        ("Three dimensions cannot be shown here, as there is no display with OpenGL"
+                             + " 3.2: %s. Install a graphics driver, use --renderer osp, which"
+                             + " needs no OpenGL, or 'auvsim watch', which needs no display.")
                                 .formatted(cause(what, why)),
                         why));
         stop();
@@ -152,7 +151,8 @@ final class JmeApplication extends LegacyApplication {
     public void destroy() {
         super.destroy();
         if (snapshots != null) {
-            snapshots.fail(new ScreenException("The window was closed before a picture was taken."));
+            snapshots.fail(
+                    new ScreenException("The window was closed before a picture was taken."));
         }
     }
 }

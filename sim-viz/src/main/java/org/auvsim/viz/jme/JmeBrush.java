@@ -160,8 +160,7 @@ final class JmeBrush implements Brush {
     }
 
     @Override
-    public void line(
-            double ax, double ay, double az, double bx, double by, double bz, int colour) {
+    public void line(double ax, double ay, double az, double bx, double by, double bz, int colour) {
         lines.add(
                 ax - originX,
                 ay - originY,
@@ -174,8 +173,7 @@ final class JmeBrush implements Brush {
 
     @Override
     public void surface(long id, HeightMap map, Pose pose, int colour) {
-        seaFloors.add(
-                id, map, pose, pose.x - originX, pose.y - originY, pose.z - originZ, colour);
+        seaFloors.add(id, map, pose, pose.x - originX, pose.y - originY, pose.z - originZ, colour);
     }
 
     @Override

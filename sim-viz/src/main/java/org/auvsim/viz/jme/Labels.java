@@ -45,8 +45,7 @@ final class Labels {
         if (!shade.equals(text.getColor())) {
             text.setColor(shade.clone());
         }
-        text.setLocalTranslation(
-                Math.round(x - text.getLineWidth() / 2), Math.round(y + SIZE), 0);
+        text.setLocalTranslation(Math.round(x - text.getLineWidth() / 2), Math.round(y + SIZE), 0);
         text.setCullHint(CullHint.Never);
     }
 

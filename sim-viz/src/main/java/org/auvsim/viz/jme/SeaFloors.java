@@ -64,8 +64,7 @@ final class SeaFloors {
                 at += 3;
             }
         }
-        return UnitMeshes.mesh(
-                places, normals, UnitMeshes.grid(drawnRows - 1, drawnColumns - 1));
+        return UnitMeshes.mesh(places, normals, UnitMeshes.grid(drawnRows - 1, drawnColumns - 1));
     }
 
     private static double slope(HeightMap map, int i, int j, int di, int dj) {

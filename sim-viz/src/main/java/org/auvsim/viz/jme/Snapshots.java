@@ -1,7 +1,7 @@
 package org.auvsim.viz.jme;
 
-import com.jme3.profile.AppProfiler;
 import com.jme3.post.SceneProcessor;
+import com.jme3.profile.AppProfiler;
 import com.jme3.renderer.RenderManager;
 import com.jme3.renderer.ViewPort;
 import com.jme3.renderer.queue.RenderQueue;

@@ -46,7 +46,7 @@ final class Actor implements ActorView {
 
     private void stand(WorldObjectDefinition definition, double time) {
         jump(
-                new Motion(
+                new Movement(
                         time,
                         definition.position(),
                         definition.orientation(),
@@ -55,7 +55,7 @@ final class Actor implements ActorView {
     }
 
     /** Is somewhere else all at once. */
-    void jump(Motion motion) {
+    void jump(Movement motion) {
         write(motion, now);
         timeNow = motion.time();
         System.arraycopy(now, 0, before, 0, STATE);
@@ -67,7 +67,7 @@ final class Actor implements ActorView {
     }
 
     /** Has moved on; a state of the same time replaces the last one, an older one begins anew. */
-    void move(Motion motion) {
+    void move(Movement motion) {
         if (motion.time() < timeNow) {
             jump(motion);
             return;
@@ -85,7 +85,7 @@ final class Actor implements ActorView {
         trail.add(timeNow, now[0], now[1], now[2]);
     }
 
-    void project(Motion motion) {
+    void project(Movement motion) {
         write(motion, projected);
         timeProjected = motion.time();
     }
@@ -101,7 +101,7 @@ final class Actor implements ActorView {
         forces = List.copyOf(others);
     }
 
-    private static void write(Motion motion, double[] to) {
+    private static void write(Movement motion, double[] to) {
         to[0] = motion.position().x();
         to[1] = motion.position().y();
         to[2] = motion.position().z();

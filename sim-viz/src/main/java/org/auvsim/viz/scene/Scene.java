@@ -71,7 +71,7 @@ public final class Scene {
     }
 
     /** An object has moved on; nothing happens if it is not known. */
-    public synchronized void move(long id, Motion motion) {
+    public synchronized void move(long id, Movement motion) {
         Actor actor = byId.get(id);
         if (actor != null) {
             actor.move(motion);
@@ -79,7 +79,7 @@ public final class Scene {
     }
 
     /** An object is somewhere else all at once: nothing lies between. */
-    public synchronized void jump(long id, Motion motion) {
+    public synchronized void jump(long id, Movement motion) {
         Actor actor = byId.get(id);
         if (actor != null) {
             actor.jump(motion);
@@ -87,7 +87,7 @@ public final class Scene {
     }
 
     /** The step under way will bring an object here. */
-    public synchronized void project(long id, Motion motion) {
+    public synchronized void project(long id, Movement motion) {
         Actor actor = byId.get(id);
         if (actor != null) {
             actor.project(motion);
@@ -167,12 +167,12 @@ public final class Scene {
     }
 
     /** How an object moves at the time that is shown. */
-    public synchronized Optional<Motion> motion(long id) {
+    public synchronized Optional<Movement> motion(long id) {
         return Optional.ofNullable(byId.get(id)).map(this::motionOf);
     }
 
-    private Motion motionOf(ActorView actor) {
-        return new Motion(
+    private Movement motionOf(ActorView actor) {
+        return new Movement(
                 time,
                 new Vec3(actor.position(0), actor.position(1), actor.position(2)),
                 new Quat(

@@ -17,7 +17,6 @@ import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.viz.scene.Occurrence;
 import org.auvsim.viz.scene.Scene;
 import org.auvsim.viz.scene.SeenObject;
-
 import org.jspecify.annotations.Nullable;
 
 import java.util.List;
@@ -96,8 +95,7 @@ final class Audience {
     private static Message registration(boolean projected) {
         List<EventType> types =
                 projected
-                        ? Stream.concat(
-                                        EVENTS.stream(), Stream.of(EventType.PROJECTED_MOVEMENT))
+                        ? Stream.concat(EVENTS.stream(), Stream.of(EventType.PROJECTED_MOVEMENT))
                                 .toList()
                         : EVENTS;
         List<Listener> listeners =

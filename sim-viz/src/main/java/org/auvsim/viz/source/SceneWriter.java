@@ -20,7 +20,7 @@ import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.viz.scene.Meeting;
-import org.auvsim.viz.scene.Motion;
+import org.auvsim.viz.scene.Movement;
 import org.auvsim.viz.scene.Occurrence;
 import org.auvsim.viz.scene.Scene;
 import org.auvsim.viz.scene.SeenObject;
@@ -53,7 +53,9 @@ final class SceneWriter {
             case RadioMessage m ->
                     tell(m.timestamp(), name(m.worldObjectId()) + "hears \"" + m.text() + "\"");
             case LaggingNotification m ->
-                    tell(newest(), "Too slow: %d movements or steps left out".formatted(m.skipped()));
+                    tell(
+                            newest(),
+                            "Too slow: %d movements or steps left out".formatted(m.skipped()));
             case RecordingEndedNotification m -> tell(newest(), m.reason());
             case LockstepTimeoutNotification m ->
                     tell(newest(), "Step %d waits for members".formatted(m.step()));
@@ -80,7 +82,7 @@ final class SceneWriter {
     private void moved(KinematicStateMessage m) {
         scene.move(
                 m.worldObjectId(),
-                new Motion(
+                new Movement(
                         m.timestamp(),
                         m.position(),
                         m.quaternion(),
@@ -94,7 +96,7 @@ final class SceneWriter {
         if (m.isProjectedState()) {
             scene.project(
                     m.worldObjectId(),
-                    new Motion(
+                    new Movement(
                             m.timestamp(),
                             m.position(),
                             Quat.of(m.orientation()),
@@ -112,8 +114,7 @@ final class SceneWriter {
     }
 
     private void met(CollisionNotification m) {
-        scene.meet(
-                new Meeting(m.timestamp(), m.entityId(), m.otherId(), m.point(), m.impulse()));
+        scene.meet(new Meeting(m.timestamp(), m.entityId(), m.otherId(), m.point(), m.impulse()));
     }
 
     private void restored(SnapshotRestoredNotification m) {

@@ -2,7 +2,7 @@ package org.auvsim.viz.source;
 
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
-import org.auvsim.viz.scene.Motion;
+import org.auvsim.viz.scene.Movement;
 
 import java.util.Arrays;
 
@@ -72,13 +72,13 @@ final class Track {
     }
 
     /** State {@code i}, moving as from the state before it to the one after it. */
-    Motion motion(int i) {
+    Movement motion(int i) {
         int a = Math.max(i - 1, 0);
         int b = Math.min(i + 1, times.count() - 1);
         double passed = times.get(b) - times.get(a);
         Vec3 velocity = passed > 0 ? place(b).minus(place(a)).times(1 / passed) : Vec3.ZERO;
         Vec3 spin = passed > 0 ? way(turn(a), turn(b)).times(1 / passed) : Vec3.ZERO;
-        return new Motion(times.get(i), place(i), turn(i), velocity, spin);
+        return new Movement(times.get(i), place(i), turn(i), velocity, spin);
     }
 
     /** The rotation vector (rad, world) of the shorter way from one orientation to another. */

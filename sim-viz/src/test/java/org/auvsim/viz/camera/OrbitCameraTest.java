@@ -79,7 +79,8 @@ class OrbitCameraTest {
     @ValueSource(longs = {1, 2, 3, 4, 5})
     void aPinholeSeesTheSame(long seed) {
         SplittableRandom random = new SplittableRandom(seed);
-        camera.aim(random.nextDouble(-9, 9), random.nextDouble(-9, 9), random.nextDouble(-9, 9), 12);
+        camera.aim(
+                random.nextDouble(-9, 9), random.nextDouble(-9, 9), random.nextDouble(-9, 9), 12);
         camera.look(random.nextDouble(-3, 3), random.nextDouble(-1.4, 1.4));
         for (int i = 0; i < 20; i++) {
             Vec3 point =
@@ -90,7 +91,8 @@ class OrbitCameraTest {
                                             random.nextDouble(-3, 3),
                                             random.nextDouble(-3, 3)));
             project(point.x(), point.y(), point.z());
-            assertThat(new double[] {pixel[0], pixel[1]}).containsExactly(pinhole(point), within(1e-6));
+            assertThat(new double[] {pixel[0], pixel[1]})
+                    .containsExactly(pinhole(point), within(1e-6));
         }
     }
 

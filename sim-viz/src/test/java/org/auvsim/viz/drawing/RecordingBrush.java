@@ -36,8 +36,7 @@ final class RecordingBrush implements Brush {
     }
 
     @Override
-    public void line(
-            double ax, double ay, double az, double bx, double by, double bz, int colour) {
+    public void line(double ax, double ay, double az, double bx, double by, double bz, int colour) {
         add("line %.3f %.3f %.3f to %.3f %.3f %.3f %08x", ax, ay, az, bx, by, bz, colour);
     }
 

@@ -19,7 +19,7 @@ import org.auvsim.viz.camera.OrbitCamera;
 import org.auvsim.viz.camera.StandardView;
 import org.auvsim.viz.scene.LiveClock;
 import org.auvsim.viz.scene.Meeting;
-import org.auvsim.viz.scene.Motion;
+import org.auvsim.viz.scene.Movement;
 import org.auvsim.viz.scene.Scene;
 import org.auvsim.viz.scene.SeenObject;
 import org.auvsim.viz.source.Playback;
@@ -85,7 +85,7 @@ class SceneDrawingTest implements Source {
                                 new Part(new Sphere(0.5), new Vec3(2, 0, 0), Quat.IDENTITY),
                                 new Part(new Sphere(0.25), new Vec3(0, 1, 0), Quat.IDENTITY)));
         add(1, "Red Pair", pair);
-        scene.jump(1, new Motion(0, new Vec3(1, 2, 3), left, Vec3.ZERO, Vec3.ZERO));
+        scene.jump(1, new Movement(0, new Vec3(1, 2, 3), left, Vec3.ZERO, Vec3.ZERO));
         assertThat(painted())
                 .containsExactly(
                         "ball 1.000 4.000 3.000 r 0.500 ffe0504a",
@@ -95,8 +95,7 @@ class SceneDrawingTest implements Source {
     @Test
     void whatIsProjectedIsSeenThrough() {
         add(1, "Red Ball", new Sphere(0.5));
-        scene.project(
-                1, new Motion(0.1, new Vec3(4, 5, 6), Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO));
+        scene.project(1, new Movement(0.1, new Vec3(4, 5, 6), Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO));
         assertThat(painted(Layer.GHOSTS))
                 .containsExactly(
                         "ball 1.000 2.000 3.000 r 0.500 ffe0504a",
@@ -158,7 +157,10 @@ class SceneDrawingTest implements Source {
     @Test
     void aCollisionFlashesFadingWithTime() {
         scene.meet(new Meeting(0, 1, 2, new Vec3(7, 8, 9), Vec3.ZERO));
-        assertThat(painted(Layer.CONTACTS)).singleElement().asString().startsWith("ball 7.000 8.000");
+        assertThat(painted(Layer.CONTACTS))
+                .singleElement()
+                .asString()
+                .startsWith("ball 7.000 8.000");
         scene.jumpTo(0);
         scene.meet(new Meeting(-1, 1, 2, new Vec3(7, 8, 9), Vec3.ZERO));
         assertThat(painted()).isEmpty();
@@ -196,7 +198,9 @@ class SceneDrawingTest implements Source {
             add(id, "B" + id, new Sphere(0.1));
         }
         options.select(OptionalLong.of(33));
-        assertThat(painted(Layer.LABELS)).filteredOn(line -> line.startsWith("label")).containsExactly("label B33");
+        assertThat(painted(Layer.LABELS))
+                .filteredOn(line -> line.startsWith("label"))
+                .containsExactly("label B33");
     }
 
     @Override

@@ -20,7 +20,7 @@ import org.auvsim.viz.camera.StandardView;
 import org.auvsim.viz.drawing.Layer;
 import org.auvsim.viz.drawing.SceneDrawing;
 import org.auvsim.viz.drawing.ViewOptions;
-import org.auvsim.viz.scene.Motion;
+import org.auvsim.viz.scene.Movement;
 import org.auvsim.viz.source.LiveSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -150,7 +150,7 @@ class JmePictureTest {
         source.scene()
                 .project(
                         1,
-                        new Motion(9, new Vec3(-2, -2, 0), Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO));
+                        new Movement(9, new Vec3(-2, -2, 0), Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO));
         BufferedImage picture = picture();
         int solid = Colours.rgb(picture, pixel(-3, 0, 0));
         int ghost = Colours.rgb(picture, pixel(-2, -2, 0));
@@ -169,7 +169,7 @@ class JmePictureTest {
     @Test
     void farFromTheOriginItLooksTheSame() throws Exception {
         Vec3 far = new Vec3(4e6, -7e6, -40);
-        source.scene().jump(1, new Motion(0, far, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO));
+        source.scene().jump(1, new Movement(0, far, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO));
         camera.aim(far.x(), far.y(), far.z(), 12);
         BufferedImage picture = picture();
         assertThat(Colours.hasHue(picture, pixel(far.x() + 0.4, far.y(), far.z()), RED)).isTrue();

@@ -28,8 +28,8 @@ class SceneTest {
                                 .build()));
     }
 
-    private static Motion at(double time, double x, double yaw) {
-        return new Motion(
+    private static Movement at(double time, double x, double yaw) {
+        return new Movement(
                 time,
                 new Vec3(x, 0, 0),
                 Quat.ofAxisAngle(new Vec3(0, 0, 1), yaw),

@@ -131,9 +131,7 @@ class LiveSourceTest {
         TcpTransport tcp = TcpTransport.onLoopback(0);
         try (Simulator _ = serving(tcp, Role.CONTROLLER);
                 LiveSource source = connected(tcp.port())) {
-            source.ask(
-                            new ApplyDirectForceCommand(
-                                    10, "Viewer", Frame.WORLD, new Vec3(0, 3, 0)))
+            source.ask(new ApplyDirectForceCommand(10, "Viewer", Frame.WORLD, new Vec3(0, 3, 0)))
                     .get();
             source.ask(new DescribeWorldObjectRequest(10)).get();
             source.scene()

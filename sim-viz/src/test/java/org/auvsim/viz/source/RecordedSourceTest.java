@@ -8,7 +8,7 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.core.math.Vec3;
-import org.auvsim.viz.scene.Motion;
+import org.auvsim.viz.scene.Movement;
 import org.auvsim.viz.scene.Occurrence;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -58,7 +58,7 @@ class RecordedSourceTest {
         RecordedSource source = run(turning).steps(6).open();
         new Shown(source).at(1.61).names();
 
-        Motion motion = source.scene().motion(1).orElseThrow();
+        Movement motion = source.scene().motion(1).orElseThrow();
 
         assertThat(motion.velocity().distance(new Vec3(1, 0, 0))).isCloseTo(0, within(1e-9));
         assertThat(motion.angularVelocity().distance(new Vec3(0, 0, 0.4)))

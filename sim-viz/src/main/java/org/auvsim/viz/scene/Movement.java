@@ -12,5 +12,5 @@ import org.auvsim.core.math.Vec3;
  * @param velocity of its origin (m/s, world)
  * @param angularVelocity (rad/s, world)
  */
-public record Motion(
+public record Movement(
         double time, Vec3 position, Quat orientation, Vec3 velocity, Vec3 angularVelocity) {}

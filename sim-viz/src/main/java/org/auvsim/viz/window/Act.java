@@ -1,0 +1,65 @@
+package org.auvsim.viz.window;
+
+import org.auvsim.auvsml.Role;
+
+import java.awt.KeyboardFocusManager;
+import java.awt.event.ActionEvent;
+import java.util.Optional;
+
+import javax.swing.AbstractAction;
+import javax.swing.Action;
+import javax.swing.KeyStroke;
+import javax.swing.text.JTextComponent;
+
+/** Something that a menu, a button or a key does. */
+final class Act extends AbstractAction {
+    private static final long serialVersionUID = 1L;
+    private final transient Runnable deed;
+    private String tip = "";
+
+    Act(String words, Runnable deed) {
+        super(words);
+        this.deed = deed;
+    }
+
+    /** The key that does it. One without Ctrl or Alt is left to a text that is typed in. */
+    Act key(String stroke) {
+        putValue(Action.ACCELERATOR_KEY, KeyStroke.getKeyStroke(stroke));
+        return this;
+    }
+
+    /** What it tells about itself. */
+    Act tip(String words) {
+        tip = words;
+        putValue(Action.SHORT_DESCRIPTION, words);
+        return this;
+    }
+
+    /** Can be done by clients of a role alone; says so where it cannot. */
+    Act needs(Desk desk, Role role) {
+        desk.onRefresh(() -> hinder(desk.hindrance(role)));
+        hinder(desk.hindrance(role));
+        return this;
+    }
+
+    private void hinder(Optional<String> why) {
+        setEnabled(why.isEmpty());
+        putValue(Action.SHORT_DESCRIPTION, why.orElse(tip.isEmpty() ? null : tip));
+    }
+
+    @Override
+    public void actionPerformed(ActionEvent e) {
+        boolean isTyping =
+                KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner()
+                        instanceof JTextComponent;
+        boolean isPlain =
+                getValue(Action.ACCELERATOR_KEY) instanceof KeyStroke stroke
+                        && stroke.getModifiers() == 0
+                        && !stroke.isOnKeyRelease()
+                        && stroke.getKeyCode() < java.awt.event.KeyEvent.VK_F1;
+        boolean byKey = e.getModifiers() == 0 && isPlain && isTyping;
+        if (!byKey) {
+            deed.run();
+        }
+    }
+}

@@ -1,0 +1,104 @@
+package org.auvsim.viz.window;
+
+import org.auvsim.auvsml.Role;
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.viz.driving.Driving;
+import org.auvsim.viz.driving.Gamepad;
+import org.auvsim.viz.driving.Orders;
+import org.auvsim.viz.driving.Sticks;
+import org.auvsim.viz.driving.Wanted;
+import org.auvsim.viz.scene.SeenObject;
+
+import java.awt.KeyEventDispatcher;
+import java.awt.KeyboardFocusManager;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.Optional;
+
+import javax.swing.text.JTextComponent;
+
+/** Drives the selected object by keys and gamepad while driving is on. */
+final class Driver implements KeyEventDispatcher {
+    private final Desk desk;
+    private final Gamepad gamepad;
+    private final Window window;
+    private final HeldKeys keys = new HeldKeys();
+    private Optional<Long> driven = Optional.empty();
+    private Optional<Driving> driving = Optional.empty();
+    private Wanted before = Wanted.NOTHING;
+    private Orders orders = Orders.NONE;
+
+    Driver(Desk desk, Gamepad gamepad, Window window) {
+        this.desk = desk;
+        this.gamepad = gamepad;
+        this.window = window;
+    }
+
+    @Override
+    public boolean dispatchKeyEvent(KeyEvent e) {
+        KeyboardFocusManager focus = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+        boolean isOurs =
+                desk.isDriving()
+                        && HeldKeys.drives(e.getKeyCode())
+                        && !e.isControlDown()
+                        && !e.isAltDown()
+                        && window.isFocused()
+                        && !(focus.getFocusOwner() instanceof JTextComponent);
+        if (e.getID() == KeyEvent.KEY_RELEASED) {
+            keys.release(e.getKeyCode());
+        } else if (isOurs && e.getID() == KeyEvent.KEY_PRESSED) {
+            keys.press(e.getKeyCode());
+        }
+        return isOurs;
+    }
+
+    /** Sends what keys and sticks ask for, ten times a second. */
+    void turn() {
+        keys.settle();
+        if (!window.isFocused()) {
+            keys.letGo();
+        }
+        Optional<SeenObject> object = desk.isDriving() ? desk.selected() : Optional.empty();
+        if (!object.map(SeenObject::id).equals(driven)) {
+            stop();
+            object.ifPresent(this::begin);
+        }
+        if (driving.isEmpty() || driven.isEmpty()) {
+            return;
+        }
+        Wanted wanted =
+                keys.wanted().plus(gamepad.poll().map(Sticks::wanted).orElse(Wanted.NOTHING));
+        if (!wanted.equals(before)) {
+            before = wanted;
+            give(driving.get().orders(wanted));
+        }
+    }
+
+    private void begin(SeenObject object) {
+        driven = Optional.of(object.id());
+        driving = object.definition().map(Driving::new).filter(Driving::isPossible);
+        if (!desk.may(Role.CONTROLLER) || driving.isEmpty()) {
+            desk.say(
+                    desk.hindrance(Role.CONTROLLER)
+                            .orElse(object.name() + " cannot be driven: nothing moves it."));
+            driving = Optional.empty();
+        }
+    }
+
+    private void stop() {
+        if (!before.equals(Wanted.NOTHING)) {
+            driving.ifPresent(d -> give(d.orders(Wanted.NOTHING)));
+        }
+        driving = Optional.empty();
+        driven = Optional.empty();
+        before = Wanted.NOTHING;
+        orders = Orders.NONE;
+    }
+
+    private void give(Orders others) {
+        List<Message> messages = others.since(orders, driven.orElseThrow());
+        orders = others;
+        messages.forEach(desk::ask);
+    }
+}

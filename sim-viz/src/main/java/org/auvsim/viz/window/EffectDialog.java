@@ -1,0 +1,76 @@
+package org.auvsim.viz.window;
+
+import org.auvsim.auvsml.AuvsmlException;
+import org.auvsim.auvsml.mapping.MessageCatalogue;
+import org.auvsim.auvsml.xml.Limits;
+import org.auvsim.auvsml.xml.XmlTreeReader;
+
+import java.awt.BorderLayout;
+import java.awt.Font;
+import java.awt.Window;
+import java.nio.charset.StandardCharsets;
+
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+
+/** Adds an effect to an object, as a scenario states it. */
+final class EffectDialog {
+    private final Desk desk;
+    private final Window window;
+
+    EffectDialog(Desk desk, Window window) {
+        this.desk = desk;
+        this.window = window;
+    }
+
+    void open(long id) {
+        JDialog dialog = new JDialog(window, "Add an effect to object " + id);
+        dialog.setName("effect-dialog");
+        JTextArea text = new JTextArea("<gravity acceleration=\"9.81\"/>", 6, 48);
+        text.setName("effect-text");
+        text.setFont(new Font(Font.MONOSPACED, Font.PLAIN, text.getFont().getSize()));
+        JLabel words = new JLabel(" ");
+        words.setName("effect-words");
+        JButton add = new JButton("Add");
+        add.setName("effect-add");
+        add.addActionListener(
+                e -> {
+                    String problem = add(id, text.getText());
+                    words.setText(problem.isEmpty() ? "Sent." : problem);
+                });
+        JPanel below = new JPanel(new BorderLayout(8, 0));
+        below.add(words);
+        below.add(add, BorderLayout.EAST);
+        JPanel all = new JPanel(new BorderLayout(0, 6));
+        all.setBorder(BorderFactory.createEmptyBorder(12, 12, 12, 12));
+        all.add(new JLabel("The effect's element, as in a scenario:"), BorderLayout.NORTH);
+        all.add(new JScrollPane(text));
+        all.add(below, BorderLayout.SOUTH);
+        dialog.add(all);
+        dialog.pack();
+        dialog.setLocationRelativeTo(window);
+        dialog.setVisible(true);
+    }
+
+    /** Sends an effect; says what is wrong with its text, or nothing. */
+    String add(long id, String effect) {
+        String command =
+                "<auvsml><add-effect-command world-object-id=\"%d\">%s</add-effect-command></auvsml>"
+                        .formatted(id, effect);
+        try {
+            MessageCatalogue.load(EffectDialog.class.getClassLoader())
+                    .decode(
+                            new XmlTreeReader(Limits.MESSAGE)
+                                    .read(command.getBytes(StandardCharsets.UTF_8)))
+                    .forEach(desk::ask);
+            return "";
+        } catch (AuvsmlException e) {
+            return e.fault().problem();
+        }
+    }
+}

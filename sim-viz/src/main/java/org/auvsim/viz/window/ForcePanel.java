@@ -1,0 +1,114 @@
+package org.auvsim.viz.window;
+
+import org.auvsim.auvsml.message.control.ApplyDirectForceCommand;
+import org.auvsim.auvsml.message.control.ApplyForceCommand;
+import org.auvsim.auvsml.message.control.RemoveForceCommand;
+import org.auvsim.core.entity.Frame;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.viz.driving.Driving;
+import org.auvsim.viz.scene.SeenObject;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.GridLayout;
+import java.util.Locale;
+
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JSpinner;
+import javax.swing.SpinnerNumberModel;
+
+/** A force on an object, in newtons, and where it acts. */
+final class ForcePanel {
+    private static final String[] AXES = {"x", "y", "z"};
+
+    private final Desk desk;
+    private final long id;
+    private final JSpinner[] force = new JSpinner[AXES.length];
+    private final JSpinner[] point = new JSpinner[AXES.length];
+    private final JComboBox<Frame> frame = new JComboBox<>(Frame.values());
+    private final JPanel panel = new JPanel(new GridLayout(0, 4, 4, 4));
+
+    ForcePanel(Desk desk, SeenObject object) {
+        this.desk = desk;
+        id = object.id();
+        double step =
+                object.definition()
+                        .flatMap(d -> d.mass().stream().boxed().findFirst())
+                        .map(ForcePanel::round)
+                        .orElse(1.0);
+        row("Force N", "force-", force, step);
+        row("Point m", "point-", point, 0.1);
+        frame.setName("force-frame");
+        frame.setRenderer(
+                new DefaultListCellRenderer() {
+                    private static final long serialVersionUID = 1L;
+
+                    @Override
+                    public Component getListCellRendererComponent(
+                            JList<?> list, Object value, int at, boolean is, boolean has) {
+                        String word = value.toString().toLowerCase(Locale.ROOT);
+                        return super.getListCellRendererComponent(list, word, at, is, has);
+                    }
+                });
+        frame.setToolTipText("The axes of the force; the point is always in the body's");
+        panel.add(new JLabel("Axes"));
+        panel.add(frame);
+        panel.add(button("apply-force", "Apply", this::apply));
+        panel.add(button("remove-force", "Remove", this::remove));
+        panel.setMaximumSize(new Dimension(Integer.MAX_VALUE, 90));
+    }
+
+    JPanel component() {
+        return panel;
+    }
+
+    /** A power of ten near to a mass times 1 m/s^2. */
+    private static double round(double mass) {
+        return Math.pow(10, Math.rint(Math.log10(Math.max(mass, 1e-3))));
+    }
+
+    private void row(String words, String name, JSpinner[] spinners, double step) {
+        panel.add(new JLabel(words));
+        for (int axis = 0; axis < AXES.length; axis++) {
+            JSpinner spinner = new JSpinner(new SpinnerNumberModel(0.0, -1e9, 1e9, step));
+            spinner.setName(name + AXES[axis]);
+            spinner.setToolTipText(AXES[axis]);
+            ((JSpinner.DefaultEditor) spinner.getEditor()).getTextField().setColumns(4);
+            spinners[axis] = spinner;
+            panel.add(spinner);
+        }
+    }
+
+    private static JButton button(String name, String words, Runnable deed) {
+        JButton button = new JButton(words);
+        button.setName(name);
+        button.setMargin(new java.awt.Insets(2, 2, 2, 2));
+        button.addActionListener(e -> deed.run());
+        return button;
+    }
+
+    private static Vec3 vector(JSpinner... spinners) {
+        return new Vec3(
+                (Double) spinners[0].getValue(),
+                (Double) spinners[1].getValue(),
+                (Double) spinners[2].getValue());
+    }
+
+    private void apply() {
+        Vec3 at = vector(point);
+        Frame axes = (Frame) frame.getSelectedItem();
+        desk.ask(
+                at.equals(Vec3.ZERO)
+                        ? new ApplyDirectForceCommand(id, Driving.FORCE, axes, vector(force))
+                        : new ApplyForceCommand(id, Driving.FORCE, axes, vector(force), at));
+    }
+
+    private void remove() {
+        desk.ask(new RemoveForceCommand(id, Driving.FORCE));
+    }
+}

@@ -1,0 +1,122 @@
+package org.auvsim.viz.window;
+
+import java.awt.BorderLayout;
+import java.awt.FlowLayout;
+import java.awt.GridLayout;
+import java.awt.Window;
+import java.nio.file.Path;
+
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JDialog;
+import javax.swing.JFileChooser;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JSpinner;
+import javax.swing.JTextField;
+import javax.swing.SpinnerNumberModel;
+import javax.swing.SwingUtilities;
+import javax.swing.Timer;
+
+/** Records frames into a folder until it is stopped; the window stays free meanwhile. */
+final class FrameDialog {
+    private final Desk desk;
+    private final Window window;
+    private final Recorder recorder;
+    private final JTextField folder =
+            new JTextField(System.getProperty("user.dir") + "/frames", 34);
+    private final JSpinner rate = new JSpinner(new SpinnerNumberModel(25, 1, 60, 1));
+    private final JTextField film = new JTextField();
+    private final JLabel words = new JLabel(" ");
+    private final JButton start = new JButton("Start");
+    private final Timer timer = new Timer(40, e -> frame());
+
+    FrameDialog(Desk desk, Window window, Recorder recorder) {
+        this.desk = desk;
+        this.window = window;
+        this.recorder = recorder;
+        folder.setName("frames-folder");
+        rate.setName("frames-rate");
+        start.setName("frames-start");
+        film.setName("frames-film");
+        film.setEditable(false);
+        folder.getDocument().addDocumentListener(Typing.calls(this::tell));
+        rate.addChangeListener(e -> tell());
+        start.addActionListener(e -> toggle());
+        tell();
+    }
+
+    void open() {
+        JDialog dialog = new JDialog(window, "Record frames");
+        dialog.setName("frames-dialog");
+        JButton choose = new JButton("Choose...");
+        choose.addActionListener(e -> choose(dialog));
+        JPanel where = new JPanel(new BorderLayout(4, 0));
+        where.add(folder);
+        where.add(choose, BorderLayout.EAST);
+        JPanel fast = new JPanel(new FlowLayout(FlowLayout.LEFT, 4, 0));
+        fast.add(new JLabel("Frames a second"));
+        fast.add(rate);
+        fast.add(start);
+        JPanel all = new JPanel(new GridLayout(0, 1, 4, 6));
+        all.setBorder(BorderFactory.createEmptyBorder(12, 12, 12, 12));
+        all.add(new JLabel("Folder for the numbered PNG files"));
+        all.add(where);
+        all.add(fast);
+        all.add(new JLabel("A film of them makes:"));
+        all.add(film);
+        all.add(words);
+        dialog.add(all);
+        dialog.pack();
+        dialog.setLocationRelativeTo(window);
+        dialog.setVisible(true);
+    }
+
+    private void choose(JDialog dialog) {
+        JFileChooser chooser = new JFileChooser(folder.getText());
+        chooser.setFileSelectionMode(JFileChooser.DIRECTORIES_ONLY);
+        if (chooser.showOpenDialog(dialog) == JFileChooser.APPROVE_OPTION) {
+            folder.setText(chooser.getSelectedFile().getPath());
+        }
+    }
+
+    private void tell() {
+        film.setText(Recorder.film(Path.of(folder.getText()), (Integer) rate.getValue()));
+        film.setCaretPosition(0);
+    }
+
+    /** Starts, or stops. */
+    void toggle() {
+        if (timer.isRunning()) {
+            stop();
+            return;
+        }
+        recorder.begin();
+        timer.setDelay(1000 / (Integer) rate.getValue());
+        timer.start();
+        start.setText("Stop");
+        folder.setEditable(false);
+    }
+
+    private void stop() {
+        timer.stop();
+        start.setText("Start");
+        folder.setEditable(true);
+        desk.say(recorder.frames() + " frames are in " + folder.getText() + ".");
+    }
+
+    private void frame() {
+        recorder.record(
+                Path.of(folder.getText()),
+                failure -> SwingUtilities.invokeLater(() -> fail(failure)));
+        words.setText(recorder.frames() + " frames");
+    }
+
+    private void fail(Throwable failure) {
+        if (timer.isRunning()) {
+            stop();
+        }
+        words.setText(Desk.sentence(failure));
+        desk.say(Desk.sentence(failure));
+    }
+}

@@ -1,0 +1,50 @@
+package org.auvsim.viz.window;
+
+import java.awt.Window;
+
+import javax.swing.BorderFactory;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JMenu;
+
+/** The keys and what the mouse does. */
+final class HelpMenu {
+    private static final String KEYS =
+            """
+            <html><table cellpadding=3>
+            <tr><td><b>Left drag</b><td>goes around the target
+            <tr><td><b>Middle or Shift+left drag</b><td>moves the target
+            <tr><td><b>Wheel</b><td>goes nearer or away
+            <tr><td><b>Click, double click</b><td>selects an object, looks at it
+            <tr><td><b>1 2 3 4 0</b><td>from above, the side, ahead, behind; everything
+            <tr><td><b>F</b><td>follows the selected object
+            <tr><td><b>Space</b><td>pauses or goes on
+            <tr><td><b>Ctrl+D</b><td>drives the selected object:
+            <tr><td><b>W S</b><td>ahead and astern
+            <tr><td><b>A D, left and right</b><td>the bow to port and starboard
+            <tr><td><b>Q E</b><td>to port and starboard
+            <tr><td><b>R F</b><td>up and down
+            <tr><td><b>Up and down</b><td>the bow up and down
+            </table></html>\
+            """;
+
+    private HelpMenu() {}
+
+    static JMenu menu(Window window) {
+        JMenu menu = new JMenu("Help");
+        menu.setName("menu-help");
+        menu.setMnemonic('H');
+        menu.add(new Act("Keys and mouse", () -> show(window)).key("F1")).setName("help-keys");
+        return menu;
+    }
+
+    private static void show(Window window) {
+        JDialog dialog = new JDialog(window, "Keys and mouse");
+        JLabel words = new JLabel(KEYS);
+        words.setBorder(BorderFactory.createEmptyBorder(12, 16, 16, 24));
+        dialog.add(words);
+        dialog.pack();
+        dialog.setLocationRelativeTo(window);
+        dialog.setVisible(true);
+    }
+}

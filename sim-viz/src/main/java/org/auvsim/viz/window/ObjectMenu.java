@@ -1,0 +1,65 @@
+package org.auvsim.viz.window;
+
+import org.auvsim.auvsml.Role;
+import org.auvsim.auvsml.message.control.ReleaseControlCommand;
+import org.auvsim.auvsml.message.control.TakeControlCommand;
+import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
+
+import java.util.function.LongConsumer;
+
+import javax.swing.Action;
+import javax.swing.JMenu;
+
+/** What can be done with the selected object. */
+final class ObjectMenu {
+    private final Desk desk;
+    private final EffectDialog effects;
+    private final Action drive;
+
+    ObjectMenu(Desk desk, EffectDialog effects) {
+        this.desk = desk;
+        this.effects = effects;
+        drive =
+                new Act("Drive by keys and gamepad", () -> desk.drive(!desk.isDriving()))
+                        .key("ctrl D")
+                        .tip("W S A D Q E R F and the arrows drive the selected object")
+                        .needs(desk, Role.CONTROLLER);
+    }
+
+    Action drive() {
+        return drive;
+    }
+
+    JMenu menu() {
+        JMenu menu = new JMenu("Object");
+        menu.setName("menu-object");
+        menu.setMnemonic('O');
+        menu.add(drive).setName("drive");
+        menu.add(act("Take control", Role.CONTROLLER, id -> desk.ask(new TakeControlCommand(id))))
+                .setName("take-control-item");
+        menu.add(act("Release", Role.CONTROLLER, id -> desk.ask(new ReleaseControlCommand(id))))
+                .setName("release-control-item");
+        menu.addSeparator();
+        menu.add(act("Add an effect...", Role.ADMIN, effects::open)).setName("add-effect");
+        menu.add(
+                        act(
+                                "Remove from the world",
+                                Role.ADMIN,
+                                id -> desk.ask(new RemoveEntityCommand(id))))
+                .setName("remove-entity");
+        return menu;
+    }
+
+    private Act act(String words, Role role, LongConsumer deed) {
+        return new Act(
+                        words,
+                        () -> {
+                            if (desk.options().selected().isPresent()) {
+                                deed.accept(desk.options().selected().getAsLong());
+                            } else {
+                                desk.say("Nothing is selected; select an object first.");
+                            }
+                        })
+                .needs(desk, role);
+    }
+}

@@ -1,0 +1,104 @@
+package org.auvsim.viz.window;
+
+import org.auvsim.auvsml.Role;
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.command.KeptSnapshot;
+import org.auvsim.auvsml.message.command.ListedClient;
+import org.auvsim.auvsml.message.control.ListSnapshotsRequest;
+import org.auvsim.auvsml.message.control.SimulatorStateResponse;
+import org.auvsim.auvsml.message.control.SnapshotListResponse;
+import org.auvsim.auvsml.message.session.ClientListResponse;
+import org.auvsim.auvsml.message.session.CommandDoneResponse;
+import org.auvsim.auvsml.message.session.ListClientsRequest;
+import org.auvsim.viz.scene.Scene;
+import org.auvsim.viz.source.Playback;
+import org.auvsim.viz.source.Source;
+import org.auvsim.viz.source.Steering;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+
+/** A simulator that remembers what it is asked for. */
+final class FakeSimulator implements Source, Steering {
+    final List<Message> asked = new CopyOnWriteArrayList<>();
+    private final Scene scene;
+    volatile Role role = Role.ADMIN;
+    volatile boolean isConnected = true;
+    volatile boolean isRunning = true;
+    volatile Optional<String> refusal = Optional.empty();
+
+    FakeSimulator(Scene scene) {
+        this.scene = scene;
+    }
+
+    @Override
+    public Scene scene() {
+        return scene;
+    }
+
+    @Override
+    public void bring(long nanos) {}
+
+    @Override
+    public String status() {
+        return isConnected
+                ? "127.0.0.1:40001, 12.50 s, running"
+                : "The connection to 127.0.0.1:40001 is lost; trying again.";
+    }
+
+    @Override
+    public Optional<Steering> steering() {
+        return Optional.of(this);
+    }
+
+    @Override
+    public Optional<Playback> playback() {
+        return Optional.empty();
+    }
+
+    @Override
+    public void close() {}
+
+    @Override
+    public Role role() {
+        return role;
+    }
+
+    @Override
+    public boolean isConnected() {
+        return isConnected;
+    }
+
+    @Override
+    public Optional<SimulatorStateResponse> state() {
+        return Optional.of(new SimulatorStateResponse(12.5, isRunning, "1.0", 625, 2));
+    }
+
+    @Override
+    public CompletableFuture<Message> ask(Message message) {
+        asked.add(message);
+        return refusal.<CompletableFuture<Message>>map(
+                        words -> CompletableFuture.failedFuture(new IllegalStateException(words)))
+                .orElseGet(() -> CompletableFuture.completedFuture(answer(message)));
+    }
+
+    private static Message answer(Message message) {
+        return switch (message) {
+            case ListSnapshotsRequest _ ->
+                    new SnapshotListResponse(List.of(new KeptSnapshot("before", 3)));
+            case ListClientsRequest _ ->
+                    new ClientListResponse(
+                            List.of(
+                                    new ListedClient(
+                                            4,
+                                            "Vehicle",
+                                            "127.0.0.1:5",
+                                            "controller",
+                                            false,
+                                            List.of())));
+            default -> new CommandDoneResponse();
+        };
+    }
+}

@@ -1,0 +1,288 @@
+package org.auvsim.viz.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.auvsml.Role;
+import org.auvsim.auvsml.message.control.ApplyDirectForceCommand;
+import org.auvsim.auvsml.message.control.PauseSimulatorCommand;
+import org.auvsim.auvsml.message.control.RestoreSnapshotCommand;
+import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
+import org.auvsim.auvsml.message.control.SetPropulsorCommand;
+import org.auvsim.auvsml.message.entity.AddEffectCommand;
+import org.auvsim.auvsml.message.session.DisconnectClientCommand;
+import org.auvsim.core.effect.Gravity;
+import org.auvsim.core.entity.Frame;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.viz.camera.OrbitCamera;
+import org.auvsim.viz.drawing.Layer;
+import org.auvsim.viz.drawing.ViewOptions;
+import org.auvsim.viz.source.Source;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.event.MouseEvent;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.concurrent.atomic.AtomicReference;
+
+import javax.swing.AbstractButton;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JMenu;
+import javax.swing.JSlider;
+import javax.swing.JSpinner;
+import javax.swing.JTabbedPane;
+import javax.swing.JTable;
+import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
+
+/** Somebody clicks through the window; needs a display. */
+@Tag("display")
+class ViewerWindowTest {
+    private final OrbitCamera camera = new OrbitCamera();
+    private final ViewOptions view = new ViewOptions();
+    private Optional<ViewerWindow> window = Optional.empty();
+
+    @AfterEach
+    void close() throws Exception {
+        inSwing(() -> window.ifPresent(ViewerWindow::close));
+    }
+
+    @Test
+    void pausesAndGoesOn() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.of("bluerov2-dive.xml"));
+        open(simulator);
+        inSwing(() -> find("pause", AbstractButton.class).doClick(0));
+        assertThat(simulator.asked).containsExactly(new PauseSimulatorCommand());
+        simulator.isRunning = false;
+        inSwing(() -> find("pause-item", AbstractButton.class).doClick(0));
+        assertThat(simulator.asked).last().isEqualTo(new ResumeSimulatorCommand());
+    }
+
+    @Test
+    void selectsInTheListAndInThePicture() throws Exception {
+        open(new FakeSimulator(Scenes.of("bluerov2-dive.xml")));
+        inSwing(
+                () -> {
+                    JTable objects = find("objects", JTable.class);
+                    find("filter", JTextField.class).setText("rov");
+                    assertThat(objects.getRowCount()).isEqualTo(1);
+                    objects.setRowSelectionInterval(0, 0);
+                    assertThat(view.selected()).isEqualTo(OptionalLong.of(1));
+                    find("filter", JTextField.class).setText("");
+                    camera.aim(5, 0, 0, 20);
+                    Component screen = find("screen", Component.class);
+                    click(screen, screen.getWidth() / 2, screen.getHeight() / 2);
+                });
+        assertThat(view.selected()).isEqualTo(OptionalLong.of(9));
+        inSwing(
+                () -> {
+                    JTable objects = find("objects", JTable.class);
+                    int row = objects.getSelectedRow();
+                    assertThat(objects.getValueAt(row, 0)).isEqualTo("Buoy");
+                });
+    }
+
+    @Test
+    void appliesAForce() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        view.select(OptionalLong.of(9));
+        open(simulator);
+        inSwing(
+                () -> {
+                    find("right", JTabbedPane.class).setSelectedIndex(1);
+                    find("force-x", JSpinner.class).setValue(3.0);
+                    find("force-z", JSpinner.class).setValue(-1.5);
+                    find("force-frame", JComboBox.class).setSelectedItem(Frame.BODY);
+                    find("apply-force", AbstractButton.class).doClick(0);
+                });
+        assertThat(simulator.asked)
+                .containsExactly(
+                        new ApplyDirectForceCommand(9, "Viewer", Frame.BODY, new Vec3(3, 0, -1.5)));
+    }
+
+    @Test
+    void aSliderSendsItsLastPlaceAlone() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.of("bluerov2-dive.xml"));
+        view.select(OptionalLong.of(1));
+        open(simulator);
+        inSwing(
+                () -> {
+                    find("right", JTabbedPane.class).setSelectedIndex(1);
+                    JSlider slider = find("actuator-Aft Port", JSlider.class);
+                    slider.setValue(20);
+                    slider.setValue(50);
+                    slider.setValue(75);
+                    window.orElseThrow().turn();
+                });
+        assertThat(simulator.asked).containsExactly(new SetPropulsorCommand(1, "Aft Port", 0.75));
+    }
+
+    @Test
+    void seeksAndSteps() throws Exception {
+        FakeRecording recording = new FakeRecording(Scenes.withBuoy());
+        open(recording);
+        inSwing(() -> find("time", JSlider.class).setValue(5000));
+        assertThat(recording.time()).isEqualTo(40);
+        inSwing(() -> find("step-back", AbstractButton.class).doClick(0));
+        assertThat(recording.time()).isEqualTo(39.5);
+        inSwing(() -> find("play", AbstractButton.class).doClick(0));
+        assertThat(recording.isPlaying()).isTrue();
+        inSwing(() -> find("playback-rate", JComboBox.class).setSelectedItem(2.0));
+        assertThat(recording.rate()).isEqualTo(2);
+    }
+
+    @Test
+    void aViewerMayNotPauseAndReadsWhy() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        simulator.role = Role.VIEWER;
+        view.select(OptionalLong.of(9));
+        open(simulator);
+        inSwing(
+                () -> {
+                    for (String name : new String[] {"pause", "shutdown", "apply-force", "drive"}) {
+                        AbstractButton button = find(name, AbstractButton.class);
+                        assertThat(button.isEnabled()).as(name).isFalse();
+                        assertThat(button.getToolTipText()).contains("needs the role");
+                    }
+                });
+    }
+
+    @Test
+    void tellsOfARefusalAndOfALostConnection() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        simulator.refusal = Optional.of("It is not to be.");
+        open(simulator);
+        inSwing(() -> find("pause", AbstractButton.class).doClick(0));
+        inSwing(
+                () -> {
+                    JList<?> log = find("log", JList.class);
+                    assertThat(log.getModel().getElementAt(0).toString())
+                            .endsWith("It is not to be.");
+                    assertThat(find("last-words", JLabel.class).getText())
+                            .isEqualTo("It is not to be.");
+                    assertThat(find("banner", JLabel.class).isVisible()).isFalse();
+                });
+        simulator.isConnected = false;
+        inSwing(
+                () -> {
+                    window.orElseThrow().turn();
+                    assertThat(find("banner", JLabel.class).isVisible()).isTrue();
+                    assertThat(find("banner", JLabel.class).getText()).contains("lost");
+                });
+    }
+
+    @Test
+    void restoresASnapshotAndDisconnectsAClient() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        open(simulator);
+        inSwing(() -> find("menu-simulator", JMenu.class).setSelected(true));
+        inSwing(() -> find("menu-simulator", JMenu.class).setSelected(false));
+        inSwing(() -> find("restore-before", AbstractButton.class).doClick(0));
+        inSwing(() -> find("disconnect-4", AbstractButton.class).doClick(0));
+        assertThat(simulator.asked)
+                .contains(
+                        new RestoreSnapshotCommand("before"),
+                        new DisconnectClientCommand("4", "an administrator has ended the session"));
+    }
+
+    @Test
+    void readsAnEffectFromItsElement() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        open(simulator);
+        EffectDialog effects =
+                new EffectDialog(
+                        new Desk(simulator, camera, new FakeScreen(), view),
+                        window.orElseThrow().frame());
+        inSwing(
+                () -> {
+                    assertThat(effects.add(9, "<gravity acceleration=\"5\"/>")).isEmpty();
+                    assertThat(effects.add(9, "<levity/>")).contains("levity");
+                });
+        assertThat(simulator.asked).containsExactly(new AddEffectCommand(9, new Gravity(5)));
+    }
+
+    @Test
+    void choosesViewAndColours() throws Exception {
+        open(new FakeSimulator(Scenes.withBuoy()));
+        inSwing(
+                () -> {
+                    find("view-orthographic", AbstractButton.class).doClick(0);
+                    find("view-top", AbstractButton.class).doClick(0);
+                    find("show-ghosts-tool", AbstractButton.class).doClick(0);
+                    find("show-trails", AbstractButton.class).doClick(0);
+                    find("view-dark", AbstractButton.class).doClick(0);
+                });
+        assertThat(camera.isPerspective()).isFalse();
+        assertThat(camera.forward(2)).isLessThan(-0.999);
+        assertThat(view.shows(Layer.GHOSTS)).isFalse();
+        assertThat(view.shows(Layer.TRAILS)).isFalse();
+        assertThat(view.isDark()).isFalse();
+    }
+
+    private void open(Source source) throws Exception {
+        inSwing(
+                () -> {
+                    ViewerWindow opened =
+                            new ViewerWindow(
+                                    source,
+                                    camera,
+                                    new FakeScreen(),
+                                    view,
+                                    Optional::empty,
+                                    () -> {});
+                    window = Optional.of(opened);
+                    opened.show();
+                });
+    }
+
+    private static void click(Component on, int x, int y) {
+        for (int id :
+                new int[] {
+                    MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED, MouseEvent.MOUSE_CLICKED
+                }) {
+            on.dispatchEvent(new MouseEvent(on, id, 0, 0, x, y, 1, false, MouseEvent.BUTTON1));
+        }
+    }
+
+    private <C extends Component> C find(String name, Class<C> kind) {
+        return find(window.orElseThrow().frame(), name)
+                .map(kind::cast)
+                .orElseThrow(() -> new AssertionError("there is no component " + name));
+    }
+
+    private static Optional<Component> find(Container in, String name) {
+        Component[] parts =
+                in instanceof JMenu menu ? menu.getMenuComponents() : in.getComponents();
+        for (Component part : parts) {
+            if (name.equals(part.getName())) {
+                return Optional.of(part);
+            }
+            Optional<Component> inside =
+                    part instanceof Container more ? find(more, name) : Optional.empty();
+            if (inside.isPresent()) {
+                return inside;
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static void inSwing(Runnable deed) throws Exception {
+        AtomicReference<Throwable> failure = new AtomicReference<>();
+        SwingUtilities.invokeAndWait(
+                () -> {
+                    try {
+                        deed.run();
+                    } catch (RuntimeException | AssertionError e) {
+                        failure.set(e);
+                    }
+                });
+        if (failure.get() != null) {
+            throw new AssertionError(failure.get());
+        }
+    }
+}

@@ -52,7 +52,7 @@ final class Bodies implements Part {
         return hides(actor, picture.camera()) ? Palette.faded(colour, WALL_ALPHA) : colour;
     }
 
-    /** Whether a wall or the ground stands between the camera and what it looks at. */
+    /** Whether the camera is in or behind a wall or the ground, seen from what it looks at. */
     private boolean hides(ActorView wall, OrbitCamera camera) {
         if (wall.object().definition().isEmpty()) {
             return false;
@@ -64,10 +64,17 @@ final class Bodies implements Part {
                     case Box box -> thinnest(box.size());
                     default -> -1;
                 };
-        return across >= 0
-                && side(camera.position(0), camera.position(1), camera.position(2), across)
-                                * side(camera.target(0), camera.target(1), camera.target(2), across)
-                        < 0;
+        if (across < 0) {
+            return false;
+        }
+        double half = volume instanceof Box box ? along(box.size(), across) / 2 : 0;
+        double target = side(camera.target(0), camera.target(1), camera.target(2), across);
+        double stand = side(camera.position(0), camera.position(1), camera.position(2), across);
+        return target != 0 && stand * Math.signum(target) < half;
+    }
+
+    private static double along(Vec3 size, int axis) {
+        return axis == 0 ? size.x() : axis == 1 ? size.y() : size.z();
     }
 
     private static int thinnest(Vec3 size) {

@@ -25,6 +25,8 @@ public final class GlfwGamepad implements Gamepad {
             return Optional::empty;
         }
         try {
+            // Windows are AWT's, which speaks X11.
+            GLFW.glfwInitHint(GLFW.GLFW_PLATFORM, platform());
             if (GLFW.glfwInit()) {
                 return new GlfwGamepad();
             }
@@ -33,6 +35,12 @@ public final class GlfwGamepad implements Gamepad {
             tell.accept("There is no gamepad: GLFW is missing here (" + e.getMessage() + ").");
         }
         return Optional::empty;
+    }
+
+    private static int platform() {
+        return GLFW.glfwPlatformSupported(GLFW.GLFW_PLATFORM_X11)
+                ? GLFW.GLFW_PLATFORM_X11
+                : GLFW.GLFW_ANY_PLATFORM;
     }
 
     @Override

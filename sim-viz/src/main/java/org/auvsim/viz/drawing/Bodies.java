@@ -41,15 +41,20 @@ final class Bodies implements Part {
     }
 
     private int colour(ActorView actor, Picture picture) {
-        long id = actor.object().id();
-        if (picture.options().isSelected(id)) {
+        int colour = opaque(actor, picture);
+        return actor.object().isFixed() && hides(actor, picture.camera())
+                ? Palette.faded(colour, WALL_ALPHA)
+                : colour;
+    }
+
+    private static int opaque(ActorView actor, Picture picture) {
+        if (picture.options().isSelected(actor.object().id())) {
             return picture.palette().chosen();
         }
         if (!actor.object().isFixed()) {
             return Palette.of(actor.object());
         }
-        int colour = isGround(actor) ? picture.palette().ground() : picture.palette().fixed();
-        return hides(actor, picture.camera()) ? Palette.faded(colour, WALL_ALPHA) : colour;
+        return isGround(actor) ? picture.palette().ground() : picture.palette().fixed();
     }
 
     /** Whether the camera is in or behind a wall or the ground, seen from what it looks at. */

@@ -17,7 +17,8 @@ final class Picking {
 
     /**
      * The object at a pixel: of those whose round is hit the one whose middle is nearest to the
-     * click for its size.
+     * click for its size. Walls and the like are hit at their middle alone: their rounds hold
+     * everything else.
      */
     static OptionalLong at(Scene scene, OrbitCamera camera, int x, int y, int width, int height) {
         double[] place = new double[3];
@@ -34,7 +35,8 @@ final class Picking {
             if (place[2] <= 0) {
                 continue;
             }
-            double size = Math.max(NEAR, radius * camera.pixelsPerMetre(place[2], height));
+            double pixels = object.isFixed() ? 0 : radius * camera.pixelsPerMetre(place[2], height);
+            double size = Math.max(NEAR, pixels);
             double miss = Math.hypot(place[0] - x, place[1] - y) / size;
             if (miss <= best) {
                 best = miss;

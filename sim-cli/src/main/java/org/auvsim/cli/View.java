@@ -39,7 +39,7 @@ import javax.imageio.ImageIO;
         footer = {
             "",
             "What may be steered is what the server's role allows; docs/viewing.md has keys and"
-                + " menus.",
+                    + " menus.",
             "With --picture there is no window: one picture is painted as PNG.",
             "",
             "Examples:",

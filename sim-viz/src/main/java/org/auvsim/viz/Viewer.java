@@ -114,7 +114,7 @@ public final class Viewer {
     private static ScreenException noDisplay(Throwable e) {
         return new ScreenException(
                 ("There is no display here (%s): set DISPLAY, use 'auvsim watch', or --picture FILE"
-                     + " with --renderer osp, which paints without one.")
+                                + " with --renderer osp, which paints without one.")
                         .formatted(
                                 String.valueOf(e.getMessage())
                                         .lines()

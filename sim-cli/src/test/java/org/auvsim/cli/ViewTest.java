@@ -1,0 +1,170 @@
+package org.auvsim.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+import javax.imageio.ImageIO;
+
+/** What is wrong is one sentence each, and exit code 2. */
+@Timeout(60)
+class ViewTest {
+    private static final Path TANK =
+            CommandLineHarness.EXAMPLES.resolve("scenarios").resolve("tank.xml");
+
+    @TempDir private Path folder;
+    private CommandLineHarness auvsim;
+
+    @BeforeEach
+    void begin() {
+        auvsim = new CommandLineHarness(folder);
+    }
+
+    private void refuses(String sentence, Object... arguments) {
+        assertThat(auvsim.run(arguments)).isEqualTo(2);
+        assertThat(auvsim.err()).contains(sentence);
+        assertThat(auvsim.err().lines().filter(line -> line.contains("\tat "))).isEmpty();
+    }
+
+    private Path recording() {
+        Path file = folder.resolve("run.auvsml.gz");
+        CommandLineHarness server = new CommandLineHarness(folder);
+        int code =
+                server.run(
+                        "serve",
+                        TANK,
+                        "--port",
+                        0,
+                        "--until",
+                        2,
+                        "--rate",
+                        "max",
+                        "--record",
+                        file);
+        assertThat(code).as(server.err()).isZero();
+        return file;
+    }
+
+    @Test
+    void nobodyListens() throws IOException {
+        int free;
+        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            free = socket.getLocalPort();
+        }
+        refuses("Nobody listens at 127.0.0.1:" + free, "view", "127.0.0.1:" + free);
+    }
+
+    /** Says something to whoever comes, and ends the connection. */
+    private void refusesAServerThatSays(String greeting, String sentence) throws Exception {
+        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            Thread server =
+                    Thread.startVirtualThread(
+                            () -> {
+                                try (Socket client = socket.accept()) {
+                                    client.getOutputStream().write(greeting.getBytes(UTF_8));
+                                    client.shutdownOutput();
+                                    client.getInputStream().readAllBytes();
+                                } catch (IOException e) {
+                                    throw new AssertionError(e);
+                                }
+                            });
+            refuses(sentence, "view", "127.0.0.1:" + socket.getLocalPort());
+            server.join();
+        }
+    }
+
+    @Test
+    void whatAnswersIsNoServerOfAuvsml() throws Exception {
+        refusesAServerThatSays("HTTP/1.1 400 Bad Request\r\n\r\n", "is not an AUVSML server");
+    }
+
+    @Test
+    void whatAnswersSpeaksAnotherVersion() throws Exception {
+        refusesAServerThatSays(
+                "<auvsml><welcome-message protocol-version=\"9\" server=\"auvsim 7\""
+                    + " session-id=\"1\" role=\"viewer\"/></auvsml>",
+                "speaks version 9 of AUVSML, this program version 1");
+    }
+
+    @Test
+    void aFileThatIsMissingOrDamagedOrNoRecording() throws IOException {
+        refuses("there is no such file", "view", folder.resolve("gone.auvsml.gz"));
+        refuses("is a scenario, no recording", "view", TANK);
+        Path damaged = recording();
+        byte[] bytes = Files.readAllBytes(damaged);
+        bytes[bytes.length / 2] ^= 0x55;
+        Files.write(damaged, bytes);
+        refuses("run.auvsml.gz", "view", damaged);
+    }
+
+    @Test
+    void anOptionThatCannotBe() {
+        Path recording = recording();
+        refuses("There is no renderer 'gl'; there is jme", "view", recording, "--renderer", "gl");
+        refuses("--at must be within the recording", "view", recording, "--at", 99);
+        refuses("as 1280x800, but found 'big'", "view", recording, "--size", "big");
+        refuses(
+                "There is no object 'Nemo' to follow; there are AUV-1701",
+                "view",
+                recording,
+                "--follow",
+                "Nemo",
+                "--picture",
+                folder.resolve("x.png"));
+    }
+
+    /** In a process of its own, as this one may have a display. */
+    @Test
+    void withoutADisplayThereIsNoWindow() throws Exception {
+        Process view =
+                new ProcessBuilder(
+                                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                                "-Djava.awt.headless=true",
+                                "-cp",
+                                System.getProperty("java.class.path"),
+                                Auvsim.class.getName(),
+                                "view",
+                                recording().toString())
+                        .redirectErrorStream(true)
+                        .start();
+        String said = new String(view.getInputStream().readAllBytes(), UTF_8);
+        assertThat(said).contains("There is no display here").contains("'auvsim watch'");
+        assertThat(view.waitFor()).isEqualTo(2);
+    }
+
+    @Test
+    @Tag("display")
+    void aPictureOfARecordingIsWritten() throws IOException {
+        Path picture = folder.resolve("tank.png");
+        int code =
+                auvsim.run(
+                        "view",
+                        recording(),
+                        "--picture",
+                        picture,
+                        "--size",
+                        "320x200",
+                        "--look",
+                        "top",
+                        "--at",
+                        1);
+        assertThat(code).as(auvsim.err()).isZero();
+        BufferedImage image = ImageIO.read(picture.toFile());
+        assertThat(image.getWidth()).isEqualTo(320);
+        assertThat(image.getHeight()).isEqualTo(200);
+    }
+}

@@ -96,7 +96,7 @@ class ViewTest {
     void whatAnswersSpeaksAnotherVersion() throws Exception {
         refusesAServerThatSays(
                 "<auvsml><welcome-message protocol-version=\"9\" server=\"auvsim 7\""
-                    + " session-id=\"1\" role=\"viewer\"/></auvsml>",
+                        + " session-id=\"1\" role=\"viewer\"/></auvsml>",
                 "speaks version 9 of AUVSML, this program version 1");
     }
 

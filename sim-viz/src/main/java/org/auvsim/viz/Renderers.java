@@ -5,7 +5,6 @@ import org.auvsim.viz.drawing.ScreenException;
 
 import java.util.List;
 import java.util.ServiceLoader;
-import java.util.ServiceLoader.Provider;
 
 /** The renderers that there are: the viewer's own and those of extensions. */
 public final class Renderers {
@@ -19,7 +18,9 @@ public final class Renderers {
      */
     public static Renderer named(String name, ClassLoader loader) throws ScreenException {
         List<Renderer> all =
-                ServiceLoader.load(Renderer.class, loader).stream().map(Provider::get).toList();
+                ServiceLoader.load(Renderer.class, loader).stream()
+                        .map(ServiceLoader.Provider::get)
+                        .toList();
         return all.stream()
                 .filter(renderer -> renderer.name().equals(name))
                 .findFirst()

@@ -30,7 +30,7 @@ final class Currents implements Part {
 
     @Override
     public void paint(SceneLook look, Picture picture) {
-        if (look.fields() != fields) {
+        if (!look.fields().equals(fields)) {
             take(look.fields());
         }
         if (!picture.options().shows(Layer.CURRENTS) || currents.isEmpty()) {

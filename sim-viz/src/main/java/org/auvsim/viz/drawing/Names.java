@@ -17,7 +17,7 @@ final class Names implements Part {
             ActorView actor = look.actor(i);
             long id = actor.object().id();
             boolean chosen = picture.options().isSelected(id) || picture.options().isFollowed(id);
-            if (chosen || look.count() <= CROWD && isBounded(actor)) {
+            if (chosen || (look.count() <= CROWD && isBounded(actor))) {
                 name(actor, picture);
             }
         }

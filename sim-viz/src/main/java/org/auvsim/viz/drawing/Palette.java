@@ -92,6 +92,6 @@ public record Palette(
 
     /** A colour, to be seen through. */
     static int faded(int colour, int alpha) {
-        return colour & 0x00ffffff | alpha << 24;
+        return (colour & 0x00ffffff) | (alpha << 24);
     }
 }

@@ -6,9 +6,6 @@ import com.jme3.renderer.queue.RenderQueue.Bucket;
 import com.jme3.scene.Mesh;
 import com.jme3.scene.Spatial.CullHint;
 import com.jme3.scene.VertexBuffer;
-import com.jme3.scene.VertexBuffer.Format;
-import com.jme3.scene.VertexBuffer.Type;
-import com.jme3.scene.VertexBuffer.Usage;
 import com.jme3.scene.instancing.InstancedGeometry;
 import com.jme3.util.BufferUtils;
 
@@ -24,7 +21,7 @@ final class InstanceBatch extends InstancedGeometry {
     private static final int FLOATS = 16;
     private static final int FIRST = 64;
 
-    private final VertexBuffer instances = new VertexBuffer(Type.InstanceData);
+    private final VertexBuffer instances = new VertexBuffer(VertexBuffer.Type.InstanceData);
     private final VertexBuffer[] all = {instances};
     private final float[] one = new float[FLOATS];
     private FloatBuffer data = BufferUtils.createFloatBuffer(FIRST * FLOATS);
@@ -37,7 +34,7 @@ final class InstanceBatch extends InstancedGeometry {
         setQueueBucket(bucket);
         setCullHint(CullHint.Never);
         instances.setInstanced(true);
-        instances.setupData(Usage.Stream, FLOATS, Format.Float, data);
+        instances.setupData(VertexBuffer.Usage.Stream, FLOATS, VertexBuffer.Format.Float, data);
     }
 
     void begin() {

@@ -45,7 +45,8 @@ final class Labels {
         if (!shade.equals(text.getColor())) {
             text.setColor(shade.clone());
         }
-        text.setLocalTranslation(Math.round(x - text.getLineWidth() / 2), Math.round(y + SIZE), 0);
+        text.setLocalTranslation(
+                (float) Math.rint(x - text.getLineWidth() / 2), (float) Math.rint(y + SIZE), 0);
         text.setCullHint(CullHint.Never);
     }
 

@@ -5,9 +5,6 @@ import com.jme3.renderer.queue.RenderQueue.Bucket;
 import com.jme3.scene.Geometry;
 import com.jme3.scene.Mesh;
 import com.jme3.scene.VertexBuffer;
-import com.jme3.scene.VertexBuffer.Format;
-import com.jme3.scene.VertexBuffer.Type;
-import com.jme3.scene.VertexBuffer.Usage;
 import com.jme3.util.BufferUtils;
 
 import java.nio.ByteBuffer;
@@ -19,15 +16,15 @@ final class LineBatch {
 
     private final Mesh mesh = new Mesh();
     private final Geometry geometry = new Geometry("lines", mesh);
-    private final VertexBuffer ends = new VertexBuffer(Type.Position);
-    private final VertexBuffer colours = new VertexBuffer(Type.Color);
+    private final VertexBuffer ends = new VertexBuffer(VertexBuffer.Type.Position);
+    private final VertexBuffer colours = new VertexBuffer(VertexBuffer.Type.Color);
     private FloatBuffer places = BufferUtils.createFloatBuffer(6 * FIRST);
     private ByteBuffer shades = BufferUtils.createByteBuffer(8 * FIRST);
 
     LineBatch(Material material) {
         mesh.setMode(Mesh.Mode.Lines);
-        ends.setupData(Usage.Stream, 3, Format.Float, places);
-        colours.setupData(Usage.Stream, 4, Format.UnsignedByte, shades);
+        ends.setupData(VertexBuffer.Usage.Stream, 3, VertexBuffer.Format.Float, places);
+        colours.setupData(VertexBuffer.Usage.Stream, 4, VertexBuffer.Format.UnsignedByte, shades);
         colours.setNormalized(true);
         mesh.setBuffer(ends);
         mesh.setBuffer(colours);

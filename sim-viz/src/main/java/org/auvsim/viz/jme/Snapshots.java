@@ -86,7 +86,7 @@ final class Snapshots implements SceneProcessor {
                         y,
                         (pixels.get(at) & 0xff) << 16
                                 | (pixels.get(at + 1) & 0xff) << 8
-                                | pixels.get(at + 2) & 0xff);
+                                | (pixels.get(at + 2) & 0xff));
             }
         }
         BufferUtils.destroyDirectBuffer(pixels);

@@ -1,7 +1,7 @@
 package org.auvsim.viz.jme;
 
 import com.jme3.scene.Mesh;
-import com.jme3.scene.VertexBuffer.Type;
+import com.jme3.scene.VertexBuffer;
 import com.jme3.util.BufferUtils;
 
 /** Shapes of size one, which instances stretch, turn and move. */
@@ -100,9 +100,9 @@ final class UnitMeshes {
 
     static Mesh mesh(float[] places, float[] normals, int[] corners) {
         Mesh mesh = new Mesh();
-        mesh.setBuffer(Type.Position, 3, BufferUtils.createFloatBuffer(places));
-        mesh.setBuffer(Type.Normal, 3, BufferUtils.createFloatBuffer(normals));
-        mesh.setBuffer(Type.Index, 3, BufferUtils.createIntBuffer(corners));
+        mesh.setBuffer(VertexBuffer.Type.Position, 3, BufferUtils.createFloatBuffer(places));
+        mesh.setBuffer(VertexBuffer.Type.Normal, 3, BufferUtils.createFloatBuffer(normals));
+        mesh.setBuffer(VertexBuffer.Type.Index, 3, BufferUtils.createIntBuffer(corners));
         mesh.setStatic();
         mesh.updateBound();
         return mesh;

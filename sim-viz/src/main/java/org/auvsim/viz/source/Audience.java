@@ -89,7 +89,7 @@ final class Audience {
                             "There are %d objects: their projected states are left out"
                                     .formatted(objects.size())));
         }
-        exchange.ask(registration(projected));
+        exchange.ask(registration(projected)).handle((_, refusal) -> told(refusal)).join();
     }
 
     private static Message registration(boolean projected) {
@@ -121,7 +121,7 @@ final class Audience {
     /** Asks about what has come. */
     void hear(Message message) {
         if (message instanceof EntityAddedMessage(double _, long id)) {
-            Thread.startVirtualThread(() -> exchange.ask(new DescribeWorldObjectRequest(id)));
+            Thread.startVirtualThread(() -> exchange.want(new DescribeWorldObjectRequest(id)));
         }
     }
 
@@ -130,7 +130,7 @@ final class Audience {
         scene.objects().stream()
                 .filter(o -> o.definition().filter(Audience::isDriven).isPresent())
                 .limit(MOST_WATCHED)
-                .forEach(o -> exchange.ask(new DescribeWorldObjectRequest(o.id())));
+                .forEach(o -> exchange.want(new DescribeWorldObjectRequest(o.id())));
     }
 
     private static boolean isDriven(WorldObjectDefinition definition) {

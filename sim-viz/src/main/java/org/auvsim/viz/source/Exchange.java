@@ -45,6 +45,11 @@ final class Exchange {
         return answer;
     }
 
+    /** Asks for what is written into the scene when it comes; what is refused stays as it is. */
+    void want(Message message) {
+        var _ = ask(message);
+    }
+
     private void refuse(String id, String why) {
         CompletableFuture<Message> answer = open.remove(id);
         if (answer != null) {

@@ -124,7 +124,7 @@ public final class LiveSource implements Source, Steering {
     private void keepAsking() {
         while (!waits(REFRESH_MILLIS)) {
             if (isConnected()) {
-                exchange.ask(new GetSimulatorStateRequest());
+                exchange.want(new GetSimulatorStateRequest());
                 new Audience(scene, exchange).refresh();
             }
         }
@@ -215,13 +215,8 @@ public final class LiveSource implements Source, Steering {
         CompletableFuture<Message> answer = to.ask(message);
         if (message instanceof WorldObjectMessage about
                 && !(message instanceof DescribeWorldObjectRequest)) {
-            answer.thenRun(
-                    () ->
-                            Thread.startVirtualThread(
-                                    () ->
-                                            to.ask(
-                                                    new DescribeWorldObjectRequest(
-                                                            about.worldObjectId()))));
+            Message again = new DescribeWorldObjectRequest(about.worldObjectId());
+            return answer.whenComplete((_, _) -> Thread.startVirtualThread(() -> to.want(again)));
         }
         return answer;
     }

@@ -11,42 +11,77 @@ import java.util.Locale;
 final class RecordingBrush implements Brush {
     final List<String> painted = new ArrayList<>();
 
-    private void add(String form, Object... values) {
-        painted.add(String.format(Locale.ROOT, form, values));
-    }
-
     @Override
     public void ball(Pose p, double radius, int colour) {
-        add("ball %.3f %.3f %.3f r %.3f %08x", p.x, p.y, p.z, radius, colour);
+        painted.add(
+                String.format(
+                        Locale.ROOT,
+                        "ball %.3f %.3f %.3f r %.3f %08x",
+                        p.x,
+                        p.y,
+                        p.z,
+                        radius,
+                        colour));
     }
 
     @Override
     public void box(Pose p, double x, double y, double z, int colour) {
-        add("box %.3f %.3f %.3f s %.3f %.3f %.3f %08x", p.x, p.y, p.z, x, y, z, colour);
+        painted.add(
+                String.format(
+                        Locale.ROOT,
+                        "box %.3f %.3f %.3f s %.3f %.3f %.3f %08x",
+                        p.x,
+                        p.y,
+                        p.z,
+                        x,
+                        y,
+                        z,
+                        colour));
     }
 
     @Override
     public void tube(Pose p, double length, double radius, int colour) {
-        add("tube %.3f %.3f %.3f l %.3f r %.3f %08x", p.x, p.y, p.z, length, radius, colour);
+        painted.add(
+                String.format(
+                        Locale.ROOT,
+                        "tube %.3f %.3f %.3f l %.3f r %.3f %08x",
+                        p.x,
+                        p.y,
+                        p.z,
+                        length,
+                        radius,
+                        colour));
     }
 
     @Override
     public void cone(Pose p, double length, double radius, int colour) {
-        add("cone %.3f %.3f %.3f %08x", p.x, p.y, p.z, colour);
+        painted.add(String.format(Locale.ROOT, "cone %.3f %.3f %.3f %08x", p.x, p.y, p.z, colour));
     }
 
     @Override
     public void line(double ax, double ay, double az, double bx, double by, double bz, int colour) {
-        add("line %.3f %.3f %.3f to %.3f %.3f %.3f %08x", ax, ay, az, bx, by, bz, colour);
+        painted.add(
+                String.format(
+                        Locale.ROOT,
+                        "line %.3f %.3f %.3f to %.3f %.3f %.3f %08x",
+                        ax,
+                        ay,
+                        az,
+                        bx,
+                        by,
+                        bz,
+                        colour));
     }
 
     @Override
     public void surface(long id, HeightMap map, Pose p, int colour) {
-        add("surface %d %.3f %.3f %.3f %08x", id, p.x, p.y, p.z, colour);
+        painted.add(
+                String.format(
+                        Locale.ROOT, "surface %d %.3f %.3f %.3f %08x", id, p.x, p.y, p.z, colour));
     }
 
     @Override
     public void label(double x, double y, double z, String text, int colour) {
-        add("label %s", text);
+        painted.add("label " + text);
     }
 }

@@ -54,7 +54,7 @@ class SceneTest {
     private void steps() {
         for (int step = 1; step <= 3; step++) {
             scene.move(7, at(0.05 * step, step, 0.2 * step));
-            scene.stepDone(0.05 * step, 50 * step * MILLIS);
+            scene.stepDone(0.05 * step, 50L * step * MILLIS);
         }
     }
 

@@ -39,7 +39,7 @@ class LiveSourceTest {
     private static final MessageCatalogue CATALOGUE =
             MessageCatalogue.load(LiveSourceTest.class.getClassLoader());
 
-    private static WorldObjectDefinition ball(String name, long id, double vx) {
+    private static WorldObjectDefinition ball(String name, int id, double vx) {
         return WorldObjectDefinition.named(name)
                 .id(id)
                 .mass(2)

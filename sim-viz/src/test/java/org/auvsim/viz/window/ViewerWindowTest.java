@@ -236,7 +236,7 @@ class ViewerWindowTest {
                                     Optional::empty,
                                     () -> {});
                     window = Optional.of(opened);
-                    opened.show();
+                    assertThat(opened.show()).isDone();
                 });
     }
 

@@ -114,7 +114,7 @@ final class JmeApplication extends LegacyApplication {
         to.begin(cam.getWidth(), cam.getHeight());
         painter.paint(to, System.nanoTime());
         to.end();
-        eye.apply(painter.camera(), cam);
+        eye.apply(painter.camera(), to, cam);
         to.node().updateLogicalState(0);
         to.node().updateGeometricState();
         words.updateLogicalState(0);

@@ -18,7 +18,8 @@ import java.util.List;
 
 /**
  * Collects a frame's shapes into a few batches. Places are counted from what the camera looks at,
- * so that single precision is enough however far from the world's origin that is.
+ * so that single precision is enough however far from the world's origin that is. The camera may
+ * move on while a frame is painted: the frame's own origin is what counts.
  */
 final class JmeBrush implements Brush {
     /** Rings of balls, sides of tubes and cones: the finer, the more pixels their radius takes. */
@@ -42,9 +43,7 @@ final class JmeBrush implements Brush {
     private final SeaFloors seaFloors;
     private final double[] pixel = new double[3];
     private final OrbitCamera camera;
-    private double originX;
-    private double originY;
-    private double originZ;
+    private final double[] origin = new double[3];
     private int width;
     private int height;
 
@@ -99,15 +98,20 @@ final class JmeBrush implements Brush {
     void begin(int wide, int high) {
         width = wide;
         height = high;
-        originX = camera.target(0);
-        originY = camera.target(1);
-        originZ = camera.target(2);
+        for (int axis = 0; axis < origin.length; axis++) {
+            origin[axis] = camera.target(axis);
+        }
         for (int i = 0; i < batches.size(); i++) {
             batches.get(i).begin();
         }
         lines.begin();
         labels.begin();
         seaFloors.begin();
+    }
+
+    /** Coordinate {@code axis} of the place that is the origin of this frame (m, world). */
+    double origin(int axis) {
+        return origin[axis];
     }
 
     /** Ends a frame: what was collected will be seen. */
@@ -125,7 +129,8 @@ final class JmeBrush implements Brush {
     }
 
     private void add(InstanceBatch batch, Pose pose, double x, double y, double z, int colour) {
-        batch.add(pose, pose.x - originX, pose.y - originY, pose.z - originZ, x, y, z, colour);
+        batch.add(
+                pose, pose.x - origin[0], pose.y - origin[1], pose.z - origin[2], x, y, z, colour);
     }
 
     @Override
@@ -162,18 +167,19 @@ final class JmeBrush implements Brush {
     @Override
     public void line(double ax, double ay, double az, double bx, double by, double bz, int colour) {
         lines.add(
-                ax - originX,
-                ay - originY,
-                az - originZ,
-                bx - originX,
-                by - originY,
-                bz - originZ,
+                ax - origin[0],
+                ay - origin[1],
+                az - origin[2],
+                bx - origin[0],
+                by - origin[1],
+                bz - origin[2],
                 colour);
     }
 
     @Override
     public void surface(long id, HeightMap map, Pose pose, int colour) {
-        seaFloors.add(id, map, pose, pose.x - originX, pose.y - originY, pose.z - originZ, colour);
+        seaFloors.add(
+                id, map, pose, pose.x - origin[0], pose.y - origin[1], pose.z - origin[2], colour);
     }
 
     @Override

@@ -5,7 +5,7 @@ import com.jme3.renderer.Camera;
 
 import org.auvsim.viz.camera.OrbitCamera;
 
-/** Lets jMonkeyEngine's camera see what ours does, from the place that is looked at as origin. */
+/** Lets jMonkeyEngine's camera see what ours does, counted from a picture's own origin. */
 final class JmeCamera {
     /** The nearest and the farthest that is seen, in parts of the distance to the target. */
     private static final double NEAR = 0.01;
@@ -17,12 +17,18 @@ final class JmeCamera {
     private final Vector3f up = new Vector3f();
     private final Vector3f ahead = new Vector3f();
 
-    void apply(OrbitCamera from, Camera to) {
+    /** The brush's picture is seen from our camera by theirs. */
+    void apply(OrbitCamera from, JmeBrush brush, Camera to) {
         set(ahead, from.forward(0), from.forward(1), from.forward(2), 1);
         set(up, from.up(0), from.up(1), from.up(2), 1);
         set(left, from.right(0), from.right(1), from.right(2), -1);
         double distance = from.distance();
-        set(place, from.forward(0), from.forward(1), from.forward(2), -distance);
+        set(
+                place,
+                from.position(0) - brush.origin(0),
+                from.position(1) - brush.origin(1),
+                from.position(2) - brush.origin(2),
+                1);
         double near = NEAR * distance;
         double half = from.height() / 2;
         if (from.isPerspective()) {

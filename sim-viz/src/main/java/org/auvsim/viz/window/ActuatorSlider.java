@@ -6,6 +6,7 @@ import org.auvsim.auvsml.message.control.SetPropulsorCommand;
 import org.auvsim.core.actuator.Fin;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.Actuator;
+import org.auvsim.core.entity.WorldObjectDefinition;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -22,7 +23,16 @@ import javax.swing.SwingConstants;
 /** A slider for one actuator; a double click brings it to its middle. */
 final class ActuatorSlider {
     private static final int PARTS = 100;
+
+    /** A slider that was moved is left alone until what it sent has come back (ns). */
+    private static final long LEFT_ALONE = 1_500_000_000L;
+
     private final JPanel panel = new JPanel(new BorderLayout(4, 0));
+    private final JSlider slider;
+    private final String name;
+    private final double most;
+    private boolean isFollowing;
+    private long moved = System.nanoTime() - LEFT_ALONE;
 
     private ActuatorSlider(
             Desk desk,
@@ -30,19 +40,23 @@ final class ActuatorSlider {
             double most,
             DoubleFunction<String> words,
             DoubleFunction<Message> message) {
-        JSlider slider =
-                new JSlider(-PARTS, PARTS, (int) Math.round(actuator.command() / most * PARTS));
+        this.name = actuator.name();
+        this.most = most;
+        slider = new JSlider(-PARTS, PARTS, place(actuator.command()));
         slider.setName("actuator-" + actuator.name());
-        JLabel name = new JLabel(actuator.name());
-        name.setToolTipText(actuator.name());
-        name.setPreferredSize(new Dimension(164, 22));
+        JLabel label = new JLabel(actuator.name());
+        label.setToolTipText(actuator.name());
+        label.setPreferredSize(new Dimension(164, 22));
         JLabel value = new JLabel(words.apply(actuator.command()), SwingConstants.RIGHT);
         value.setPreferredSize(new Dimension(42, 22));
         slider.addChangeListener(
                 e -> {
                     double now = most * slider.getValue() / PARTS;
                     value.setText(words.apply(now));
-                    desk.outbox().put(slider, message.apply(now));
+                    if (!isFollowing) {
+                        moved = System.nanoTime();
+                        desk.outbox().put(slider, message.apply(now));
+                    }
                 });
         slider.addMouseListener(
                 new MouseAdapter() {
@@ -54,10 +68,26 @@ final class ActuatorSlider {
                     }
                 });
         slider.setPreferredSize(new Dimension(80, 22));
-        panel.add(name, BorderLayout.WEST);
+        panel.add(label, BorderLayout.WEST);
         panel.add(slider, BorderLayout.CENTER);
         panel.add(value, BorderLayout.EAST);
         panel.setMaximumSize(new Dimension(Integer.MAX_VALUE, 24));
+    }
+
+    /** Stands where others, or keys and gamepad, have brought the actuator of a definition. */
+    void follow(WorldObjectDefinition definition) {
+        if (slider.getValueIsAdjusting() || System.nanoTime() - moved < LEFT_ALONE) {
+            return;
+        }
+        isFollowing = true;
+        definition.component().stream()
+                .filter(c -> c instanceof Actuator && c.name().equals(name))
+                .forEach(c -> slider.setValue(place(((Actuator) c).command())));
+        isFollowing = false;
+    }
+
+    private int place(double command) {
+        return (int) Math.round(command / most * PARTS);
     }
 
     static ActuatorSlider of(Desk desk, long id, Propulsor propulsor) {

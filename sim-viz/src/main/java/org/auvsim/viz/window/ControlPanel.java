@@ -10,6 +10,7 @@ import org.auvsim.viz.scene.SeenObject;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -35,6 +36,7 @@ final class ControlPanel {
                     ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
     private Optional<SeenObject> shown = Optional.empty();
     private boolean isAllowed;
+    private final List<ActuatorSlider> sliders = new ArrayList<>();
     private boolean isBuilt;
     private Optional<JToggleButton> driveButton = Optional.empty();
 
@@ -60,6 +62,8 @@ final class ControlPanel {
                         || !parts(now).equals(parts(shown));
         driveButton.ifPresent(button -> button.setSelected(desk.isDriving()));
         if (isBuilt && !isOther && mayNow == isAllowed) {
+            now.flatMap(SeenObject::definition)
+                    .ifPresent(d -> sliders.forEach(slider -> slider.follow(d)));
             return;
         }
         shown = now;
@@ -78,6 +82,7 @@ final class ControlPanel {
 
     private void build() {
         panel.removeAll();
+        sliders.clear();
         if (shown.isEmpty()) {
             add(new JLabel("Select an object in the list or the picture."));
         } else {
@@ -134,14 +139,19 @@ final class ControlPanel {
         List<Propulsor> thrusters = propulsors.map(Propulsor.class::cast).toList();
         if (!thrusters.isEmpty()) {
             add(heading("Propulsors (level)"));
-            thrusters.forEach(p -> add(ActuatorSlider.of(desk, id, p).component()));
+            thrusters.forEach(p -> add(ActuatorSlider.of(desk, id, p)));
         }
         var surfaces = definition.component().stream().filter(Fin.class::isInstance);
         List<Fin> fins = surfaces.map(Fin.class::cast).filter(f -> f.maximumAngle() > 0).toList();
         if (!fins.isEmpty()) {
             add(heading("Fins (degrees)"));
-            fins.forEach(f -> add(ActuatorSlider.of(desk, id, f).component()));
+            fins.forEach(f -> add(ActuatorSlider.of(desk, id, f)));
         }
+    }
+
+    private void add(ActuatorSlider slider) {
+        sliders.add(slider);
+        add(slider.component());
     }
 
     private static JButton button(String name, String words, Runnable deed) {

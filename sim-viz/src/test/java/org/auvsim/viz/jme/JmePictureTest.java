@@ -29,6 +29,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 import java.awt.image.BufferedImage;
+import java.util.OptionalLong;
 
 /**
  * Pictures of a known scene: a red ball runs into a blue one of its mass, which rolls on in its
@@ -164,6 +165,15 @@ class JmePictureTest {
         BufferedImage picture = picture();
         assertThat(Colours.rgb(picture, pixel(4, -3, 0))).isEqualTo(0xe9f1f6);
         assertThat(Colours.hasHue(picture, pixel(0.7, 0, 0), RED)).isTrue();
+    }
+
+    /** The camera goes to it while the frame is painted. */
+    @Test
+    void whatIsFollowedIsInTheMiddleOfEachFrame() throws Exception {
+        options.follow(OptionalLong.of(1));
+        BufferedImage picture = picture();
+        assertThat(Colours.hasHue(picture, new double[] {WIDTH / 2.0, HEIGHT / 2.0}, RED)).isTrue();
+        assertThat(Colours.hasHue(picture, pixel(0, 0, 0), BLUE)).isTrue();
     }
 
     @Test

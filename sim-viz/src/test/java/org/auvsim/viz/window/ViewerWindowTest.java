@@ -10,12 +10,15 @@ import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
 import org.auvsim.auvsml.message.control.SetPropulsorCommand;
 import org.auvsim.auvsml.message.entity.AddEffectCommand;
 import org.auvsim.auvsml.message.session.DisconnectClientCommand;
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Frame;
+import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.viz.camera.OrbitCamera;
 import org.auvsim.viz.drawing.Layer;
 import org.auvsim.viz.drawing.ViewOptions;
+import org.auvsim.viz.scene.SeenObject;
 import org.auvsim.viz.source.Source;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
@@ -24,6 +27,7 @@ import org.junit.jupiter.api.Test;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.event.MouseEvent;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.concurrent.atomic.AtomicReference;
@@ -120,6 +124,31 @@ class ViewerWindowTest {
                     window.orElseThrow().turn();
                 });
         assertThat(simulator.asked).containsExactly(new SetPropulsorCommand(1, "Aft Port", 0.75));
+    }
+
+    @Test
+    void aSliderStandsWhereSomebodyElseHasBroughtIt() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.of("bluerov2-dive.xml"));
+        view.select(OptionalLong.of(1));
+        open(simulator);
+        SeenObject rov = simulator.scene().object(1).orElseThrow();
+        WorldObjectDefinition told = rov.definition().orElseThrow();
+        List<org.auvsim.core.entity.Component> components =
+                told.component().stream()
+                        .map(c -> c instanceof Propulsor p ? p.commanded(0.4, 0) : c)
+                        .toList();
+        inSwing(
+                () -> {
+                    find("right", JTabbedPane.class).setSelectedIndex(1);
+                    window.orElseThrow().turn();
+                    simulator
+                            .scene()
+                            .add(SeenObject.of(1, told.toBuilder().components(components).build()));
+                    window.orElseThrow().turn();
+                    JSlider slider = find("actuator-Aft Port", JSlider.class);
+                    assertThat(slider.getValue()).isEqualTo(40);
+                });
+        assertThat(simulator.asked).isEmpty();
     }
 
     @Test

@@ -25,12 +25,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.awt.Component;
-import java.awt.Container;
-import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
-import java.util.concurrent.atomic.AtomicReference;
 
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
@@ -42,7 +39,6 @@ import javax.swing.JSpinner;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.JTextField;
-import javax.swing.SwingUtilities;
 
 /** Somebody clicks through the window; needs a display. */
 @Tag("display")
@@ -53,24 +49,24 @@ class ViewerWindowTest {
 
     @AfterEach
     void close() throws Exception {
-        inSwing(() -> window.ifPresent(ViewerWindow::close));
+        Clicks.inSwing(() -> window.ifPresent(ViewerWindow::close));
     }
 
     @Test
     void pausesAndGoesOn() throws Exception {
         FakeSimulator simulator = new FakeSimulator(Scenes.of("bluerov2-dive.xml"));
         open(simulator);
-        inSwing(() -> find("pause", AbstractButton.class).doClick(0));
+        Clicks.inSwing(() -> find("pause", AbstractButton.class).doClick(0));
         assertThat(simulator.asked).containsExactly(new PauseSimulatorCommand());
         simulator.isRunning = false;
-        inSwing(() -> find("pause-item", AbstractButton.class).doClick(0));
+        Clicks.inSwing(() -> find("pause-item", AbstractButton.class).doClick(0));
         assertThat(simulator.asked).last().isEqualTo(new ResumeSimulatorCommand());
     }
 
     @Test
     void selectsInTheListAndInThePicture() throws Exception {
         open(new FakeSimulator(Scenes.of("bluerov2-dive.xml")));
-        inSwing(
+        Clicks.inSwing(
                 () -> {
                     JTable objects = find("objects", JTable.class);
                     find("filter", JTextField.class).setText("rov");
@@ -80,10 +76,10 @@ class ViewerWindowTest {
                     find("filter", JTextField.class).setText("");
                     camera.aim(5, 0, 0, 20);
                     Component screen = find("screen", Component.class);
-                    click(screen, screen.getWidth() / 2, screen.getHeight() / 2);
+                    Clicks.click(screen, screen.getWidth() / 2, screen.getHeight() / 2);
                 });
         assertThat(view.selected()).isEqualTo(OptionalLong.of(9));
-        inSwing(
+        Clicks.inSwing(
                 () -> {
                     JTable objects = find("objects", JTable.class);
                     int row = objects.getSelectedRow();
@@ -96,7 +92,7 @@ class ViewerWindowTest {
         FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
         view.select(OptionalLong.of(9));
         open(simulator);
-        inSwing(
+        Clicks.inSwing(
                 () -> {
                     find("right", JTabbedPane.class).setSelectedIndex(1);
                     find("force-x", JSpinner.class).setValue(3.0);
@@ -114,7 +110,7 @@ class ViewerWindowTest {
         FakeSimulator simulator = new FakeSimulator(Scenes.of("bluerov2-dive.xml"));
         view.select(OptionalLong.of(1));
         open(simulator);
-        inSwing(
+        Clicks.inSwing(
                 () -> {
                     find("right", JTabbedPane.class).setSelectedIndex(1);
                     JSlider slider = find("actuator-Aft Port", JSlider.class);
@@ -137,7 +133,7 @@ class ViewerWindowTest {
                 told.component().stream()
                         .map(c -> c instanceof Propulsor p ? p.commanded(0.4, 0) : c)
                         .toList();
-        inSwing(
+        Clicks.inSwing(
                 () -> {
                     find("right", JTabbedPane.class).setSelectedIndex(1);
                     window.orElseThrow().turn();
@@ -155,13 +151,13 @@ class ViewerWindowTest {
     void seeksAndSteps() throws Exception {
         FakeRecording recording = new FakeRecording(Scenes.withBuoy());
         open(recording);
-        inSwing(() -> find("time", JSlider.class).setValue(5000));
+        Clicks.inSwing(() -> find("time", JSlider.class).setValue(5000));
         assertThat(recording.time()).isEqualTo(40);
-        inSwing(() -> find("step-back", AbstractButton.class).doClick(0));
+        Clicks.inSwing(() -> find("step-back", AbstractButton.class).doClick(0));
         assertThat(recording.time()).isEqualTo(39.5);
-        inSwing(() -> find("play", AbstractButton.class).doClick(0));
+        Clicks.inSwing(() -> find("play", AbstractButton.class).doClick(0));
         assertThat(recording.isPlaying()).isTrue();
-        inSwing(() -> find("playback-rate", JComboBox.class).setSelectedItem(2.0));
+        Clicks.inSwing(() -> find("playback-rate", JComboBox.class).setSelectedItem(2.0));
         assertThat(recording.rate()).isEqualTo(2);
     }
 
@@ -171,7 +167,7 @@ class ViewerWindowTest {
         simulator.role = Role.VIEWER;
         view.select(OptionalLong.of(9));
         open(simulator);
-        inSwing(
+        Clicks.inSwing(
                 () -> {
                     for (String name : new String[] {"pause", "shutdown", "apply-force", "drive"}) {
                         AbstractButton button = find(name, AbstractButton.class);
@@ -186,8 +182,8 @@ class ViewerWindowTest {
         FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
         simulator.refusal = Optional.of("It is not to be.");
         open(simulator);
-        inSwing(() -> find("pause", AbstractButton.class).doClick(0));
-        inSwing(
+        Clicks.inSwing(() -> find("pause", AbstractButton.class).doClick(0));
+        Clicks.inSwing(
                 () -> {
                     JList<?> log = find("log", JList.class);
                     assertThat(log.getModel().getElementAt(0).toString())
@@ -197,7 +193,7 @@ class ViewerWindowTest {
                     assertThat(find("banner", JLabel.class).isVisible()).isFalse();
                 });
         simulator.isConnected = false;
-        inSwing(
+        Clicks.inSwing(
                 () -> {
                     window.orElseThrow().turn();
                     assertThat(find("banner", JLabel.class).isVisible()).isTrue();
@@ -209,10 +205,10 @@ class ViewerWindowTest {
     void restoresASnapshotAndDisconnectsAClient() throws Exception {
         FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
         open(simulator);
-        inSwing(() -> find("menu-simulator", JMenu.class).setSelected(true));
-        inSwing(() -> find("menu-simulator", JMenu.class).setSelected(false));
-        inSwing(() -> find("restore-before", AbstractButton.class).doClick(0));
-        inSwing(() -> find("disconnect-4", AbstractButton.class).doClick(0));
+        Clicks.inSwing(() -> find("menu-simulator", JMenu.class).setSelected(true));
+        Clicks.inSwing(() -> find("menu-simulator", JMenu.class).setSelected(false));
+        Clicks.inSwing(() -> find("restore-before", AbstractButton.class).doClick(0));
+        Clicks.inSwing(() -> find("disconnect-4", AbstractButton.class).doClick(0));
         assertThat(simulator.asked)
                 .contains(
                         new RestoreSnapshotCommand("before"),
@@ -227,7 +223,7 @@ class ViewerWindowTest {
                 new EffectDialog(
                         new Desk(simulator, camera, new FakeScreen(), view),
                         window.orElseThrow().frame());
-        inSwing(
+        Clicks.inSwing(
                 () -> {
                     assertThat(effects.add(9, "<gravity acceleration=\"5\"/>")).isEmpty();
                     assertThat(effects.add(9, "<levity/>")).contains("levity");
@@ -238,7 +234,7 @@ class ViewerWindowTest {
     @Test
     void choosesViewAndColours() throws Exception {
         open(new FakeSimulator(Scenes.withBuoy()));
-        inSwing(
+        Clicks.inSwing(
                 () -> {
                     find("view-orthographic", AbstractButton.class).doClick(0);
                     find("view-top", AbstractButton.class).doClick(0);
@@ -254,7 +250,7 @@ class ViewerWindowTest {
     }
 
     private void open(Source source) throws Exception {
-        inSwing(
+        Clicks.inSwing(
                 () -> {
                     ViewerWindow opened =
                             new ViewerWindow(
@@ -269,49 +265,7 @@ class ViewerWindowTest {
                 });
     }
 
-    private static void click(Component on, int x, int y) {
-        for (int id :
-                new int[] {
-                    MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED, MouseEvent.MOUSE_CLICKED
-                }) {
-            on.dispatchEvent(new MouseEvent(on, id, 0, 0, x, y, 1, false, MouseEvent.BUTTON1));
-        }
-    }
-
     private <C extends Component> C find(String name, Class<C> kind) {
-        return find(window.orElseThrow().frame(), name)
-                .map(kind::cast)
-                .orElseThrow(() -> new AssertionError("there is no component " + name));
-    }
-
-    private static Optional<Component> find(Container in, String name) {
-        Component[] parts =
-                in instanceof JMenu menu ? menu.getMenuComponents() : in.getComponents();
-        for (Component part : parts) {
-            if (name.equals(part.getName())) {
-                return Optional.of(part);
-            }
-            Optional<Component> inside =
-                    part instanceof Container more ? find(more, name) : Optional.empty();
-            if (inside.isPresent()) {
-                return inside;
-            }
-        }
-        return Optional.empty();
-    }
-
-    private static void inSwing(Runnable deed) throws Exception {
-        AtomicReference<Throwable> failure = new AtomicReference<>();
-        SwingUtilities.invokeAndWait(
-                () -> {
-                    try {
-                        deed.run();
-                    } catch (RuntimeException | AssertionError e) {
-                        failure.set(e);
-                    }
-                });
-        if (failure.get() != null) {
-            throw new AssertionError(failure.get());
-        }
+        return Clicks.find(window.orElseThrow(), name, kind);
     }
 }

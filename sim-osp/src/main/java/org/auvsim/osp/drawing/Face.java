@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+package org.auvsim.osp.drawing;
+
+/** A flat convex polygon, or a line of two places (m from the view's origin), 0xAARRGGBB. */
+record Face(double[][] corners, int colour) {
+    Face with(double[][] others) {
+        return new Face(others, colour);
+    }
+
+    /** Twice its area (m²). */
+    double size() {
+        double x = 0;
+        double y = 0;
+        double z = 0;
+        double[] o = corners[0];
+        for (int i = 1; i + 1 < corners.length; i++) {
+            double[] a = corners[i];
+            double[] b = corners[i + 1];
+            x += (a[1] - o[1]) * (b[2] - o[2]) - (a[2] - o[2]) * (b[1] - o[1]);
+            y += (a[2] - o[2]) * (b[0] - o[0]) - (a[0] - o[0]) * (b[2] - o[2]);
+            z += (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+        }
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+}

@@ -108,7 +108,7 @@ final class Stage {
     void words(double[] at, String words, int colour) {
         var text = texts.next();
         text.setXYZ(at[0], at[1], at[2]);
-        if (!text.getText().equals(words)) {
+        if (!words.equals(text.getText())) {
             text.setText(words);
         }
         text.getStyle().setLineColor(colour(colour));

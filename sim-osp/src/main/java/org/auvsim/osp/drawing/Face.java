@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 package org.auvsim.osp.drawing;
 
-/** A flat convex polygon, or a line of two places (m from the view's origin), 0xAARRGGBB. */
-record Face(double[][] corners, int colour) {
+/**
+ * A flat convex polygon, or a line of two places.
+ *
+ * @param corners in m from the view's origin
+ * @param colour 0xAARRGGBB
+ * @param farther so many times as far away as it is it is painted, if it is a line
+ */
+record Face(double[][] corners, int colour, double farther) {
+    Face(double[][] corners, int colour) {
+        this(corners, colour, 1);
+    }
+
     Face with(double[][] others) {
-        return new Face(others, colour);
+        return new Face(others, colour, farther);
     }
 
     /** Twice its area (m²). */

@@ -17,7 +17,7 @@ final class OspBrush implements Brush {
     };
 
     private static final Shape[] TUBES = {
-        Shape.tube(4), Shape.tube(6), Shape.tube(12), Shape.tube(24)
+        Shape.tube(4, 1), Shape.tube(6, 2), Shape.tube(12, 4), Shape.tube(24, 6)
     };
     private static final Shape[] CONES = {
         Shape.cone(4), Shape.cone(6), Shape.cone(12), Shape.cone(24)
@@ -29,11 +29,18 @@ final class OspBrush implements Brush {
     private static final Shape CUBE = Shape.cube();
     private static final Shape SQUARE = Shape.square();
 
-    /** A face of this share of the picture's height divides what is before it from what is behind. */
+    /**
+     * A face of this share of the picture's height divides what is before it from what is behind.
+     */
     private static final double LARGE = 0.3;
 
     /** Lines are cut into parts of this share of the distance, to be sorted by their middles. */
     private static final double LINE = 0.1;
+
+    /** Lines of more parts than this give way to what is on them, as the grid does to axes. */
+    private static final int SHORT = 4;
+
+    private static final double FARTHER = 1 + LINE;
 
     /** What is as near to a large face as this share of the distance is in it. */
     private static final double IN_FACE = 1e-5;
@@ -127,8 +134,7 @@ final class OspBrush implements Brush {
         }
     }
 
-    private void face(
-            double[][] of, double x, double y, double z, boolean oneSided, int colour) {
+    private void face(double[][] of, double x, double y, double z, boolean oneSided, int colour) {
         double[][] corners = new double[of.length][];
         for (int i = 0; i < of.length; i++) {
             corners[i] = turn.corner(of[i], x, y, z);
@@ -148,14 +154,12 @@ final class OspBrush implements Brush {
         double[] a = face.corners()[0];
         double[] b = face.corners()[face.corners().length / 2];
         double length = Math.hypot(Math.hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
-        double depth =
-                view.depth((a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2);
+        double depth = view.depth((a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2);
         return length * view.pixelsPerMetre(depth) > LARGE * view.height();
     }
 
     @Override
-    public void line(
-            double ax, double ay, double az, double bx, double by, double bz, int colour) {
+    public void line(double ax, double ay, double az, double bx, double by, double bz, int colour) {
         double[][] seen = view.cut(new double[][] {here(ax, ay, az), here(bx, by, bz)});
         if (seen.length == 2) {
             parts(seen[0], seen[1], colour);
@@ -179,7 +183,7 @@ final class OspBrush implements Brush {
                 a[1] + part * (b[1] - a[1]),
                 a[2] + part * (b[2] - a[2])
             };
-            faces.add(new Face(new double[][] {from, to}, colour));
+            faces.add(new Face(new double[][] {from, to}, colour, count > SHORT ? FARTHER : 1));
             from = to;
         }
     }

@@ -35,7 +35,8 @@ final class OspCamera {
                 -view.away() * view.forward(1),
                 -view.away() * view.forward(2));
         camera.setFocusXYZ(0, 0, 0);
-        camera.setDistanceToScreen(size * view.away() * view.pixelsPerMetre(view.away()) / (shorter / 2));
+        camera.setDistanceToScreen(
+                size * view.away() * view.pixelsPerMetre(view.away()) / (shorter / 2));
     }
 
     private void stretch(double to) {

@@ -23,10 +23,7 @@ record Plane(double nx, double ny, double nz, double d) {
         double norm = Math.max(Math.sqrt(nx * nx + ny * ny + nz * nz), Double.MIN_NORMAL);
         double[] p = polygon[0];
         return new Plane(
-                nx / norm,
-                ny / norm,
-                nz / norm,
-                (p[0] * nx + p[1] * ny + p[2] * nz) / norm);
+                nx / norm, ny / norm, nz / norm, (p[0] * nx + p[1] * ny + p[2] * nz) / norm);
     }
 
     Plane opposite() {

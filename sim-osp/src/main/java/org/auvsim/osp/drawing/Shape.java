@@ -28,23 +28,28 @@ record Shape(double[][][] faces) {
         double polar = Math.PI * i / rings;
         double around = Math.PI * j / rings;
         return new double[] {
-            Math.sin(polar) * Math.cos(around),
-            Math.sin(polar) * Math.sin(around),
-            Math.cos(polar)
+            Math.sin(polar) * Math.cos(around), Math.sin(polar) * Math.sin(around), Math.cos(polar)
         };
     }
 
-    /** The side of a cylinder of radius and length 1 about the x axis, its middle at the origin. */
-    static Shape tube(int sides) {
-        double[][][] faces = new double[sides][][];
-        for (int j = 0; j < sides; j++) {
-            faces[j] =
-                    new double[][] {
-                        round(-0.5, j, sides),
-                        round(-0.5, j + 1, sides),
-                        round(0.5, j + 1, sides),
-                        round(0.5, j, sides)
-                    };
+    /**
+     * The side of a cylinder of radius and length 1 about the x axis, its middle at the origin, in
+     * so many parts along it.
+     */
+    static Shape tube(int sides, int parts) {
+        double[][][] faces = new double[sides * parts][][];
+        for (int i = 0; i < parts; i++) {
+            double from = (double) i / parts - 0.5;
+            double to = (i + 1.0) / parts - 0.5;
+            for (int j = 0; j < sides; j++) {
+                faces[i * sides + j] =
+                        new double[][] {
+                            round(from, j, sides),
+                            round(from, j + 1, sides),
+                            round(to, j + 1, sides),
+                            round(to, j, sides)
+                        };
+            }
         }
         return new Shape(faces);
     }
@@ -89,6 +94,8 @@ record Shape(double[][][] faces) {
     /** A square with edges of length 1 about the origin, its normal along z. */
     static Shape square() {
         return new Shape(
-                new double[][][] {{{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}}});
+                new double[][][] {
+                    {{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}}
+                });
     }
 }

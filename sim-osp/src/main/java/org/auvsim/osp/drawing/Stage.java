@@ -100,7 +100,7 @@ final class Stage {
         segment.setXYZ(a[0], a[1], a[2]);
         segment.setSizeXYZ(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
         Style style = segment.getStyle();
-        style.setDepthFactor(factor(number));
+        style.setDepthFactor(line.farther() * factor(number));
         style.setLineColor(colour(line.colour()));
     }
 

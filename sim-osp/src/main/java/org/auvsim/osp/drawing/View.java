@@ -121,7 +121,9 @@ final class View {
     /** Whether something of a ball may be seen. */
     boolean sees(double[] middle, double radius) {
         for (Plane side : sides) {
-            double length = Math.sqrt(side.nx() * side.nx() + side.ny() * side.ny() + side.nz() * side.nz());
+            double length =
+                    Math.sqrt(
+                            side.nx() * side.nx() + side.ny() * side.ny() + side.nz() * side.nz());
             if (side.above(middle) < -radius * length) {
                 return false;
             }
@@ -132,7 +134,10 @@ final class View {
     /** Whether the eye is on the side of a plane to which its normal points. */
     boolean isBefore(Plane plane) {
         return perspective
-                ? -away * (plane.nx() * forward[0] + plane.ny() * forward[1] + plane.nz() * forward[2])
+                ? -away
+                                * (plane.nx() * forward[0]
+                                        + plane.ny() * forward[1]
+                                        + plane.nz() * forward[2])
                         > plane.d()
                 : plane.nx() * forward[0] + plane.ny() * forward[1] + plane.nz() * forward[2] < 0;
     }

@@ -1,18 +1,41 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 package org.auvsim.osp.drawing;
 
-/**
- * A flat convex polygon, or a line of two places.
- *
- * @param corners in m from the view's origin
- * @param colour 0xAARRGGBB
- * @param farther so many times as far away as it is it is painted, if it is a line
- */
-record Face(double[][] corners, int colour, double farther) {
+/** A flat convex polygon, or a line of two places. */
+final class Face {
+    private final double[][] corners;
+    private final int colour;
+    private final double farther;
+
+    /**
+     * @param corners in m from the view's origin
+     * @param colour 0xAARRGGBB
+     * @param farther so many times as far away as it is it is painted, if it is a line
+     */
+    Face(double[][] corners, int colour, double farther) {
+        this.corners = corners;
+        this.colour = colour;
+        this.farther = farther;
+    }
+
     Face(double[][] corners, int colour) {
         this(corners, colour, 1);
     }
 
+    /** Its own array. */
+    double[][] corners() {
+        return corners;
+    }
+
+    int colour() {
+        return colour;
+    }
+
+    double farther() {
+        return farther;
+    }
+
+    /** Others of its kind. */
     Face with(double[][] others) {
         return new Face(others, colour, farther);
     }

@@ -61,7 +61,7 @@ record Plane(double nx, double ny, double nz, double d) {
             double[] to = polygon[(i + 1) % polygon.length];
             double here = above(from);
             double there = above(to);
-            if (here >= 0 != there >= 0) {
+            if ((here >= 0) != (there >= 0)) {
                 kept[count++] = between(from, to, here / (here - there));
             }
             if (there >= 0) {

@@ -2,7 +2,19 @@
 package org.auvsim.osp.drawing;
 
 /** Faces about an origin, their corners against the clock as seen from outside. */
-record Shape(double[][][] faces) {
+final class Shape {
+    private final double[][][] faces;
+
+    /** A shape of these faces, an array of corners each. */
+    Shape(double[][][] faces) {
+        this.faces = faces;
+    }
+
+    /** Its own array. */
+    double[][][] faces() {
+        return faces;
+    }
+
     /** A ball of radius 1 with so many rings from pole to pole, and twice as many round it. */
     static Shape ball(int rings) {
         int round = 2 * rings;

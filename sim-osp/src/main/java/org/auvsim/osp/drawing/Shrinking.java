@@ -26,6 +26,6 @@ final class Shrinking {
         for (int colour : colours) {
             sum += colour >> shift & 0xff;
         }
-        return (sum + colours.length / 2) / colours.length << shift;
+        return ((sum + colours.length / 2) / colours.length) << shift;
     }
 }

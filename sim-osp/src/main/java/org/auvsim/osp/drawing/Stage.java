@@ -78,7 +78,7 @@ final class Stage {
         if (face.corners().length == 2) {
             line(face, number);
         } else if (face.corners().length > 2) {
-            long key = (long) number << Integer.SIZE | face.colour() & 0xffffffffL;
+            long key = (long) number << Integer.SIZE | (face.colour() & 0xffffffffL);
             byNumberAndColour
                     .computeIfAbsent(key, _ -> tiles(number, face.colour()))
                     .add(face.corners());

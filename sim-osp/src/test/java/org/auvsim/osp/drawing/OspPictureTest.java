@@ -165,7 +165,7 @@ class OspPictureTest {
         brush.ball(at(-3, 0, 0), 0.5, RED);
         brush.ball(at(0, 0, 0), 0.5, BLUE);
         brush.box(at(0, 3, 0), 1, 1, 1, YELLOW);
-        brush.ball(at(-2, -2, 0), 0.5, RED & 0xffffff | 0x60000000);
+        brush.ball(at(-2, -2, 0), 0.5, (RED & 0xffffff) | 0x60000000);
     }
 
     @ParameterizedTest

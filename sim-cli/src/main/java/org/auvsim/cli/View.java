@@ -38,8 +38,7 @@ import javax.imageio.ImageIO;
         description = "Shows a simulator or a recording in three dimensions, and steers it.",
         footer = {
             "",
-            "What may be steered is what the server's role allows; docs/viewing.md has keys and"
-                    + " menus.",
+            "What may be steered is what the server's role allows; docs/viewing.md has keys and menus.",
             "With --picture there is no window: one picture is painted as PNG.",
             "",
             "Examples:",
@@ -103,7 +102,8 @@ final class View implements Callable<Integer> {
     public Integer call() throws DocumentException, ConnectionException {
         try (Source source = source()) {
             at.ifPresent(time -> seek(source, time));
-            Viewer viewer = new Viewer(source, Renderers.named(renderer, ContextClasses.loader()));
+            Viewer viewer =
+                    new Viewer(source, Renderers.named(renderer, ContextClasses.loader()));
             ViewStart start = new ViewStart(!light, look, follow);
             if (picture.isPresent()) {
                 write(viewer.picture(start, size.width(), size.height()), picture.get());
@@ -120,7 +120,8 @@ final class View implements Callable<Integer> {
         Path file = Path.of(target);
         if (Files.exists(file) || target.endsWith(".auvsml.gz") || target.endsWith(".auvsml")) {
             ShareRead told = new ShareRead(file, spec.commandLine().getErr(), System::nanoTime);
-            return RecordedSource.open(file, AuvsmlMapper.load(ContextClasses.loader()), told::at);
+            return RecordedSource.open(
+                    file, AuvsmlMapper.load(ContextClasses.loader()), told::at);
         }
         Address address = new Address.Converter().convert(target);
         return LiveSource.connect(

@@ -8,6 +8,7 @@ import org.auvsim.cli.report.UserError;
 import org.auvsim.core.description.ElementName;
 import org.auvsim.diagnosis.cause.CauseFamily;
 import org.auvsim.server.feedback.FeedbackProcessor;
+import org.auvsim.viz.drawing.Renderer;
 
 import java.lang.reflect.Modifier;
 import java.nio.file.Path;
@@ -20,7 +21,8 @@ import java.util.Set;
 /** Whether all that extensions name is there, fits, and has a name of its own. */
 final class ProviderCheck {
     /** Those that are made without a word of a scenario; all others are records that it states. */
-    private static final Set<Class<?>> MADE = Set.of(FeedbackProcessor.class, CauseFamily.class);
+    private static final Set<Class<?>> MADE =
+            Set.of(FeedbackProcessor.class, CauseFamily.class, Renderer.class);
 
     private final ClassLoader loader;
     private final ClassLoader ownLoader;

@@ -22,8 +22,8 @@ import java.util.List;
  * move on while a frame is painted: the frame's own origin is what counts.
  */
 final class JmeBrush implements Brush {
-    /** Rings of balls, sides of tubes and cones: the finer, the more pixels their radius takes. */
-    private static final int[] RINGS = {3, 6, 10, 20};
+    /** Cuts of balls, sides of tubes and cones: the more, the more pixels their radius takes. */
+    private static final int[] CUTS = {0, 1, 2, 3};
 
     private static final int[] SIDES = {4, 8, 16, 32};
 
@@ -34,7 +34,7 @@ final class JmeBrush implements Brush {
 
     private final Node node = new Node("scene");
     private final List<InstanceBatch> batches = new ArrayList<>();
-    private final InstanceBatch[][] balls = new InstanceBatch[RINGS.length][];
+    private final InstanceBatch[][] balls = new InstanceBatch[CUTS.length][];
     private final InstanceBatch[][] tubes = new InstanceBatch[SIDES.length][];
     private final InstanceBatch[][] cones = new InstanceBatch[SIDES.length][];
     private final InstanceBatch[] cubes;
@@ -49,24 +49,32 @@ final class JmeBrush implements Brush {
 
     JmeBrush(AssetManager assets, OrbitCamera camera) {
         this.camera = camera;
+        // Of what is closed only the outside is seen.
         Material solid = new Material(assets, "org/auvsim/viz/jme/Solid.j3md");
-        solid.getAdditionalRenderState().setFaceCullMode(FaceCullMode.Off);
-        Material clear = solid.clone();
-        clear.getAdditionalRenderState().setBlendMode(BlendMode.Alpha);
-        clear.getAdditionalRenderState().setDepthWrite(false);
+        Material clear = clear(solid);
+        Material open = solid.clone();
+        open.getAdditionalRenderState().setFaceCullMode(FaceCullMode.Off);
+        Material clearOpen = clear(open);
         Material line = new Material(assets, "org/auvsim/viz/jme/Line.j3md");
         line.getAdditionalRenderState().setBlendMode(BlendMode.Alpha);
         line.getAdditionalRenderState().setDepthWrite(false);
-        for (int i = 0; i < RINGS.length; i++) {
-            balls[i] = both("balls", UnitMeshes.ball(RINGS[i]), solid, clear);
-            tubes[i] = both("tubes", UnitMeshes.tube(SIDES[i]), solid, clear);
-            cones[i] = both("cones", UnitMeshes.cone(SIDES[i]), solid, clear);
+        for (int i = 0; i < CUTS.length; i++) {
+            balls[i] = both("balls", UnitMeshes.ball(CUTS[i]), solid, clear);
+            tubes[i] = both("tubes", UnitMeshes.tube(SIDES[i]), open, clearOpen);
+            cones[i] = both("cones", UnitMeshes.cone(SIDES[i]), open, clearOpen);
         }
         cubes = both("cubes", UnitMeshes.cube(), solid, clear);
         lines = new LineBatch(line);
         node.attachChild(lines.geometry());
         labels = new Labels(assets.loadFont("Interface/Fonts/Default.fnt"));
-        seaFloors = new SeaFloors(solid, node);
+        seaFloors = new SeaFloors(open, node);
+    }
+
+    private static Material clear(Material solid) {
+        Material clear = solid.clone();
+        clear.getAdditionalRenderState().setBlendMode(BlendMode.Alpha);
+        clear.getAdditionalRenderState().setDepthWrite(false);
+        return clear;
     }
 
     /** A batch of what is opaque, and one of what is not. */

@@ -8,21 +8,10 @@ import com.jme3.util.BufferUtils;
 final class UnitMeshes {
     private UnitMeshes() {}
 
-    /** A ball of radius 1 with so many rings from pole to pole, and twice as many round it. */
-    static Mesh ball(int rings) {
-        int round = 2 * rings;
-        float[] places = new float[3 * (rings + 1) * (round + 1)];
-        int at = 0;
-        for (int i = 0; i <= rings; i++) {
-            double polar = Math.PI * i / rings;
-            for (int j = 0; j <= round; j++) {
-                double around = 2 * Math.PI * j / round;
-                places[at++] = (float) (Math.sin(polar) * Math.cos(around));
-                places[at++] = (float) (Math.sin(polar) * Math.sin(around));
-                places[at++] = (float) Math.cos(polar);
-            }
-        }
-        return mesh(places, places, grid(rings, round));
+    /** A ball of radius 1: an icosahedron whose faces are cut into four, so many times. */
+    static Mesh ball(int cuts) {
+        Icosphere ball = Icosphere.of(cuts);
+        return mesh(ball.places(), ball.places(), ball.corners());
     }
 
     /** The side of a cylinder of radius and length 1 about the x axis, its middle at the origin. */
@@ -98,7 +87,15 @@ final class UnitMeshes {
         return corners;
     }
 
+    /** A mesh whose triangles run counter-clockwise, seen from where their normals point. */
     static Mesh mesh(float[] places, float[] normals, int[] corners) {
+        for (int i = 0; i < corners.length; i += 3) {
+            if (outward(places, normals, corners, i) < 0) {
+                int swapped = corners[i + 1];
+                corners[i + 1] = corners[i + 2];
+                corners[i + 2] = swapped;
+            }
+        }
         Mesh mesh = new Mesh();
         mesh.setBuffer(VertexBuffer.Type.Position, 3, BufferUtils.createFloatBuffer(places));
         mesh.setBuffer(VertexBuffer.Type.Normal, 3, BufferUtils.createFloatBuffer(normals));
@@ -106,5 +103,25 @@ final class UnitMeshes {
         mesh.setStatic();
         mesh.updateBound();
         return mesh;
+    }
+
+    /**
+     * How much the turn of a triangle's corners, from {@code corners[i]} on, agrees with its
+     * normals.
+     */
+    private static double outward(float[] places, float[] normals, int[] corners, int i) {
+        int a = 3 * corners[i];
+        int b = 3 * corners[i + 1];
+        int c = 3 * corners[i + 2];
+        double sum = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            int y = (axis + 1) % 3;
+            int z = (axis + 2) % 3;
+            double cross =
+                    (places[b + y] - places[a + y]) * (places[c + z] - places[a + z])
+                            - (places[b + z] - places[a + z]) * (places[c + y] - places[a + y]);
+            sum += cross * (normals[a + axis] + normals[b + axis] + normals[c + axis]);
+        }
+        return sum;
     }
 }

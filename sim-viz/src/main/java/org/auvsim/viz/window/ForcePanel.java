@@ -1,5 +1,6 @@
 package org.auvsim.viz.window;
 
+import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.control.ApplyDirectForceCommand;
 import org.auvsim.auvsml.message.control.ApplyForceCommand;
 import org.auvsim.auvsml.message.control.RemoveForceCommand;
@@ -11,6 +12,8 @@ import org.auvsim.viz.scene.SeenObject;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.GridLayout;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.util.Locale;
 
 import javax.swing.DefaultListCellRenderer;
@@ -19,12 +22,16 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
+import javax.swing.JSlider;
 import javax.swing.JSpinner;
 import javax.swing.SpinnerNumberModel;
 
 /** A force on an object, in newtons, and where it acts. */
 final class ForcePanel {
     private static final String[] AXES = {"x", "y", "z"};
+
+    /** A slider goes so many steps either way. */
+    private static final int PARTS = 10;
 
     private final Desk desk;
     private final long id;
@@ -42,6 +49,7 @@ final class ForcePanel {
                         .map(ForcePanel::round)
                         .orElse(1.0);
         row("Force N", "force-", force, step);
+        sliders(step);
         row("Point m", "point-", point, 0.1);
         frame.setName("force-frame");
         frame.setRenderer(
@@ -60,7 +68,7 @@ final class ForcePanel {
         panel.add(frame);
         panel.add(button("apply-force", "Apply", this::apply));
         panel.add(button("remove-force", "Remove", this::remove));
-        panel.setMaximumSize(new Dimension(Integer.MAX_VALUE, 90));
+        panel.setMaximumSize(new Dimension(Integer.MAX_VALUE, 120));
     }
 
     JPanel component() {
@@ -84,6 +92,38 @@ final class ForcePanel {
         }
     }
 
+    /** What a slider is moved to acts at once; a double click ends it. */
+    private void sliders(double step) {
+        panel.add(new JLabel("Push"));
+        for (int axis = 0; axis < AXES.length; axis++) {
+            JSpinner spinner = force[axis];
+            JSlider slider = new JSlider(-PARTS, PARTS, 0);
+            slider.setName("push-" + AXES[axis]);
+            slider.setToolTipText(
+                    String.format(
+                            Locale.ROOT,
+                            "%s: up to %.4g N either way, at once",
+                            AXES[axis],
+                            PARTS * step));
+            slider.setPreferredSize(new Dimension(60, 22));
+            slider.addChangeListener(
+                    e -> {
+                        spinner.setValue(slider.getValue() * step);
+                        desk.outbox().put(this, message());
+                    });
+            slider.addMouseListener(
+                    new MouseAdapter() {
+                        @Override
+                        public void mouseClicked(MouseEvent e) {
+                            if (e.getClickCount() == 2 && slider.isEnabled()) {
+                                slider.setValue(0);
+                            }
+                        }
+                    });
+            panel.add(slider);
+        }
+    }
+
     private static JButton button(String name, String words, Runnable deed) {
         JButton button = new JButton(words);
         button.setName(name);
@@ -99,13 +139,16 @@ final class ForcePanel {
                 (Double) spinners[2].getValue());
     }
 
-    private void apply() {
+    private Message message() {
         Vec3 at = vector(point);
         Frame axes = (Frame) frame.getSelectedItem();
-        desk.ask(
-                at.equals(Vec3.ZERO)
-                        ? new ApplyDirectForceCommand(id, Driving.FORCE, axes, vector(force))
-                        : new ApplyForceCommand(id, Driving.FORCE, axes, vector(force), at));
+        return at.equals(Vec3.ZERO)
+                ? new ApplyDirectForceCommand(id, Driving.FORCE, axes, vector(force))
+                : new ApplyForceCommand(id, Driving.FORCE, axes, vector(force), at);
+    }
+
+    private void apply() {
+        desk.ask(message());
     }
 
     private void remove() {

@@ -106,6 +106,24 @@ class ViewerWindowTest {
     }
 
     @Test
+    void aForceIsPushedByItsSlider() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        view.select(OptionalLong.of(9));
+        open(simulator);
+        Clicks.inSwing(
+                () -> {
+                    find("right", JTabbedPane.class).setSelectedIndex(1);
+                    find("push-y", JSlider.class).setValue(-1);
+                    find("push-y", JSlider.class).setValue(-3);
+                    window.orElseThrow().turn();
+                });
+        // Steps of 10 N for a buoy of 20 kg.
+        assertThat(simulator.asked)
+                .containsExactly(
+                        new ApplyDirectForceCommand(9, "Viewer", Frame.WORLD, new Vec3(0, -30, 0)));
+    }
+
+    @Test
     void aSliderSendsItsLastPlaceAlone() throws Exception {
         FakeSimulator simulator = new FakeSimulator(Scenes.of("bluerov2-dive.xml"));
         view.select(OptionalLong.of(1));

@@ -12,6 +12,8 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
 /** An administrator's commands to a simulator, from a terminal or from lines. */
@@ -60,11 +62,27 @@ public final class Administration {
         LineReader reader = reader(terminal, history, names);
         PrintWriter out = terminal.writer();
         Consumer<String> print = printer(out);
+        CountDownLatch left = new CountDownLatch(1);
         conversation.begin(
                 notice -> reader.printAbove(told(notice)),
-                () -> terminal.raise(Terminal.Signal.INT));
-        new Shell(reader, conversation, operator(conversation, names, print)).run();
+                () -> Thread.startVirtualThread(() -> interrupt(terminal, left)));
+        try {
+            new Shell(reader, conversation, operator(conversation, names, print)).run();
+        } finally {
+            left.countDown();
+        }
         conversation.farewell().ifPresent(last -> print.accept(told(last)));
+    }
+
+    /** Again and again: a signal that comes just before a line begins to be read is lost. */
+    private static void interrupt(Terminal terminal, CountDownLatch left) {
+        try {
+            do {
+                terminal.raise(Terminal.Signal.INT);
+            } while (!left.await(100, TimeUnit.MILLISECONDS));
+        } catch (InterruptedException _) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     private LineReader reader(Terminal terminal, Path history, KnownNames names) {

@@ -117,14 +117,21 @@ final class View implements Callable<Integer> {
     }
 
     private Source source() throws DocumentException, ConnectionException {
-        Path file = Path.of(target);
-        if (Files.exists(file) || target.endsWith(".auvsml.gz") || target.endsWith(".auvsml")) {
+        if (isFile()) {
+            Path file = Path.of(target);
             ShareRead told = new ShareRead(file, spec.commandLine().getErr(), System::nanoTime);
             return RecordedSource.open(file, AuvsmlMapper.load(ContextClasses.loader()), told::at);
         }
         Address address = new Address.Converter().convert(target);
         return LiveSource.connect(
                 address.host(), address.port(), MessageCatalogue.load(ContextClasses.loader()));
+    }
+
+    /** A name with a colon is an address, but for that of a recording. */
+    private boolean isFile() {
+        return target.endsWith(".auvsml.gz")
+                || target.endsWith(".auvsml")
+                || (!target.contains(":") && Files.exists(Path.of(target)));
     }
 
     private void seek(Source source, double time) {
@@ -135,7 +142,7 @@ final class View implements Callable<Integer> {
                                         new UserError(
                                                 "--at is for recordings, but %s is a simulator."
                                                         .formatted(target)));
-        if (time < playback.start() || time > playback.end()) {
+        if (!(time >= playback.start() && time <= playback.end())) {
             throw new UserError(
                     "--at must be within the recording, from %s to %s s, but is %s s."
                             .formatted(playback.start(), playback.end(), time));

@@ -60,7 +60,7 @@ public final class Viewer {
             Opened opened = open(closed);
             try {
                 opened.started().get();
-                closed.get();
+                CompletableFuture.anyOf(closed, opened.screen().failure()).get();
             } finally {
                 SwingUtilities.invokeAndWait(opened.window()::close);
                 opened.screen().close();
@@ -107,8 +107,18 @@ public final class Viewer {
             case ScreenException known -> known;
             case AWTError none -> noDisplay(none);
             case HeadlessException none -> noDisplay(none);
-            case null, default -> new ScreenException("The window cannot be shown: " + e, e);
+            case null, default ->
+                    new ScreenException("The window cannot be shown: " + sentence(e) + ".", e);
         };
+    }
+
+    /** What the innermost cause says. */
+    private static String sentence(Throwable failure) {
+        Throwable inner = failure;
+        while (inner.getCause() != null) {
+            inner = inner.getCause();
+        }
+        return inner.getMessage() == null ? inner.toString() : inner.getMessage();
     }
 
     private static ScreenException noDisplay(Throwable e) {
@@ -128,7 +138,7 @@ public final class Viewer {
         try {
             source.ready().get();
         } catch (ExecutionException e) {
-            throw new ScreenException(String.valueOf(e.getCause()), e);
+            throw new ScreenException(sentence(e), e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new ScreenException("Nothing was shown: interrupted.", e);

@@ -11,10 +11,18 @@ final class SeaFloors {
     /** Of maps with more squares along an edge every second, third ... place is drawn. */
     private static final int MOST = 40;
 
-    private final Map<Long, Shape> byId = new HashMap<>();
+    /** What is drawn of a map. */
+    private record Floor(HeightMap map, Shape shape) {}
+
+    private final Map<Long, Floor> byId = new HashMap<>();
 
     Shape shape(long id, HeightMap map) {
-        return byId.computeIfAbsent(id, _ -> triangles(map));
+        Floor known = byId.get(id);
+        if (known == null || !known.map().equals(map)) {
+            known = new Floor(map, triangles(map));
+            byId.put(id, known);
+        }
+        return known.shape();
     }
 
     private static Shape triangles(HeightMap map) {

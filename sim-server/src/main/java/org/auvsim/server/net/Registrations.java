@@ -92,8 +92,8 @@ final class Registrations {
             return true;
         }
         double last = lastSent.getOrDefault(topic, Double.NEGATIVE_INFINITY);
-        // The same time again is the same movement, corrected.
-        boolean due = time == last || time - last >= gap.getAsDouble() - ROUNDING;
+        // The same time again is the same movement, corrected; an earlier one, a time gone back to.
+        boolean due = time <= last || time - last >= gap.getAsDouble() - ROUNDING;
         if (due) {
             lastSent.put(topic, time);
         }

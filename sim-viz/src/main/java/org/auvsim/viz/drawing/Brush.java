@@ -24,7 +24,7 @@ public interface Brush {
     /** A line of one pixel. */
     void line(double ax, double ay, double az, double bx, double by, double bz, int colour);
 
-    /** The sea floor of an object; its map never changes under the same id. */
+    /** The sea floor of an object, whose map seldom changes. */
     void surface(long id, HeightMap map, Pose pose, int colour);
 
     /** Words beside a place, as large on the screen wherever that is. */

@@ -16,6 +16,9 @@ final class Currents implements Part {
     /** The water is asked again when the world's time has gone on by this much (s). */
     private static final double AGE = 0.2;
 
+    /** It is asked again when what is looked at is deeper by this part of a square. */
+    private static final double DEPTH = 0.02;
+
     private final Arrow arrow = new Arrow();
     private final double[] places = new double[3 * ARROWS * ARROWS];
     private final double[] velocities = new double[3 * ARROWS * ARROWS];
@@ -70,12 +73,12 @@ final class Currents implements Part {
         double newSquare = Ground.round(picture.share(SQUARE));
         double newX = newSquare * Math.rint(picture.camera().target(0) / newSquare);
         double newY = newSquare * Math.rint(picture.camera().target(1) / newSquare);
-        double newZ = newSquare * Math.rint(picture.camera().target(2) / newSquare);
+        double newZ = picture.camera().target(2);
         boolean same =
                 newSquare == square
                         && newX == x
                         && newY == y
-                        && newZ == z
+                        && Math.abs(newZ - z) < DEPTH * newSquare
                         && Math.abs(now - time) < AGE;
         if (same) {
             return;

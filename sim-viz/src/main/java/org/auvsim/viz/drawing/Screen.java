@@ -22,7 +22,12 @@ public interface Screen extends AutoCloseable {
     /** Frames a second, lately. */
     double frameRate();
 
-    /** Ends painting and waits for its end. */
+    /** Fails with a {@link ScreenException} if painting breaks off; else it is never done. */
+    default CompletableFuture<Void> failure() {
+        return new CompletableFuture<>();
+    }
+
+    /** Ends painting, soon. */
     @Override
     void close();
 }

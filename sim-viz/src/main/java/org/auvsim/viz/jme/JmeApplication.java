@@ -27,6 +27,7 @@ final class JmeApplication extends LegacyApplication {
     private final Painter painter;
     private final CompletableFuture<Void> started = new CompletableFuture<>();
     private final CompletableFuture<Thread> paintingThread = new CompletableFuture<>();
+    private final CompletableFuture<Void> failure = new CompletableFuture<>();
     private final JmeCamera eye = new JmeCamera();
     private final ColorRGBA background = new ColorRGBA();
     private final Node words = new Node("words");
@@ -65,6 +66,10 @@ final class JmeApplication extends LegacyApplication {
     void end() throws InterruptedException {
         stop();
         paintingThread.join().join();
+    }
+
+    CompletableFuture<Void> failure() {
+        return failure;
     }
 
     double frameRate() {
@@ -132,13 +137,22 @@ final class JmeApplication extends LegacyApplication {
     @Override
     public void handleError(String what, Throwable why) {
         paintingThread.complete(Thread.currentThread());
-        started.completeExceptionally(
-                new ScreenException(
-                        ("Three dimensions cannot be shown here, as there is no display with OpenGL"
-                             + " 3.2: %s. Install a graphics driver, use --renderer osp, which"
-                             + " needs no OpenGL, or 'auvsim watch', which needs no display.")
-                                .formatted(cause(what, why)),
-                        why));
+        boolean never =
+                started.completeExceptionally(
+                        new ScreenException(
+                                ("Three dimensions cannot be shown here, as there is no display"
+                                     + " with OpenGL 3.2: %s. Install a graphics driver, use"
+                                     + " --renderer osp, which needs no OpenGL, or 'auvsim watch',"
+                                     + " which needs no display.")
+                                        .formatted(cause(what, why)),
+                                why));
+        if (!never) {
+            failure.completeExceptionally(
+                    new ScreenException(
+                            "The picture cannot be painted any more: %s."
+                                    .formatted(cause(what, why)),
+                            why));
+        }
         stop();
     }
 

@@ -41,6 +41,11 @@ final class JmeScreen implements Screen {
     }
 
     @Override
+    public CompletableFuture<Void> failure() {
+        return application.failure();
+    }
+
+    @Override
     public double frameRate() {
         return application.frameRate();
     }

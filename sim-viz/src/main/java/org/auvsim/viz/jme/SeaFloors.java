@@ -16,9 +16,12 @@ final class SeaFloors {
     /** More places than this along an edge are not drawn: every second, third ... is. */
     private static final int MOST = 400;
 
+    /** What is drawn of a map. */
+    private record Floor(HeightMap map, InstanceBatch batch) {}
+
     private final Material material;
     private final Node node;
-    private final Map<Long, InstanceBatch> byId = new HashMap<>();
+    private final Map<Long, Floor> byId = new HashMap<>();
 
     SeaFloors(Material material, Node node) {
         this.material = material;
@@ -26,22 +29,28 @@ final class SeaFloors {
     }
 
     void begin() {
-        byId.values().forEach(InstanceBatch::begin);
+        byId.values().forEach(floor -> floor.batch().begin());
     }
 
     void add(long id, HeightMap map, Pose pose, double x, double y, double z, int colour) {
-        InstanceBatch batch = byId.get(id);
-        if (batch == null) {
-            batch = new InstanceBatch("sea floor", mesh(map), material, Bucket.Opaque);
-            batch.begin();
-            byId.put(id, batch);
-            node.attachChild(batch);
+        Floor floor = byId.get(id);
+        if (floor == null || !floor.map().equals(map)) {
+            if (floor != null) {
+                node.detachChild(floor.batch());
+            }
+            floor =
+                    new Floor(
+                            map,
+                            new InstanceBatch("sea floor", mesh(map), material, Bucket.Opaque));
+            floor.batch().begin();
+            byId.put(id, floor);
+            node.attachChild(floor.batch());
         }
-        batch.add(pose, x, y, z, 1, 1, 1, colour);
+        floor.batch().add(pose, x, y, z, 1, 1, 1, colour);
     }
 
     void end() {
-        byId.values().forEach(InstanceBatch::end);
+        byId.values().forEach(floor -> floor.batch().end());
     }
 
     private static Mesh mesh(HeightMap map) {

@@ -38,10 +38,13 @@ final class Actor implements ActorView {
         object.definition().ifPresent(definition -> stand(definition, time));
     }
 
-    /** Takes what it is made of, without moving it. */
+    /** Takes what it is made of; what never moves stands where that says. */
     void become(SeenObject other) {
         object = other;
         forces = other.definition().map(WorldObjectDefinition::force).orElse(forces);
+        if (other.isFixed()) {
+            other.definition().ifPresent(definition -> stand(definition, timeNow));
+        }
     }
 
     private void stand(WorldObjectDefinition definition, double time) {

@@ -12,6 +12,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 
 /**
@@ -58,6 +59,15 @@ public final class Scene {
         if (gone != null) {
             actors.remove(gone);
             revision++;
+        }
+    }
+
+    /** What is not among these has gone. */
+    public synchronized void keepOnly(Set<Long> ids) {
+        for (SeenObject object : objects()) {
+            if (!ids.contains(object.id())) {
+                remove(object.id());
+            }
         }
     }
 

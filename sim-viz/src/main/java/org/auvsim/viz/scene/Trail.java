@@ -2,8 +2,13 @@ package org.auvsim.viz.scene;
 
 /** The last places of an object, in a ring that never grows. */
 final class Trail {
-    /** So many places are kept. */
+    /** Places this near to one another in time (s) are not kept both. */
+    static final double APART = 0.1;
+
+    /** So many places are kept: those of a minute. */
     static final int MOST = 600;
+
+    private static final double ROUNDING = 1e-9;
 
     private final double[] places = new double[3 * MOST];
     private final double[] times = new double[MOST];
@@ -11,6 +16,9 @@ final class Trail {
     private int count;
 
     void add(double time, double x, double y, double z) {
+        if (count > 0 && time < time(count - 1) + APART - ROUNDING) {
+            return;
+        }
         places[3 * next] = x;
         places[3 * next + 1] = y;
         places[3 * next + 2] = z;

@@ -1,12 +1,16 @@
 package org.auvsim.viz.source;
 
+import static java.util.stream.Collectors.toSet;
+
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.EventType;
 import org.auvsim.auvsml.message.command.ListedWorldObject;
 import org.auvsim.auvsml.message.command.ListenedObject;
 import org.auvsim.auvsml.message.command.Listener;
+import org.auvsim.auvsml.message.control.SnapshotRestoredNotification;
 import org.auvsim.auvsml.message.entity.DescribeWorldObjectRequest;
 import org.auvsim.auvsml.message.entity.EntityAddedMessage;
+import org.auvsim.auvsml.message.entity.EntityRemovedMessage;
 import org.auvsim.auvsml.message.entity.GetFieldListRequest;
 import org.auvsim.auvsml.message.entity.GetWorldObjectListCommand;
 import org.auvsim.auvsml.message.entity.WorldObjectListResponse;
@@ -19,10 +23,12 @@ import org.auvsim.viz.scene.Scene;
 import org.auvsim.viz.scene.SeenObject;
 import org.jspecify.annotations.Nullable;
 
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.stream.Stream;
 
 /** What a viewer asks for: what there is, how it moves, and now and then what is done to it. */
@@ -33,7 +39,7 @@ final class Audience {
     /** In a larger world projected states are left out: they would double what is sent. */
     private static final int MOST_PROJECTED = 200;
 
-    /** So many objects' forces and propulsors are asked for again and again. */
+    /** So many objects' forces and propulsors are asked for at a time. */
     private static final int MOST_WATCHED = 20;
 
     private static final List<EventType> EVENTS =
@@ -49,6 +55,7 @@ final class Audience {
 
     private final Scene scene;
     private final Exchange exchange;
+    private int turn;
 
     Audience(Scene scene, Exchange exchange) {
         this.scene = scene;
@@ -56,40 +63,45 @@ final class Audience {
     }
 
     /**
-     * Asks for everything and waits for the answers, which come while the exchange is read by
-     * another thread; then the scene has all objects and hears how they move.
+     * Asks for everything, registers, and waits for the answers, which come while the exchange is
+     * read by another thread; then the scene has all objects and hears how they move.
      */
     void begin() {
+        int count = survey();
+        boolean projected = count <= MOST_PROJECTED;
+        if (!projected) {
+            tell("There are %d objects: their projected states are left out".formatted(count));
+        }
+        exchange.ask(registration(projected)).handle((_, refusal) -> told(refusal)).join();
+    }
+
+    /** Asks what there is; the number of objects. */
+    private int survey() {
         CompletableFuture<Message> fields = exchange.ask(new GetFieldListRequest());
         Message answer = exchange.ask(new GetWorldObjectListCommand()).join();
-        if (answer instanceof WorldObjectListResponse(List<ListedWorldObject> objects)) {
-            attend(objects);
-        }
-        fields.handle((_, refusal) -> told(refusal)).join();
-    }
-
-    private boolean told(@Nullable Throwable refusal) {
-        if (refusal != null) {
-            scene.tell(new Occurrence(scene.time(), String.valueOf(refusal.getMessage())));
-        }
-        return refusal == null;
-    }
-
-    private void attend(List<ListedWorldObject> objects) {
+        List<ListedWorldObject> objects =
+                answer instanceof WorldObjectListResponse(List<ListedWorldObject> all)
+                        ? all
+                        : List.of();
+        scene.keepOnly(objects.stream().map(ListedWorldObject::id).collect(toSet()));
         CompletableFuture.allOf(
                         objects.stream()
                                 .map(o -> describe(o.id(), o.name()))
                                 .toArray(CompletableFuture[]::new))
                 .join();
-        boolean projected = objects.size() <= MOST_PROJECTED;
-        if (!projected) {
-            scene.tell(
-                    new Occurrence(
-                            scene.time(),
-                            "There are %d objects: their projected states are left out"
-                                    .formatted(objects.size())));
+        fields.handle((_, refusal) -> told(refusal)).join();
+        return objects.size();
+    }
+
+    private void tell(String sentence) {
+        scene.tell(new Occurrence(scene.time(), sentence));
+    }
+
+    private boolean told(@Nullable Throwable refusal) {
+        if (refusal != null) {
+            tell(String.valueOf(refusal.getMessage()));
         }
-        exchange.ask(registration(projected)).handle((_, refusal) -> told(refusal)).join();
+        return refusal == null;
     }
 
     private static Message registration(boolean projected) {
@@ -118,19 +130,46 @@ final class Audience {
                         });
     }
 
-    /** Asks about what has come. */
+    /** Asks about what has come, and for everything where time has gone elsewhere. */
     void hear(Message message) {
-        if (message instanceof EntityAddedMessage(double _, long id)) {
-            Thread.startVirtualThread(() -> exchange.want(new DescribeWorldObjectRequest(id)));
+        switch (message) {
+            case EntityAddedMessage(double _, long id) ->
+                    Thread.startVirtualThread(
+                            () -> {
+                                exchange.want(new DescribeWorldObjectRequest(id));
+                                exchange.want(new GetFieldListRequest());
+                            });
+            case EntityRemovedMessage _ ->
+                    Thread.startVirtualThread(() -> exchange.want(new GetFieldListRequest()));
+            case SnapshotRestoredNotification _ -> Thread.startVirtualThread(this::surveyAgain);
+            default -> {}
         }
     }
 
-    /** Asks again about those that something is done to. */
+    private void surveyAgain() {
+        try {
+            survey();
+        } catch (CompletionException _) {
+            // The connection has ended: whoever reads it tells so.
+        }
+    }
+
+    /** Asks again about some that something is done to, and about some others in turn. */
     void refresh() {
-        scene.objects().stream()
+        if (exchange.unanswered() > MOST_WATCHED) {
+            return;
+        }
+        List<SeenObject> moving = scene.objects().stream().filter(o -> !o.isFixed()).toList();
+        LinkedHashSet<Long> ids = new LinkedHashSet<>();
+        moving.stream()
                 .filter(o -> o.definition().filter(Audience::isDriven).isPresent())
-                .limit(MOST_WATCHED)
-                .forEach(o -> exchange.want(new DescribeWorldObjectRequest(o.id())));
+                .limit(MOST_WATCHED / 2)
+                .forEach(o -> ids.add(o.id()));
+        for (int i = 0; i < moving.size() && ids.size() < MOST_WATCHED; i++) {
+            turn = (turn + 1) % moving.size();
+            ids.add(moving.get(turn).id());
+        }
+        ids.forEach(id -> exchange.want(new DescribeWorldObjectRequest(id)));
     }
 
     private static boolean isDriven(WorldObjectDefinition definition) {

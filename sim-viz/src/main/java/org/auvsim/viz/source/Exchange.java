@@ -50,6 +50,11 @@ final class Exchange {
         var _ = ask(message);
     }
 
+    /** How many questions wait for their answers. */
+    int unanswered() {
+        return open.size();
+    }
+
     private void refuse(String id, String why) {
         CompletableFuture<Message> answer = open.remove(id);
         if (answer != null) {

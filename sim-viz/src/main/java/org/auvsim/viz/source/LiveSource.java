@@ -21,6 +21,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 
 /**
  * A simulator that runs, seen by an ordinary client. A thread reads what it tells, another one asks
@@ -30,6 +31,9 @@ public final class LiveSource implements Source, Steering {
     private static final long REFRESH_MILLIS = 500;
     private static final long TRY_AGAIN_MILLIS = 2_000;
 
+    /** Who says nothing for so long (s) at the beginning is no simulator. */
+    private static final long SILENCE = 30;
+
     private final String host;
     private final int port;
     private final MessageCatalogue catalogue;
@@ -37,6 +41,7 @@ public final class LiveSource implements Source, Steering {
     private final CountDownLatch closed = new CountDownLatch(1);
     private final CompletableFuture<Void> ready = new CompletableFuture<>();
     private volatile Exchange exchange;
+    private volatile Audience audience;
     private volatile Optional<SimulatorStateResponse> state = Optional.empty();
     private volatile Optional<String> trouble = Optional.empty();
 
@@ -45,6 +50,7 @@ public final class LiveSource implements Source, Steering {
         this.port = port;
         this.catalogue = catalogue;
         this.exchange = first;
+        this.audience = new Audience(scene, first);
     }
 
     /**
@@ -73,25 +79,27 @@ public final class LiveSource implements Source, Steering {
         scene.clear();
         trouble = Optional.empty();
         SceneWriter writer = new SceneWriter(scene);
-        Audience audience = new Audience(scene, to);
-        Thread.startVirtualThread(() -> begin(audience));
+        Audience asking = new Audience(scene, to);
+        audience = asking;
+        Thread.startVirtualThread(() -> begin(asking));
         String why =
                 to.read(
                         message -> {
                             writer.write(message);
-                            audience.hear(message);
+                            asking.hear(message);
                             if (message instanceof SimulatorStateResponse now) {
                                 state = Optional.of(now);
                             }
                         });
         to.close();
         state = Optional.empty();
+        ready.completeExceptionally(new RefusedException(why));
         say(why);
     }
 
-    private void begin(Audience audience) {
+    private void begin(Audience asking) {
         try {
-            audience.begin();
+            asking.begin();
             ready.complete(null);
         } catch (CompletionException e) {
             say(String.valueOf(requireNonNullElse(e.getCause(), e).getMessage()));
@@ -125,7 +133,7 @@ public final class LiveSource implements Source, Steering {
         while (!waits(REFRESH_MILLIS)) {
             if (isConnected()) {
                 exchange.want(new GetSimulatorStateRequest());
-                new Audience(scene, exchange).refresh();
+                audience.refresh();
             }
         }
     }
@@ -149,9 +157,19 @@ public final class LiveSource implements Source, Steering {
         return scene;
     }
 
+    /** Fails with a {@link RefusedException} if the simulator goes or is silent. */
     @Override
     public CompletableFuture<Void> ready() {
-        return ready;
+        return ready.copy()
+                .orTimeout(SILENCE, TimeUnit.SECONDS)
+                .exceptionallyCompose(
+                        failure ->
+                                CompletableFuture.failedFuture(
+                                        failure instanceof TimeoutException
+                                                ? new RefusedException(
+                                                        "The simulator at %s:%d has not told within %d s what there is."
+                                                                .formatted(host, port, SILENCE))
+                                                : failure));
     }
 
     @Override

@@ -4,8 +4,11 @@ import org.auvsim.viz.scene.Scene;
 
 /** How far one object's course has been written into a scene. */
 final class ShownCourse {
-    /** So many states are told at once of an object that is somewhere else, for its trail. */
-    private static final int TRAIL = 600;
+    /** So long (s) is the trail that is told at once of an object that is somewhere else. */
+    private static final double TRAIL = 60;
+
+    /** So many states of it are told at most. */
+    private static final int MOST = 6000;
 
     private final Course course;
     private final Scene scene;
@@ -58,8 +61,9 @@ final class ShownCourse {
         if (to < 0) {
             return;
         }
-        if (isNew || back || to - state > TRAIL) {
-            state = Math.max(to - TRAIL + 1, 0);
+        if (isNew || back || to - state > MOST) {
+            int from = track.times().at(track.times().get(to) - TRAIL);
+            state = Math.max(Math.max(from, to - MOST), 0);
             scene.jump(course.id(), track.motion(state));
             marks = 0;
         }
@@ -81,8 +85,10 @@ final class ShownCourse {
         int count = course.marks().countUntil(time);
         if (count != marks) {
             marks = count;
-            int last = count - 1;
-            scene.measure(course.id(), course.marks().time(last), course.marks().get(last));
+            if (count > 0) {
+                int last = count - 1;
+                scene.measure(course.id(), course.marks().time(last), course.marks().get(last));
+            }
         }
     }
 }

@@ -4,6 +4,7 @@ import org.auvsim.auvsml.Role;
 
 import java.awt.KeyboardFocusManager;
 import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
 import java.util.Optional;
 
 import javax.swing.AbstractAction;
@@ -56,7 +57,7 @@ final class Act extends AbstractAction {
                 getValue(Action.ACCELERATOR_KEY) instanceof KeyStroke stroke
                         && stroke.getModifiers() == 0
                         && !stroke.isOnKeyRelease()
-                        && stroke.getKeyCode() < java.awt.event.KeyEvent.VK_F1;
+                        && stroke.getKeyCode() < KeyEvent.VK_F1;
         boolean byKey = e.getModifiers() == 0 && isPlain && isTyping;
         if (!byKey) {
             deed.run();

@@ -1,6 +1,7 @@
 package org.auvsim.viz.window;
 
 import org.auvsim.auvsml.AuvsmlException;
+import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.xml.Limits;
 import org.auvsim.auvsml.xml.XmlTreeReader;
@@ -63,7 +64,7 @@ final class EffectDialog {
                 "<auvsml><add-effect-command world-object-id=\"%d\">%s</add-effect-command></auvsml>"
                         .formatted(id, effect);
         try {
-            MessageCatalogue.load(EffectDialog.class.getClassLoader())
+            MessageCatalogue.load(ContextClasses.loader())
                     .decode(
                             new XmlTreeReader(Limits.MESSAGE)
                                     .read(command.getBytes(StandardCharsets.UTF_8)))

@@ -12,6 +12,7 @@ import org.auvsim.viz.scene.SeenObject;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.GridLayout;
+import java.awt.Insets;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.Locale;
@@ -127,7 +128,7 @@ final class ForcePanel {
     private static JButton button(String name, String words, Runnable deed) {
         JButton button = new JButton(words);
         button.setName(name);
-        button.setMargin(new java.awt.Insets(2, 2, 2, 2));
+        button.setMargin(new Insets(2, 2, 2, 2));
         button.addActionListener(e -> deed.run());
         return button;
     }

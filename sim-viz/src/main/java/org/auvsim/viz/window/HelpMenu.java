@@ -25,6 +25,7 @@ final class HelpMenu {
             <tr><td><b>Q E</b><td>to port and starboard
             <tr><td><b>R F</b><td>up and down
             <tr><td><b>Up and down</b><td>the bow up and down
+            <tr><td><b>Gamepad</b><td>left stick ahead and yaw, right up and aside, triggers pitch
             </table></html>\
             """;
 

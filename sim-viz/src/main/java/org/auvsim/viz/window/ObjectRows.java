@@ -9,6 +9,7 @@ import org.auvsim.viz.scene.SeenObject;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 
 import javax.swing.table.AbstractTableModel;
 
@@ -91,7 +92,7 @@ final class ObjectRows extends AbstractTableModel {
         };
     }
 
-    private String live(SeenObject object, java.util.function.ToDoubleFunction<Movement> quantity) {
+    private String live(SeenObject object, ToDoubleFunction<Movement> quantity) {
         Optional<Movement> motion = scene.motion(object.id());
         return motion.map(m -> number(quantity.applyAsDouble(m))).orElse("");
     }

@@ -4,6 +4,7 @@ import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.auvsml.message.control.ListSnapshotsRequest;
 import org.auvsim.auvsml.message.control.LoadScenarioCommand;
 import org.auvsim.auvsml.message.control.ResetCommand;
@@ -196,7 +197,7 @@ final class SimulatorMenu {
 
     private static Scenario read(Path file) {
         try {
-            return ScenarioLoader.load(SimulatorMenu.class.getClassLoader()).load(file);
+            return ScenarioLoader.load(ContextClasses.loader()).load(file);
         } catch (DocumentException e) {
             throw new CompletionException(e);
         }

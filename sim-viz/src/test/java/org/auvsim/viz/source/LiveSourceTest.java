@@ -4,12 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+
 import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.client.ConnectionException;
+import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.control.ApplyDirectForceCommand;
 import org.auvsim.auvsml.message.control.GetSimulatorStateRequest;
+import org.auvsim.auvsml.message.control.LoadScenarioCommand;
+import org.auvsim.auvsml.message.control.ResetCommand;
 import org.auvsim.auvsml.message.control.SimulatorStateResponse;
 import org.auvsim.auvsml.message.control.StepCommand;
 import org.auvsim.auvsml.message.entity.AddWorldObjectCommand;
@@ -31,6 +36,8 @@ import org.junit.jupiter.api.Timeout;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
+import java.net.Socket;
+import java.util.List;
 import java.util.concurrent.ExecutionException;
 
 /** Over real sockets. */
@@ -123,6 +130,81 @@ class LiveSourceTest {
             assertThat(source.scene().objects())
                     .extracting(SeenObject::name)
                     .containsExactly("Bob", "Dora");
+        }
+    }
+
+    @Test
+    void afterAResetMovementsAreSeenAtOnce() throws Exception {
+        TcpTransport tcp = TcpTransport.onLoopback(0);
+        try (Simulator _ = serving(tcp, Role.ADMIN);
+                LiveSource source = connected(tcp.port())) {
+            makeSteps(source, 9);
+            source.ask(new ResetCommand()).get();
+            source.ask(new StepCommand(2)).get();
+            while (Math.abs(x(source.scene(), 10) - 10.2) > 1e-9) {
+                source.ask(new GetSimulatorStateRequest()).get();
+            }
+            assertThat(source.scene().time()).isCloseTo(0.2, within(1e-9));
+        }
+    }
+
+    @Test
+    void anotherScenarioReplacesAllThatWasThere() throws Exception {
+        World other =
+                World.builder()
+                        .add(
+                                WorldObjectDefinition.named("Rock")
+                                        .id(10)
+                                        .fixed()
+                                        .volume(new Sphere(3))
+                                        .position(-7, 0, 0)
+                                        .build())
+                        .build();
+        TcpTransport tcp = TcpTransport.onLoopback(0);
+        try (Simulator _ = serving(tcp, Role.ADMIN);
+                LiveSource source = connected(tcp.port())) {
+            source.ask(new LoadScenarioCommand(Scenario.of(other))).get();
+            while (!source.scene().objects().stream()
+                    .map(SeenObject::name)
+                    .toList()
+                    .equals(List.of("Rock"))) {
+                source.ask(new GetSimulatorStateRequest()).get();
+            }
+            while (hasFields(source.scene())) {
+                source.ask(new GetSimulatorStateRequest()).get();
+            }
+            assertThat(x(source.scene(), 10)).isEqualTo(-7);
+        }
+    }
+
+    private static boolean hasFields(Scene scene) {
+        boolean[] has = new boolean[1];
+        scene.look(0, look -> has[0] = !look.fields().isEmpty());
+        return has[0];
+    }
+
+    @Test
+    void whoGoesAtOnceIsNoSimulatorToSee() throws Exception {
+        String welcome =
+                "<auvsml><welcome-message protocol-version=\"1\" server=\"x\" session-id=\"1\""
+                        + " role=\"viewer\"/></auvsml>";
+        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            Thread server =
+                    Thread.startVirtualThread(
+                            () -> {
+                                try (Socket client = socket.accept()) {
+                                    client.getOutputStream().write(welcome.getBytes(UTF_8));
+                                } catch (IOException e) {
+                                    throw new AssertionError(e);
+                                }
+                            });
+            try (LiveSource source =
+                    LiveSource.connect("127.0.0.1", socket.getLocalPort(), CATALOGUE)) {
+                assertThatThrownBy(() -> source.ready().get())
+                        .hasCauseInstanceOf(RefusedException.class)
+                        .hasMessageContaining("The simulator at 127.0.0.1:");
+            }
+            server.join();
         }
     }
 

@@ -85,10 +85,11 @@ class RecordedSourceTest {
 
         shown.at(run.time()).at(run.times().get(6));
 
+        // Steps of 0.05 s, of which each second is kept.
         int length = shown.of(1, actor -> actor.trailLength());
-        assertThat(length).isEqualTo(8);
+        assertThat(length).isEqualTo(4);
         assertThat((double) shown.of(1, actor -> actor.trailTime(0))).isEqualTo(1.5);
-        assertThat((double) shown.of(1, actor -> actor.trail(6, 0)))
+        assertThat((double) shown.of(1, actor -> actor.trail(3, 0)))
                 .isEqualTo(run.places().get(6).x());
     }
 

@@ -22,6 +22,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -122,9 +123,20 @@ final class View implements Callable<Integer> {
             ShareRead told = new ShareRead(file, spec.commandLine().getErr(), System::nanoTime);
             return RecordedSource.open(file, AuvsmlMapper.load(ContextClasses.loader()), told::at);
         }
-        Address address = new Address.Converter().convert(target);
+        Address address = address();
         return LiveSource.connect(
                 address.host(), address.port(), MessageCatalogue.load(ContextClasses.loader()));
+    }
+
+    private Address address() {
+        try {
+            return new Address.Converter().convert(target);
+        } catch (TypeConversionException e) {
+            throw new UserError(
+                    "There is no recording '%s', and as a simulator's address it is wrong: %s."
+                            .formatted(target, e.getMessage()),
+                    e);
+        }
     }
 
     /** A name with a colon is an address, but for that of a recording. */

@@ -116,6 +116,8 @@ class ViewTest {
         Path recording = recording();
         refuses("There is no renderer 'gl'; there is jme", "view", recording, "--renderer", "gl");
         refuses("--at must be within the recording", "view", recording, "--at", 99);
+        refuses("as a simulator's address it is wrong", "view", "127.0.0.1:99999");
+        refuses("--at must be within the recording", "view", recording, "--at", "NaN");
         refuses("as 1280x800, but found 'big'", "view", recording, "--size", "big");
         refuses(
                 "There is no object 'Nemo' to follow; there are AUV-1701",

@@ -8,6 +8,8 @@ final class Names implements Part {
     private static final int CROWD = 40;
     private static final double ABOVE = 0.015;
 
+    private final Placement place = new Placement();
+
     @Override
     public void paint(SceneLook look, Picture picture) {
         if (!picture.options().shows(Layer.LABELS)) {
@@ -23,8 +25,8 @@ final class Names implements Part {
         }
     }
 
-    private static void name(ActorView actor, Picture picture) {
-        double above = radius(actor) + picture.share(ABOVE);
+    private void name(ActorView actor, Picture picture) {
+        double above = reach(actor, picture) + picture.share(ABOVE);
         picture.brush()
                 .label(
                         actor.position(0) + above * picture.camera().up(0),
@@ -39,9 +41,20 @@ final class Names implements Part {
                 || actor.object().definition().get().volume().isBounded();
     }
 
-    private static double radius(ActorView actor) {
-        return actor.object().definition().isPresent() && isBounded(actor)
-                ? actor.object().definition().get().volume().boundingRadius()
-                : 0;
+    /** How far it reaches towards the picture's top (m). */
+    private double reach(ActorView actor, Picture picture) {
+        if (actor.object().definition().isEmpty() || !isBounded(actor)) {
+            return 0;
+        }
+        place.of(actor);
+        return actor.object()
+                .definition()
+                .get()
+                .volume()
+                .reach(
+                        place.pose,
+                        picture.camera().up(0),
+                        picture.camera().up(1),
+                        picture.camera().up(2));
     }
 }

@@ -27,7 +27,7 @@ public interface Screen extends AutoCloseable {
         return new CompletableFuture<>();
     }
 
-    /** Ends painting, soon. */
+    /** Ends painting and waits for its end; not from the Swing thread. */
     @Override
     void close();
 }

@@ -21,6 +21,9 @@ import java.util.concurrent.CompletableFuture;
  * keys and mouse belong to the window.
  */
 final class JmeApplication extends LegacyApplication {
+    /** Who does not end within this (ms) is left behind. */
+    private static final long PATIENCE = 5_000;
+
     /** Frames a second are counted over so many of them. */
     private static final int COUNTED = 30;
 
@@ -65,7 +68,9 @@ final class JmeApplication extends LegacyApplication {
      */
     void end() throws InterruptedException {
         stop();
-        paintingThread.join().join();
+        if (paintingThread.isDone()) {
+            paintingThread.join().join(PATIENCE);
+        }
     }
 
     CompletableFuture<Void> failure() {

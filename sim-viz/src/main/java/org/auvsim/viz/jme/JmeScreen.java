@@ -52,6 +52,10 @@ final class JmeScreen implements Screen {
 
     @Override
     public void close() {
-        application.stop();
+        try {
+            application.end();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 }

@@ -4,6 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.FlowLayout;
 import java.awt.GridLayout;
 import java.awt.Window;
+import java.nio.file.Files;
 import java.nio.file.Path;
 
 import javax.swing.BorderFactory;
@@ -81,7 +82,7 @@ final class FrameDialog {
     }
 
     private void tell() {
-        film.setText(Recorder.film(Path.of(folder.getText()), (Integer) rate.getValue()));
+        film.setText(Recorder.film(folder.getText(), (Integer) rate.getValue()));
         film.setCaretPosition(0);
     }
 
@@ -89,6 +90,10 @@ final class FrameDialog {
     void toggle() {
         if (timer.isRunning()) {
             stop();
+            return;
+        }
+        if (Files.exists(Recorder.frame(Path.of(folder.getText()), 1))) {
+            words.setText("There are frames in this folder: choose another.");
             return;
         }
         recorder.begin();

@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 
+import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 
@@ -55,6 +56,8 @@ final class Plots {
         panel.setName("plots");
         for (XYChart chart : charts) {
             XChartPanel<XYChart> one = new XChartPanel<>(chart);
+            // Its keys would take those of the window's menus.
+            one.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).clear();
             one.setMinimumSize(new Dimension(60, 60));
             panel.add(one);
         }

@@ -47,9 +47,9 @@ final class Recorder implements AutoCloseable {
     }
 
     /** What makes a film of numbered frames. */
-    static String film(Path folder, int rate) {
+    static String film(String folder, int rate) {
         return "ffmpeg -framerate %d -i \"%s\" -pix_fmt yuv420p \"%s\""
-                .formatted(rate, folder.resolve("frame-%06d.png"), folder.resolve("film.mp4"));
+                .formatted(rate, folder + "/frame-%06d.png", folder + "/film.mp4");
     }
 
     /** Begins to number frames anew. */

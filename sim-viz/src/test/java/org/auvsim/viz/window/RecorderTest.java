@@ -61,7 +61,7 @@ class RecorderTest {
 
     @Test
     void tellsHowFramesBecomeAFilm() {
-        assertThat(Recorder.film(Path.of("f"), 25))
+        assertThat(Recorder.film("f", 25))
                 .startsWith("ffmpeg -framerate 25 -i \"")
                 .contains("frame-%06d.png");
         assertThat(Recorder.frame(Path.of("f"), 12)).hasFileName("frame-000012.png");

@@ -24,11 +24,6 @@ final class Outbox {
         waiting.put(key, message);
     }
 
-    /** Forgets a waiting message. */
-    void forget(Object key) {
-        waiting.remove(key);
-    }
-
     /** Sends what waits. */
     void send() {
         List<Message> now = List.copyOf(waiting.values());

@@ -24,14 +24,6 @@ class OutboxTest {
         assertThat(sent).containsExactly(level("a", 0.3), level("b", 0.2));
     }
 
-    @Test
-    void whatIsForgottenIsNotSent() {
-        outbox.put("a", level("a", 0.1));
-        outbox.forget("a");
-        outbox.send();
-        assertThat(sent).isEmpty();
-    }
-
     private static Message level(String name, double level) {
         return new SetPropulsorCommand(1, name, level);
     }

@@ -22,7 +22,7 @@ final class Actor implements ActorView {
     private final double[] shown = new double[STATE];
     private final double[] projected = new double[STATE];
     private final double[] measured = new double[3];
-    private final Trail trail = new Trail();
+    private final Trail trail;
     private SeenObject object;
     private List<NamedForce> forces = List.of();
     private double timeBefore;
@@ -31,8 +31,10 @@ final class Actor implements ActorView {
     private double timeProjected = Double.NEGATIVE_INFINITY;
     private double timeMeasured = Double.NEGATIVE_INFINITY;
 
-    Actor(SeenObject object, double time) {
+    /** Stands at a time (s) where it is described, and remembers so many states at most. */
+    Actor(SeenObject object, double time, int remembered) {
         this.object = object;
+        trail = new Trail(remembered);
         now[TURN] = 1;
         become(object);
         object.definition().ifPresent(definition -> stand(definition, time));
@@ -66,7 +68,7 @@ final class Actor implements ActorView {
         timeProjected = Double.NEGATIVE_INFINITY;
         timeMeasured = Double.NEGATIVE_INFINITY;
         trail.clear();
-        addToTrail();
+        trail.add(motion);
     }
 
     /** Has moved on; a state of the same time replaces the last one, an older one begins anew. */
@@ -81,11 +83,7 @@ final class Actor implements ActorView {
         }
         write(motion, now);
         timeNow = motion.time();
-        addToTrail();
-    }
-
-    private void addToTrail() {
-        trail.add(timeNow, now[0], now[1], now[2]);
+        trail.add(motion);
     }
 
     void project(Movement motion) {
@@ -216,6 +214,16 @@ final class Actor implements ActorView {
     @Override
     public double trailTime(int i) {
         return trail.time(i);
+    }
+
+    @Override
+    public double trailSpeed(int i) {
+        return trail.speed(i);
+    }
+
+    @Override
+    public double trailYaw(int i) {
+        return trail.yaw(i);
     }
 
     @Override

@@ -48,6 +48,12 @@ public interface ActorView {
     /** When it was at place {@code i} of its trail (s). */
     double trailTime(int i);
 
+    /** Its speed at place {@code i} of its trail (m/s). */
+    double trailSpeed(int i);
+
+    /** Its yaw at place {@code i} of its trail (rad). */
+    double trailYaw(int i);
+
     /** The forces that somebody has set on it. */
     List<NamedForce> forces();
 }

@@ -14,15 +14,21 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Function;
 
 /**
  * What there is to see. Sources write into it from their threads, renderers and windows look at it
- * from theirs; it keeps the newest state of each object and the one before, never more, so that
- * neither side waits for the other for longer than one look takes.
+ * from theirs; it keeps the newest state of each object and the one before, and a bounded trail, so
+ * that neither side waits for the other for longer than one look takes.
  */
 public final class Scene {
     /** So many collisions, and so many occurrences, are kept. */
     private static final int MOST_KEPT = 200;
+
+    /**
+     * So many objects leave a fine trail, some 30 MB of them; those that come then a coarse one.
+     */
+    private static final int MOST_FINE = 1000;
 
     private final SceneClock clock;
     private final Map<Long, Actor> byId = new HashMap<>();
@@ -43,7 +49,8 @@ public final class Scene {
     public synchronized void add(SeenObject object) {
         Actor known = byId.get(object.id());
         if (known == null) {
-            Actor actor = new Actor(object, time);
+            int remembered = actors.size() < MOST_FINE ? Trail.MOST : Trail.FEW;
+            Actor actor = new Actor(object, time, remembered);
             byId.put(object.id(), actor);
             actors.add(actor);
             revision++;
@@ -209,6 +216,11 @@ public final class Scene {
             actors.get(i).showAt(time);
         }
         viewer.accept(look);
+    }
+
+    /** Reads something of one object as it was shown last; empty if it is not known. */
+    public synchronized <T> Optional<T> lookAt(long id, Function<ActorView, T> reading) {
+        return Optional.ofNullable(byId.get(id)).map(reading::apply);
     }
 
     private final class Look implements SceneLook {

@@ -8,6 +8,7 @@ import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.viz.scene.Angles;
 import org.auvsim.viz.scene.Movement;
 import org.auvsim.viz.scene.SeenObject;
 

@@ -1,8 +1,8 @@
 package org.auvsim.viz.window;
 
 import org.auvsim.core.entity.NamedForce;
+import org.auvsim.viz.scene.ActorView;
 import org.auvsim.viz.scene.Movement;
-import org.auvsim.viz.scene.SceneLook;
 import org.auvsim.viz.scene.SeenObject;
 
 import java.awt.Component;
@@ -24,7 +24,6 @@ final class Details {
     private final Rows rows = new Rows();
     private final JTable table = new JTable(rows);
     private final JScrollPane pane = new JScrollPane(table);
-    private List<NamedForce> forces = List.of();
 
     Details(Desk desk) {
         this.desk = desk;
@@ -55,17 +54,9 @@ final class Details {
         if (object.isEmpty() || motion.isEmpty()) {
             return List.of(NOBODY);
         }
-        desk.scene().look(System.nanoTime(), look -> readForces(look, object.get().id()));
+        List<NamedForce> forces =
+                desk.scene().lookAt(object.get().id(), ActorView::forces).orElse(List.of());
         return DetailLines.of(object.get(), motion.get(), forces);
-    }
-
-    private void readForces(SceneLook look, long id) {
-        forces = List.of();
-        for (int i = 0; i < look.count(); i++) {
-            if (look.actor(i).object().id() == id) {
-                forces = look.actor(i).forces();
-            }
-        }
     }
 
     private static final class Rows extends AbstractTableModel {

@@ -1,77 +1,112 @@
 package org.auvsim.viz.window;
 
-import org.auvsim.core.math.Vec3;
-import org.auvsim.viz.scene.Movement;
+import org.auvsim.core.math.Quat;
+import org.auvsim.viz.scene.ActorView;
+import org.auvsim.viz.scene.Angles;
 
-/**
- * How an object moved over the last minute of the world's time; never more than it has room for.
- */
+import java.util.Arrays;
+
+/** How an object has moved over the last minute of the world's time, its present state the last. */
 final class History {
-    /** x, y, z, depth (m), speed (m/s), yaw (degrees). */
-    static final int QUANTITIES = 6;
-
     static final double SECONDS = 60;
-    private static final int ROOM = 600;
 
-    private final double[] times = new double[ROOM];
-    private final double[][] values = new double[QUANTITIES][ROOM];
-    private int next;
-    private int count;
-    private double last = Double.NEGATIVE_INFINITY;
+    private final double[] times;
+    private final double[][] values;
 
-    /** Adds a state; one of the past begins anew, one that is hardly later is left out. */
-    void add(double time, Movement motion) {
-        if (time < last) {
-            clear();
-        }
-        if (time < last + SECONDS / ROOM) {
-            return;
-        }
-        Vec3 p = motion.position();
-        double yaw = Math.toDegrees(Angles.rollPitchYaw(motion.orientation())[2]);
-        double[] state = {p.x(), p.y(), p.z(), -p.z(), motion.velocity().norm(), yaw};
-        times[next] = time;
-        for (int q = 0; q < QUANTITIES; q++) {
-            values[q][next] = state[q];
-        }
-        last = time;
-        next = (next + 1) % ROOM;
-        count = Math.min(count + 1, ROOM);
+    private History(int count) {
+        times = new double[count];
+        values = new double[Quantity.values().length][count];
     }
 
-    /** The time of the last state (s). */
-    double last() {
-        return last;
+    /** An object's, as it is shown at a time (s). */
+    static History of(ActorView actor, double time) {
+        int from = 0;
+        while (from < actor.trailLength() && actor.trailTime(from) < time - SECONDS) {
+            from++;
+        }
+        int to = from;
+        while (to < actor.trailLength() && actor.trailTime(to) < time) {
+            to++;
+        }
+        History history = new History(to - from + 1);
+        for (int i = from; i < to; i++) {
+            history.set(
+                    i - from,
+                    actor.trailTime(i),
+                    actor.trail(i, 0),
+                    actor.trail(i, 1),
+                    actor.trail(i, 2),
+                    actor.trailSpeed(i),
+                    actor.trailYaw(i));
+        }
+        history.setPresent(to - from, actor, time);
+        return history;
     }
 
-    void clear() {
-        count = 0;
-        last = Double.NEGATIVE_INFINITY;
+    private void setPresent(int i, ActorView actor, double time) {
+        Quat turn =
+                new Quat(
+                        actor.orientation(0),
+                        actor.orientation(1),
+                        actor.orientation(2),
+                        actor.orientation(3));
+        double speed =
+                Math.hypot(Math.hypot(actor.velocity(0), actor.velocity(1)), actor.velocity(2));
+        set(
+                i,
+                time,
+                actor.position(0),
+                actor.position(1),
+                actor.position(2),
+                speed,
+                Angles.rollPitchYaw(turn)[2]);
     }
 
-    /** When the states were (s), those of the last minute, the oldest first. */
+    private void set(int i, double time, double x, double y, double z, double speed, double yaw) {
+        times[i] = time;
+        values[Quantity.X.ordinal()][i] = x;
+        values[Quantity.Y.ordinal()][i] = y;
+        values[Quantity.DEPTH.ordinal()][i] = 0.0 - z;
+        values[Quantity.SPEED.ordinal()][i] = speed;
+        values[Quantity.YAW.ordinal()][i] = Math.toDegrees(yaw);
+    }
+
+    /** When the states were (s), the oldest first. */
     double[] times() {
-        return inOrder(times);
+        return times.clone();
     }
 
     /** A quantity of the same states. */
-    double[] values(int quantity) {
-        return inOrder(values[quantity]);
+    double[] values(Quantity quantity) {
+        return values[quantity.ordinal()].clone();
     }
 
-    private double[] inOrder(double[] of) {
-        int skipped = 0;
-        while (skipped < count && times[slot(skipped)] < last - SECONDS) {
-            skipped++;
+    /** A quantity as a line: none is drawn from 180 to -180 degrees. */
+    double[] line(Quantity quantity) {
+        double[] line = values(quantity);
+        if (quantity == Quantity.YAW) {
+            for (int i = line.length - 1; i > 0; i--) {
+                if (Math.abs(line[i] - line[i - 1]) > 180) {
+                    line[i] = Double.NaN;
+                }
+            }
         }
-        double[] ordered = new double[count - skipped];
-        for (int i = 0; i < ordered.length; i++) {
-            ordered[i] = of[slot(skipped + i)];
-        }
-        return ordered;
+        return line;
     }
 
-    private int slot(int i) {
-        return (next - count + i + ROOM) % ROOM;
+    /** The smallest value of some quantities. */
+    double least(Quantity... of) {
+        return Arrays.stream(of)
+                .flatMapToDouble(q -> Arrays.stream(values[q.ordinal()]))
+                .min()
+                .orElse(0);
+    }
+
+    /** The largest value of some quantities. */
+    double most(Quantity... of) {
+        return Arrays.stream(of)
+                .flatMapToDouble(q -> Arrays.stream(values[q.ordinal()]))
+                .max()
+                .orElse(0);
     }
 }

@@ -107,7 +107,9 @@ class SceneTest {
     void aTrailIsBounded() {
         for (int step = 1; step <= 2 * Trail.MOST; step++) {
             scene.move(7, at(step, step, 0));
-            scene.move(7, at(step + Trail.APART / 2, -1, 0)); // too near to the one before
+            scene.move(
+                    7,
+                    at(step + Trail.SECONDS / Trail.MOST / 2, -1, 0)); // too near to the one before
         }
         scene.look(
                 0,

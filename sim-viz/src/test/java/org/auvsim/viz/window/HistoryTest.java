@@ -5,36 +5,57 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.viz.scene.Angles;
+import org.auvsim.viz.scene.LiveClock;
 import org.auvsim.viz.scene.Movement;
+import org.auvsim.viz.scene.Scene;
+import org.auvsim.viz.scene.SeenObject;
 import org.junit.jupiter.api.Test;
 
 class HistoryTest {
-    private final History history = new History();
+    private final Scene scene = new Scene(new LiveClock());
+
+    HistoryTest() {
+        scene.add(SeenObject.of(9, Scenes.buoy()));
+    }
 
     @Test
-    void keepsTheLastMinuteAlone() {
+    void whatIsSelectedLateShowsItsLastMinuteAtOnce() {
         for (int i = 0; i <= 1000; i++) {
-            add(i * 0.5);
+            move(i * 0.5);
         }
-        assertThat(history.times()).hasSize(121).startsWith(440).endsWith(500);
-        assertThat(history.values(2)).startsWith(-440).endsWith(-500);
-        assertThat(history.values(3)).endsWith(500);
+        assertThat(history().times()).hasSize(121).startsWith(440).endsWith(500);
+        assertThat(history().values(Quantity.DEPTH)).startsWith(440).endsWith(500);
+        assertThat(history().values(Quantity.SPEED)).containsOnly(1);
     }
 
     @Test
-    void neverHoldsMoreThanItHasRoomFor() {
-        for (int i = 0; i < 100_000; i++) {
-            add(i * 1e-3);
-        }
-        assertThat(history.times()).hasSizeLessThanOrEqualTo(600).hasSizeGreaterThan(500);
+    void whatIsStillToComeIsNotInIt() {
+        move(0);
+        move(1);
+        scene.jumpTo(0.5);
+        scene.look(0, look -> {});
+        assertThat(history().times()).containsExactly(0, 0.5);
+        assertThat(history().values(Quantity.DEPTH)).containsExactly(0, 0.5);
     }
 
     @Test
-    void beginsAnewWhenTimeGoesBack() {
-        add(10);
-        add(11);
-        add(3);
-        assertThat(history.times()).containsExactly(3);
+    void timeThatGoesBackBeginsAnew() {
+        move(10);
+        move(11);
+        scene.jumpTo(3);
+        move(3);
+        assertThat(history().times()).containsExactly(3);
+    }
+
+    @Test
+    void aYawThatPassesSternBreaksItsLine() {
+        turned(1, Math.toRadians(179));
+        turned(2, Math.toRadians(-179));
+        scene.stepDone(2, 0);
+        scene.look(Long.MAX_VALUE / 2, look -> {});
+        assertThat(history().line(Quantity.YAW)[2]).isNaN();
+        assertThat(history().values(Quantity.YAW)[2]).isCloseTo(-179, within(1e-9));
     }
 
     @Test
@@ -47,9 +68,20 @@ class HistoryTest {
         assertThat(angles[2]).isCloseTo(0.5, within(1e-12));
     }
 
-    private void add(double time) {
-        history.add(
-                time,
-                new Movement(time, new Vec3(0, 0, -time), Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO));
+    private History history() {
+        return scene.lookAt(9, actor -> History.of(actor, scene.time())).orElseThrow();
+    }
+
+    /** Sinks by a metre a second. */
+    private void move(double time) {
+        Vec3 down = new Vec3(0, 0, -1);
+        scene.move(9, new Movement(time, down.times(time), Quat.IDENTITY, down, Vec3.ZERO));
+        scene.stepDone(time, 0);
+        scene.look(Long.MAX_VALUE / 2, look -> {});
+    }
+
+    private void turned(double time, double yaw) {
+        Quat turn = Quat.ofAxisAngle(new Vec3(0, 0, 1), yaw);
+        scene.move(9, new Movement(time, Vec3.ZERO, turn, Vec3.ZERO, Vec3.ZERO));
     }
 }

@@ -1,0 +1,115 @@
+package org.auvsim.viz.window;
+
+import org.knowm.xchart.XChartPanel;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
+import org.knowm.xchart.style.XYStyler;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.util.List;
+import java.util.Locale;
+
+import javax.swing.JComponent;
+import javax.swing.UIManager;
+
+/** A plot of one quantity or more over time. */
+final class Plot {
+    /** A line leaves this share of the height free above and below. */
+    private static final double MARGIN = 0.08;
+
+    /** The width is at least so long (s). */
+    private static final double SHORTEST = 5;
+
+    private final Quantity[] quantities;
+    private final XYChart chart;
+    private final XChartPanel<XYChart> panel;
+
+    Plot(String title, Quantity... quantities) {
+        this.quantities = quantities.clone();
+        chart = new XYChartBuilder().width(260).height(140).title(title).build();
+        for (Quantity quantity : quantities) {
+            var series = chart.addSeries(quantity.word(), new double[] {0}, new double[] {0});
+            series.setMarker(SeriesMarkers.NONE);
+            series.setLineWidth(1.6f);
+            series.setLineColor(quantity.colour());
+            series.setLineStyle(new BasicStroke(1.6f));
+        }
+        XYStyler styler = chart.getStyler();
+        styler.setLegendVisible(quantities.length > 1);
+        styler.setLegendPosition(XYStyler.LegendPosition.InsideNW);
+        styler.setLegendPadding(2);
+        styler.setLegendBorderColor(new Color(0, true));
+        styler.setChartPadding(4);
+        styler.setPlotMargin(2);
+        styler.setXAxisTickMarkSpacingHint(50);
+        styler.setYAxisTickMarkSpacingHint(24);
+        styler.setxAxisTickLabelsFormattingFunction(Plot::seconds);
+        styler.setYAxisDecimalPattern("0.###");
+        panel = new XChartPanel<>(chart);
+        // Its keys would take those of the window's menus.
+        panel.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).clear();
+        panel.setMinimumSize(new Dimension(60, 60));
+    }
+
+    JComponent component() {
+        return panel;
+    }
+
+    private static String seconds(double time) {
+        return String.format(Locale.ROOT, time == Math.rint(time) ? "%.0f s" : "%.1f s", time);
+    }
+
+    /** Takes the colours of the window. */
+    void colour() {
+        Color back = UIManager.getColor("Panel.background");
+        Color front = UIManager.getColor("Label.foreground");
+        Color faint = UIManager.getColor("Separator.foreground");
+        Font font = UIManager.getFont("Label.font");
+        XYStyler styler = chart.getStyler();
+        styler.setChartBackgroundColor(back);
+        styler.setPlotBackgroundColor(back);
+        styler.setPlotBorderColor(faint);
+        styler.setPlotGridLinesColor(faint);
+        styler.setChartFontColor(front);
+        styler.setAxisTickLabelsColor(front);
+        styler.setXAxisTickLabelsColor(front);
+        styler.setYAxisTickLabelsColor(front);
+        styler.setAxisTickMarksColor(faint);
+        styler.setLegendBackgroundColor(new Color(0, true));
+        styler.setChartTitleFont(font.deriveFont(Font.BOLD, 12f));
+        styler.setAxisTickLabelsFont(font.deriveFont(10f));
+        styler.setLegendFont(font.deriveFont(10f));
+    }
+
+    void draw(History history) {
+        double[] times = history.times();
+        for (Quantity quantity : quantities) {
+            chart.updateXYSeries(quantity.word(), times, history.line(quantity), null);
+        }
+        double end = times[times.length - 1];
+        double[] height = height(history);
+        XYStyler styler = chart.getStyler();
+        styler.setXAxisMin(Math.min(times[0], end - SHORTEST));
+        styler.setXAxisMax(end);
+        styler.setYAxisMin(height[0]);
+        styler.setYAxisMax(height[1]);
+    }
+
+    /** From where to where its values reach; what hardly changes lies in the middle. */
+    double[] height(History history) {
+        double least = history.least(quantities);
+        double most = history.most(quantities);
+        double span = Math.max(most - least, smallest());
+        double half = (0.5 + MARGIN) * span;
+        double middle = (least + most) / 2;
+        return new double[] {middle - half, middle + half};
+    }
+
+    private double smallest() {
+        return List.of(quantities).stream().mapToDouble(Quantity::span).max().orElse(1);
+    }
+}

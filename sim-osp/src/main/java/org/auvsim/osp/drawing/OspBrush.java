@@ -203,4 +203,9 @@ final class OspBrush implements Brush {
             stage.words(at, text, colour);
         }
     }
+
+    @Override
+    public double letters() {
+        return (double) stage.letters() / Math.max(1, view.height());
+    }
 }

@@ -104,6 +104,11 @@ final class Stage {
         style.setLineColor(colour(line.colour()));
     }
 
+    /** How high letters are (pixels). */
+    int letters() {
+        return scale * LETTERS;
+    }
+
     /** Words before everything else. */
     void words(double[] at, String words, int colour) {
         var text = texts.next();

@@ -29,4 +29,7 @@ public interface Brush {
 
     /** Words beside a place, as large on the screen wherever that is. */
     void label(double x, double y, double z, String text, int colour);
+
+    /** How high the letters of labels are, as a part of the picture's height. */
+    double letters();
 }

@@ -203,4 +203,9 @@ final class JmeBrush implements Brush {
             labels.add(pixel[0], height - pixel[1], text, colour);
         }
     }
+
+    @Override
+    public double letters() {
+        return Labels.SIZE / Math.max(1, height);
+    }
 }

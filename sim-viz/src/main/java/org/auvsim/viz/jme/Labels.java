@@ -11,7 +11,8 @@ import java.util.List;
 
 /** Words on the picture. A label of the frame before is used again where its words are the same. */
 final class Labels {
-    private static final float SIZE = 15;
+    /** How high letters are (pixels). */
+    static final float SIZE = 15;
 
     private final BitmapFont font;
     private final Node node = new Node("labels");

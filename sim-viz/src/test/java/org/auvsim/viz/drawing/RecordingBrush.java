@@ -84,4 +84,9 @@ final class RecordingBrush implements Brush {
     public void label(double x, double y, double z, String text, int colour) {
         painted.add("label " + text);
     }
+
+    @Override
+    public double letters() {
+        return 0.02;
+    }
 }

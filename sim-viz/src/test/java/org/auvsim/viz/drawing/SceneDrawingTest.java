@@ -203,6 +203,41 @@ class SceneDrawingTest implements Source {
                 .containsExactly("label B33");
     }
 
+    @Test
+    void ofNamesThatWouldLieUponOneAnotherTheNearestIsSeen() {
+        camera.look(0, 0);
+        camera.aim(0, 0, 0, 20);
+        named(1, "Far", -2, 0);
+        named(2, "Near", 2, 0.1);
+        named(3, "Aside", -2, 5);
+        assertThat(painted(Layer.LABELS))
+                .filteredOn(line -> line.startsWith("label"))
+                .containsExactly("label Near", "label Aside");
+    }
+
+    @Test
+    void theNameOfWhatIsSelectedIsSeenBeforeANearerOne() {
+        camera.look(0, 0);
+        camera.aim(0, 0, 0, 20);
+        named(1, "Far", -2, 0);
+        named(2, "Near", 2, 0.1);
+        options.select(OptionalLong.of(1));
+        assertThat(painted(Layer.LABELS))
+                .filteredOn(line -> line.startsWith("label"))
+                .containsExactly("label Far");
+    }
+
+    private void named(long id, String name, double x, double y) {
+        scene.add(
+                SeenObject.of(
+                        id,
+                        WorldObjectDefinition.named(name)
+                                .mass(2)
+                                .volume(new Sphere(0.1))
+                                .position(x, y, 0)
+                                .build()));
+    }
+
     @Override
     public Scene scene() {
         return scene;

@@ -1,12 +1,8 @@
 package org.auvsim.viz.drawing;
 
-import org.auvsim.core.entity.Current;
-import org.auvsim.core.entity.Field;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.viz.scene.SceneLook;
-
-import java.util.ArrayList;
-import java.util.List;
+import org.auvsim.viz.scene.Water;
 
 /** Arrows of the water's velocity on a square around what is looked at, at its depth. */
 final class Currents implements Part {
@@ -22,8 +18,7 @@ final class Currents implements Part {
     private final Arrow arrow = new Arrow();
     private final double[] places = new double[3 * ARROWS * ARROWS];
     private final double[] velocities = new double[3 * ARROWS * ARROWS];
-    private List<Field<?>> fields = List.of();
-    private List<Current> currents = List.of();
+    private Water water = Water.STILL;
     private double square;
     private double x;
     private double y;
@@ -33,10 +28,11 @@ final class Currents implements Part {
 
     @Override
     public void paint(SceneLook look, Picture picture) {
-        if (!look.fields().equals(fields)) {
-            take(look.fields());
+        if (!look.water().equals(water)) {
+            water = look.water();
+            time = Double.NaN;
         }
-        if (!picture.options().shows(Layer.CURRENTS) || currents.isEmpty()) {
+        if (!picture.options().shows(Layer.CURRENTS) || water.isStill()) {
             return;
         }
         ask(look.time(), picture);
@@ -55,18 +51,6 @@ final class Currents implements Part {
                     Palette.CURRENT,
                     picture);
         }
-    }
-
-    private void take(List<Field<?>> others) {
-        fields = others;
-        List<Current> found = new ArrayList<>();
-        for (Field<?> field : others) {
-            if (field instanceof Current current) {
-                found.add(current.prepared());
-            }
-        }
-        currents = List.copyOf(found);
-        time = Double.NaN;
     }
 
     private void ask(double now, Picture picture) {
@@ -99,10 +83,7 @@ final class Currents implements Part {
                 places[at] = x + (i - ARROWS / 2) * square;
                 places[at + 1] = y + (j - ARROWS / 2) * square;
                 places[at + 2] = z;
-                Vec3 sum = Vec3.ZERO;
-                for (Current current : currents) {
-                    sum = sum.plus(current.valueAt(new Vec3(places[at], places[at + 1], z), time));
-                }
+                Vec3 sum = water.velocity(new Vec3(places[at], places[at + 1], z), time);
                 velocities[at] = sum.x();
                 velocities[at + 1] = sum.y();
                 velocities[at + 2] = sum.z();

@@ -46,10 +46,14 @@ public final class Driving {
         return hasPropulsors || push > 0;
     }
 
-    /** What its actuators are to do so that it does what is wanted, as far as they can. */
-    public Orders orders(Wanted wanted) {
+    /**
+     * What its actuators are to do so that it does what is wanted, as far as they can.
+     *
+     * @param isAstern whether it goes astern through the water, where fins turn it the other way
+     */
+    public Orders orders(Wanted wanted, boolean isAstern) {
         Map<String, Double> angles = new HashMap<>();
-        steerage.steer(wanted, angles);
+        steerage.steer(wanted, isAstern, angles);
         if (hasPropulsors) {
             return new Orders(thrust.levels(wanted), angles, Optional.empty());
         }

@@ -6,13 +6,13 @@ import org.auvsim.core.math.Vec3;
 import java.util.List;
 import java.util.Map;
 
-/** Turns fins so that at forward speed their lift turns the body as wanted. */
+/** Turns fins so that their lift turns the body as wanted, whether it goes ahead or astern. */
 final class Steerage {
     private static final Vec3 AHEAD = new Vec3(1, 0, 0);
 
     private final List<Fin> fins;
 
-    /** The moment that an angle brings, as a share of that of the best fin. */
+    /** The moment that an angle brings at speed ahead, as a share of that of the best fin. */
     private final double[] yaw;
 
     private final double[] pitch;
@@ -43,10 +43,12 @@ final class Steerage {
     }
 
     /** Writes the angles (rad) by name, within what each fin allows. */
-    void steer(Wanted wanted, Map<String, Double> angles) {
+    void steer(Wanted wanted, boolean isAstern, Map<String, Double> angles) {
+        // What flows from astern lifts a fin to its other side.
+        double flow = isAstern ? -1 : 1;
         for (int i = 0; i < yaw.length; i++) {
             Fin fin = fins.get(i);
-            double part = wanted.yaw() * yaw[i] + wanted.pitch() * pitch[i];
+            double part = flow * (wanted.yaw() * yaw[i] + wanted.pitch() * pitch[i]);
             double most = Math.min(fin.maximumAngle(), fin.stallAngle());
             angles.put(fin.name(), Math.clamp(part, -1, 1) * most + 0.0);
         }

@@ -37,6 +37,7 @@ public final class Scene {
     private final Deque<Occurrence> occurrences = new ArrayDeque<>();
     private final Look look = new Look();
     private List<Field<?>> fields = List.of();
+    private Water water = Water.STILL;
     private long revision;
     private double time;
 
@@ -84,6 +85,7 @@ public final class Scene {
         actors.clear();
         meetings.clear();
         fields = List.of();
+        water = Water.STILL;
         revision++;
     }
 
@@ -130,6 +132,7 @@ public final class Scene {
     /** These fields fill the world. */
     public synchronized void setFields(List<Field<?>> others) {
         fields = List.copyOf(others);
+        water = Water.of(fields);
         revision++;
     }
 
@@ -204,6 +207,11 @@ public final class Scene {
                         actor.angularVelocity(2)));
     }
 
+    /** How the water moves. */
+    public synchronized Water water() {
+        return water;
+    }
+
     /** The world's time that was shown at the last look (s). */
     public synchronized double time() {
         return time;
@@ -242,6 +250,11 @@ public final class Scene {
         @Override
         public List<Field<?>> fields() {
             return fields;
+        }
+
+        @Override
+        public Water water() {
+            return water;
         }
 
         @Override

@@ -18,6 +18,9 @@ public interface SceneLook {
     /** What fills the world: currents and other fields. */
     List<Field<?>> fields();
 
+    /** How the water moves; the same one until the fields are others. */
+    Water water();
+
     /** The last collisions, the newest first. */
     List<Meeting> meetings();
 }

@@ -9,16 +9,33 @@ import org.auvsim.auvsml.message.session.ErrorResponse;
 
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 
 /** One connection: questions out, answers and news in. */
 final class Exchange {
+    /** So many orders wait at most until they are written. */
+    static final int MOST_WAITING = 256;
+
     private final AuvsmlClient client;
     private final Map<String, CompletableFuture<Message>> open = new ConcurrentHashMap<>();
     private final AtomicLong asked = new AtomicLong();
+    private final ExecutorService writer =
+            new ThreadPoolExecutor(
+                    1,
+                    1,
+                    0,
+                    TimeUnit.SECONDS,
+                    new ArrayBlockingQueue<>(MOST_WAITING),
+                    Thread.ofVirtual().name("viewer writes").factory());
     private volatile boolean ended;
 
     Exchange(AuvsmlClient client) {
@@ -31,18 +48,41 @@ final class Exchange {
 
     /** Sends a question; its answer comes while {@link #read} runs. */
     CompletableFuture<Message> ask(Message message) {
+        return ask(message, Runnable::run);
+    }
+
+    /**
+     * Sends a question in turn with others, on a thread of this connection's: a simulator that does
+     * not read lets nobody wait.
+     */
+    CompletableFuture<Message> post(Message message) {
+        return ask(message, writer);
+    }
+
+    private CompletableFuture<Message> ask(Message message, Executor by) {
         String id = "view-" + asked.incrementAndGet();
         CompletableFuture<Message> answer = new CompletableFuture<>();
         open.put(id, answer);
         try {
-            client.request(id, message);
-        } catch (ConnectionException e) {
-            refuse(id, String.valueOf(e.getMessage()));
+            by.execute(() -> write(id, message));
+        } catch (RejectedExecutionException e) {
+            refuse(
+                    id,
+                    "The simulator does not take what it is sent: %d orders wait, and this one is left out."
+                            .formatted(MOST_WAITING));
         }
         if (ended) {
             refuse(id, "The connection to the simulator has ended.");
         }
         return answer;
+    }
+
+    private void write(String id, Message message) {
+        try {
+            client.request(id, message);
+        } catch (ConnectionException e) {
+            refuse(id, String.valueOf(e.getMessage()));
+        }
     }
 
     /** Asks for what is written into the scene when it comes; what is refused stays as it is. */
@@ -112,5 +152,6 @@ final class Exchange {
 
     void close() {
         client.close();
+        writer.shutdownNow();
     }
 }

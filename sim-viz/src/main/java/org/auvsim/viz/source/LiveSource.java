@@ -17,6 +17,7 @@ import org.auvsim.viz.scene.Scene;
 
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.CountDownLatch;
@@ -40,6 +41,7 @@ public final class LiveSource implements Source, Steering {
     private final Scene scene = new Scene(new LiveClock());
     private final CountDownLatch closed = new CountDownLatch(1);
     private final CompletableFuture<Void> ready = new CompletableFuture<>();
+    private final Pace pace = new Pace();
     private volatile Exchange exchange;
     private volatile Audience audience;
     private volatile Optional<SimulatorStateResponse> state = Optional.empty();
@@ -89,10 +91,12 @@ public final class LiveSource implements Source, Steering {
                             asking.hear(message);
                             if (message instanceof SimulatorStateResponse now) {
                                 state = Optional.of(now);
+                                pace.hear(now, System.nanoTime());
                             }
                         });
         to.close();
         state = Optional.empty();
+        pace.forget();
         ready.completeExceptionally(new RefusedException(why));
         say(why);
     }
@@ -196,8 +200,18 @@ public final class LiveSource implements Source, Steering {
                                         "%s: %.2f s, %s",
                                         place,
                                         now.time(),
-                                        now.running() ? "rate " + now.rate() : "paused"))
+                                        now.running() ? rate(now) : "paused"))
                 .orElse(place);
+    }
+
+    /** The rate that is wished, and the one that is reached. */
+    private String rate(SimulatorStateResponse now) {
+        OptionalDouble reached = pace.reached();
+        return "rate "
+                + now.rate()
+                + (reached.isEmpty()
+                        ? ""
+                        : String.format(Locale.ROOT, " (reached %.2f)", reached.getAsDouble()));
     }
 
     @Override
@@ -230,7 +244,7 @@ public final class LiveSource implements Source, Steering {
     @Override
     public CompletableFuture<Message> ask(Message message) {
         Exchange to = exchange;
-        CompletableFuture<Message> answer = to.ask(message);
+        CompletableFuture<Message> answer = to.post(message);
         if (message instanceof WorldObjectMessage about
                 && !(message instanceof DescribeWorldObjectRequest)) {
             Message again = new DescribeWorldObjectRequest(about.worldObjectId());

@@ -7,7 +7,9 @@ import org.auvsim.viz.driving.Gamepad;
 import org.auvsim.viz.driving.Orders;
 import org.auvsim.viz.driving.Sticks;
 import org.auvsim.viz.driving.Wanted;
+import org.auvsim.viz.driving.Way;
 import org.auvsim.viz.scene.SeenObject;
+import org.auvsim.viz.source.Steering;
 
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
@@ -27,6 +29,8 @@ final class Driver implements KeyEventDispatcher {
     private Optional<Long> driven = Optional.empty();
     private Optional<Driving> driving = Optional.empty();
     private Wanted before = Wanted.NOTHING;
+    private boolean wasAstern;
+    private Way way = new Way();
     private Orders orders = Orders.NONE;
 
     Driver(Desk desk, Gamepad gamepad, Window window) {
@@ -59,7 +63,9 @@ final class Driver implements KeyEventDispatcher {
         if (!window.isFocused()) {
             keys.letGo();
         }
-        Optional<SeenObject> object = desk.isDriving() ? desk.selected() : Optional.empty();
+        // Who comes back to a simulator has let go of everything there, and asks for it again.
+        Optional<SeenObject> object =
+                desk.isDriving() && isConnected() ? desk.selected() : Optional.empty();
         if (!object.map(SeenObject::id).equals(driven)) {
             stop();
             object.ifPresent(this::begin);
@@ -69,14 +75,29 @@ final class Driver implements KeyEventDispatcher {
         }
         Wanted wanted =
                 keys.wanted().plus(gamepad.poll().map(Sticks::wanted).orElse(Wanted.NOTHING));
-        if (!wanted.equals(before)) {
+        look(driven.get());
+        boolean turnsRound = way.isAstern() != wasAstern && !wanted.equals(Wanted.NOTHING);
+        if (!wanted.equals(before) || turnsRound) {
             before = wanted;
-            give(driving.get().orders(wanted));
+            wasAstern = way.isAstern();
+            give(driving.get().orders(wanted, wasAstern));
         }
+    }
+
+    private boolean isConnected() {
+        return desk.source().steering().map(Steering::isConnected).orElse(true);
+    }
+
+    private void look(long id) {
+        desk.scene()
+                .motion(id)
+                .ifPresent(m -> way.see(m, desk.scene().water().velocity(m.position(), m.time())));
     }
 
     private void begin(SeenObject object) {
         driven = Optional.of(object.id());
+        way = new Way();
+        wasAstern = false;
         driving = object.definition().map(Driving::new).filter(Driving::isPossible);
         if (!desk.may(Role.CONTROLLER) || driving.isEmpty()) {
             desk.say(
@@ -87,8 +108,8 @@ final class Driver implements KeyEventDispatcher {
     }
 
     private void stop() {
-        if (!before.equals(Wanted.NOTHING)) {
-            driving.ifPresent(d -> give(d.orders(Wanted.NOTHING)));
+        if (!before.equals(Wanted.NOTHING) && isConnected()) {
+            driving.ifPresent(d -> give(d.orders(Wanted.NOTHING, wasAstern)));
         }
         driving = Optional.empty();
         driven = Optional.empty();

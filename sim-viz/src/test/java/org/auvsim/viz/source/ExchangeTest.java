@@ -1,0 +1,57 @@
+package org.auvsim.viz.source;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import org.auvsim.auvsml.client.AuvsmlClient;
+import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.control.TakeSnapshotCommand;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.time.Duration;
+import java.util.concurrent.CompletableFuture;
+
+/** Over real sockets. */
+@Timeout(60)
+class ExchangeTest {
+    private static final String WELCOME =
+            "<auvsml><welcome-message protocol-version=\"1\" server=\"x\" session-id=\"1\""
+                    + " role=\"admin\"/></auvsml>";
+
+    @Test
+    void aSimulatorThatDoesNotReadHoldsUpNobodyAndThatIsSaid() throws Exception {
+        Message large = new TakeSnapshotCommand("s".repeat(200_000));
+        try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            CompletableFuture<Socket> accepted = CompletableFuture.supplyAsync(() -> greet(server));
+            Exchange exchange =
+                    new Exchange(AuvsmlClient.connect("127.0.0.1", server.getLocalPort()));
+            CompletableFuture<Message> last = exchange.post(large);
+            while (!last.isDone()) {
+                last = exchange.post(large);
+            }
+            assertThat(last)
+                    .isCompletedExceptionally()
+                    .failsWithin(Duration.ZERO)
+                    .withThrowableThat()
+                    .withMessageContaining("256 orders wait, and this one is left out");
+            exchange.close();
+            accepted.get().close();
+        }
+    }
+
+    private static Socket greet(ServerSocket server) {
+        try {
+            Socket client = server.accept();
+            client.getOutputStream().write(WELCOME.getBytes(UTF_8));
+            return client;
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+    }
+}

@@ -55,11 +55,13 @@ final class Audience {
 
     private final Scene scene;
     private final Exchange exchange;
+    private final Strangers strangers;
     private int turn;
 
-    Audience(Scene scene, Exchange exchange) {
+    Audience(Scene scene, Exchange exchange, Strangers strangers) {
         this.scene = scene;
         this.exchange = exchange;
+        this.strangers = strangers;
     }
 
     /**
@@ -118,13 +120,17 @@ final class Audience {
                 true, List.of(new ListenedObject(ListenedObject.EVERY, listeners)));
     }
 
-    /** Asks what an object is made of; if that cannot be told, its name is all that is known. */
+    /** Asks what an object is made of; if that cannot be read, its name is all that is known. */
     private CompletableFuture<Boolean> describe(long id, String name) {
         return exchange.ask(new DescribeWorldObjectRequest(id))
                 .handle(
                         (_, refusal) -> {
-                            if (refusal != null) {
+                            if (refusal instanceof UnknownException unknown) {
                                 scene.add(new SeenObject(id, name, Optional.empty()));
+                                strangers.tell(
+                                        name,
+                                        "has %s, without which this viewer shows it as a small box"
+                                                .formatted(unknown.words()));
                             }
                             return refusal == null;
                         });
@@ -136,7 +142,7 @@ final class Audience {
             case EntityAddedMessage(double _, long id) ->
                     Thread.startVirtualThread(
                             () -> {
-                                exchange.want(new DescribeWorldObjectRequest(id));
+                                describe(id, "#" + id);
                                 exchange.want(new GetFieldListRequest());
                             });
             case EntityRemovedMessage _ ->

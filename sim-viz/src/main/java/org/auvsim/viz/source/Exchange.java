@@ -1,8 +1,9 @@
 package org.auvsim.viz.source;
 
+import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.ConnectionException;
-import org.auvsim.auvsml.client.Received;
+import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.session.DisconnectedNotification;
 import org.auvsim.auvsml.message.session.ErrorResponse;
@@ -26,6 +27,7 @@ final class Exchange {
     static final int MOST_WAITING = 256;
 
     private final AuvsmlClient client;
+    private final MessageCatalogue catalogue;
     private final Map<String, CompletableFuture<Message>> open = new ConcurrentHashMap<>();
     private final AtomicLong asked = new AtomicLong();
     private final ExecutorService writer =
@@ -38,8 +40,10 @@ final class Exchange {
                     Thread.ofVirtual().name("viewer writes").factory());
     private volatile boolean ended;
 
-    Exchange(AuvsmlClient client) {
+    /** Over a connection whose simulator may send the messages of a catalogue, and others. */
+    Exchange(AuvsmlClient client, MessageCatalogue catalogue) {
         this.client = client;
+        this.catalogue = catalogue;
     }
 
     AuvsmlClient client() {
@@ -103,26 +107,27 @@ final class Exchange {
     }
 
     /**
-     * Reads until the connection ends, and hands on each message.
+     * Reads until the connection ends, and hands on what comes.
      *
      * @return why it ended, in a sentence
      */
-    String read(Consumer<Message> reader) {
+    String read(Consumer<Letter> reader) {
         String why = "The simulator at %s has ended the connection.".formatted(client.address());
         try {
-            Optional<Received> received = client.next();
-            while (received.isPresent()) {
-                for (Message message : received.get().messages()) {
-                    reader.accept(message);
-                    if (message instanceof DisconnectedNotification(String reason)) {
-                        why = "The simulator at %s ends: %s.".formatted(client.address(), reason);
-                    }
-                }
-                received.get().requestId().ifPresent(answered(received.get()));
-                received = client.next();
+            Optional<String> text = client.nextText();
+            while (text.isPresent()) {
+                Letter letter = Letter.read(text.get(), catalogue);
+                reader.accept(letter);
+                why = farewell(letter).orElse(why);
+                letter.requestId().ifPresent(id -> answer(id, letter));
+                text = client.nextText();
             }
         } catch (ConnectionException e) {
             why = String.valueOf(e.getMessage());
+        } catch (AuvsmlException e) {
+            why =
+                    "What the simulator at %s sent is not AUVSML: %s."
+                            .formatted(client.address(), e.getMessage());
         }
         ended = true;
         for (String id : open.keySet()) {
@@ -131,23 +136,26 @@ final class Exchange {
         return why;
     }
 
-    private Consumer<String> answered(Received received) {
-        return id -> {
-            CompletableFuture<Message> answer = open.remove(id);
-            if (answer == null) {
-                return;
-            }
-            if (received.messages().isEmpty()) {
-                answer.completeExceptionally(
-                        new RefusedException(
-                                "The answer holds what this viewer does not know: start it with the"
-                                        + " simulator's --extensions."));
-            } else if (received.messages().getFirst() instanceof ErrorResponse error) {
-                answer.completeExceptionally(new RefusedException(error.text()));
-            } else {
-                answer.complete(received.messages().getFirst());
-            }
-        };
+    private Optional<String> farewell(Letter letter) {
+        return letter.messages().stream()
+                .filter(DisconnectedNotification.class::isInstance)
+                .map(DisconnectedNotification.class::cast)
+                .map(m -> "The simulator at %s ends: %s.".formatted(client.address(), m.reason()))
+                .findFirst();
+    }
+
+    private void answer(String id, Letter letter) {
+        CompletableFuture<Message> answer = open.remove(id);
+        if (answer == null) {
+            return;
+        }
+        if (letter.messages().isEmpty()) {
+            answer.completeExceptionally(new UnknownException(letter.unknownWords()));
+        } else if (letter.messages().getFirst() instanceof ErrorResponse error) {
+            answer.completeExceptionally(new RefusedException(error.text()));
+        } else {
+            answer.complete(letter.messages().getFirst());
+        }
     }
 
     void close() {

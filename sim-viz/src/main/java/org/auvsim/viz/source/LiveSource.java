@@ -52,7 +52,7 @@ public final class LiveSource implements Source, Steering {
         this.port = port;
         this.catalogue = catalogue;
         this.exchange = first;
-        this.audience = new Audience(scene, first);
+        this.audience = new Audience(scene, first, new Strangers(scene));
     }
 
     /**
@@ -63,7 +63,7 @@ public final class LiveSource implements Source, Steering {
      */
     public static LiveSource connect(String host, int port, MessageCatalogue catalogue)
             throws ConnectionException {
-        Exchange first = new Exchange(AuvsmlClient.connect(host, port, catalogue));
+        Exchange first = new Exchange(AuvsmlClient.connect(host, port, catalogue), catalogue);
         LiveSource source = new LiveSource(host, port, catalogue, first);
         Thread.ofVirtual().name("viewer reads").start(source::stayConnected);
         Thread.ofVirtual().name("viewer asks").start(source::keepAsking);
@@ -81,24 +81,30 @@ public final class LiveSource implements Source, Steering {
         scene.clear();
         trouble = Optional.empty();
         SceneWriter writer = new SceneWriter(scene);
-        Audience asking = new Audience(scene, to);
+        Strangers strangers = new Strangers(scene);
+        Audience asking = new Audience(scene, to, strangers);
         audience = asking;
         Thread.startVirtualThread(() -> begin(asking));
         String why =
                 to.read(
-                        message -> {
-                            writer.write(message);
-                            asking.hear(message);
-                            if (message instanceof SimulatorStateResponse now) {
-                                state = Optional.of(now);
-                                pace.hear(now, System.nanoTime());
-                            }
+                        letter -> {
+                            strangers.hear(letter);
+                            letter.messages().forEach(message -> hear(message, writer, asking));
                         });
         to.close();
         state = Optional.empty();
         pace.forget();
         ready.completeExceptionally(new RefusedException(why));
         say(why);
+    }
+
+    private void hear(Message message, SceneWriter writer, Audience asking) {
+        writer.write(message);
+        asking.hear(message);
+        if (message instanceof SimulatorStateResponse now) {
+            state = Optional.of(now);
+            pace.hear(now, System.nanoTime());
+        }
     }
 
     private void begin(Audience asking) {
@@ -120,7 +126,8 @@ public final class LiveSource implements Source, Steering {
     private void reconnect() {
         while (!isClosed() && !waits(TRY_AGAIN_MILLIS)) {
             try {
-                Exchange next = new Exchange(AuvsmlClient.connect(host, port, catalogue));
+                Exchange next =
+                        new Exchange(AuvsmlClient.connect(host, port, catalogue), catalogue);
                 scene.tell(new Occurrence(scene.time(), "Connected again."));
                 exchange = next;
                 if (isClosed()) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static java.nio.charset.StandardCharsets.UTF_8;
 
 import org.auvsim.auvsml.client.AuvsmlClient;
+import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.control.TakeSnapshotCommand;
 import org.junit.jupiter.api.Test;
@@ -30,7 +31,9 @@ class ExchangeTest {
         try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             CompletableFuture<Socket> accepted = CompletableFuture.supplyAsync(() -> greet(server));
             Exchange exchange =
-                    new Exchange(AuvsmlClient.connect("127.0.0.1", server.getLocalPort()));
+                    new Exchange(
+                            AuvsmlClient.connect("127.0.0.1", server.getLocalPort()),
+                            MessageCatalogue.load(getClass().getClassLoader()));
             CompletableFuture<Message> last = exchange.post(large);
             while (!last.isDone()) {
                 last = exchange.post(large);

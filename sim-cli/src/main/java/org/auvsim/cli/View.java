@@ -2,6 +2,7 @@ package org.auvsim.cli;
 
 import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.document.recording.Reach;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
@@ -26,6 +27,7 @@ import picocli.CommandLine.TypeConversionException;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -121,11 +123,24 @@ final class View implements Callable<Integer> {
         if (isFile()) {
             Path file = Path.of(target);
             ShareRead told = new ShareRead(file, spec.commandLine().getErr(), System::nanoTime);
-            return RecordedSource.open(file, AuvsmlMapper.load(ContextClasses.loader()), told::at);
+            RecordedSource recording =
+                    RecordedSource.open(file, AuvsmlMapper.load(ContextClasses.loader()), told::at);
+            tell(file, recording.reach());
+            return recording;
         }
         Address address = address();
         return LiveSource.connect(
                 address.host(), address.port(), MessageCatalogue.load(ContextClasses.loader()));
+    }
+
+    private void tell(Path file, Reach reach) {
+        if (!reach.isWhole()) {
+            PrintWriter err = spec.commandLine().getErr();
+            err.printf(
+                    "%s: notice: it is shown up to %s s: %s.%n",
+                    file, reach.timestamp(), reach.reason());
+            err.flush();
+        }
     }
 
     private Address address() {

@@ -21,6 +21,7 @@ import javax.tools.ToolProvider;
 /** A folder of extensions that are compiled for a test. */
 record ExtensionFolder(Path path) {
     static final String EFFECT = "org.auvsim.core.entity.Effect";
+    static final String RENDERER = "org.auvsim.viz.drawing.Renderer";
     static final String PROCESSOR = "org.auvsim.server.feedback.FeedbackProcessor";
 
     /** An effect that pushes with a constant force along x. */
@@ -46,6 +47,28 @@ record ExtensionFolder(Path path) {
                 }
                 @Override
                 public void process(org.auvsim.server.feedback.Correction correction) {}
+            }
+            """;
+
+    /** A renderer that paints nothing. */
+    static final String CHALK =
+            """
+            package own;
+            import org.auvsim.viz.drawing.*;
+            public class Chalk implements Renderer {
+                @Override
+                public String name() {
+                    return "chalk";
+                }
+                @Override
+                public Screen screen(Painter painter) throws ScreenException {
+                    throw new ScreenException("Chalk paints nothing.");
+                }
+                @Override
+                public java.awt.image.BufferedImage picture(Painter painter, int wide, int high)
+                        throws ScreenException {
+                    throw new ScreenException("Chalk paints nothing.");
+                }
             }
             """;
 

@@ -2,9 +2,11 @@ package org.auvsim.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.auvsim.cli.ExtensionFolder.CHALK;
 import static org.auvsim.cli.ExtensionFolder.EFFECT;
 import static org.auvsim.cli.ExtensionFolder.PROCESSOR;
 import static org.auvsim.cli.ExtensionFolder.PUSH;
+import static org.auvsim.cli.ExtensionFolder.RENDERER;
 import static org.auvsim.cli.ExtensionFolder.SHRUG;
 
 import org.junit.jupiter.api.BeforeEach;
@@ -225,6 +227,19 @@ class ExtensionsTest {
             folder.add(name, PROCESSOR, "own.Shrug", SHRUG);
         }
         assertRefused("a.jar and ", "b.jar both provide the FeedbackProcessor 'Shrug'");
+    }
+
+    @Test
+    void twoRenderersWithOneNameAreNamed() throws IOException {
+        folder.add("a.jar", RENDERER, "own.Chalk", CHALK);
+        folder.add("b.jar", RENDERER, "own.Pen", CHALK.replace("Chalk", "Pen"));
+        assertRefused("a.jar and ", "b.jar both provide the Renderer 'chalk'");
+    }
+
+    @Test
+    void aRendererWithTheNameOfAuvsimsOwnIsNamed() throws IOException {
+        folder.add("a.jar", RENDERER, "own.Chalk", CHALK.replace("\"chalk\"", "\"jme\""));
+        assertRefused("a.jar provides the Renderer 'jme', as auvsim itself does");
     }
 
     @Test

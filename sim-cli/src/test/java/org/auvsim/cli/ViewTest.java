@@ -17,6 +17,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 
 import javax.imageio.ImageIO;
 
@@ -109,6 +110,37 @@ class ViewTest {
         bytes[bytes.length / 2] ^= 0x55;
         Files.write(damaged, bytes);
         refuses("run.auvsml.gz", "view", damaged);
+    }
+
+    @Test
+    @Tag("display")
+    void aRecordingThatIsCutOffIsShownAsFarAsItGoesAndThatIsTold() throws IOException {
+        Path whole = recording();
+        byte[] bytes = Files.readAllBytes(whole);
+        Path cut = folder.resolve("cut.auvsml.gz");
+        Files.write(cut, Arrays.copyOf(bytes, 2 * bytes.length / 3));
+        Path picture = folder.resolve("cut.png");
+        assertThat(auvsim.run("view", cut, "--picture", picture)).as(auvsim.err()).isZero();
+        assertThat(auvsim.err())
+                .containsPattern("cut.auvsml.gz: notice: it is shown up to [01]\\.[0-9]+ s: ");
+        assertThat(picture).exists();
+    }
+
+    @Test
+    void aRendererThatCannotPaintIsOneSentence() throws IOException {
+        ExtensionFolder extensions =
+                new ExtensionFolder(Files.createDirectories(folder.resolve("extensions")));
+        extensions.add("chalk.jar", ExtensionFolder.RENDERER, "own.Chalk", ExtensionFolder.CHALK);
+        refuses(
+                "Chalk paints nothing.",
+                "view",
+                recording(),
+                "--renderer",
+                "chalk",
+                "--extensions",
+                extensions.path(),
+                "--picture",
+                folder.resolve("x.png"));
     }
 
     @Test

@@ -1,6 +1,7 @@
 package org.auvsim.cli.extension;
 
 import static java.util.Objects.requireNonNull;
+import static java.util.stream.Collectors.toSet;
 
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.cli.extension.ExtensionJar.Named;
@@ -16,6 +17,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.ServiceLoader;
 import java.util.Set;
 
 /** Whether all that extensions name is there, fits, and has a name of its own. */
@@ -59,12 +61,21 @@ final class ProviderCheck {
         if (!type.isAssignableFrom(provider)) {
             throw unusable(jar, named, "does not implement it: implement it, or take the line out");
         }
-        if (MADE.contains(type)) {
-            requireMakeable(jar, named, provider);
-        } else if (!provider.isRecord()) {
-            throw unusable(jar, named, "is no record: make it one");
+        if (!MADE.contains(type)) {
+            if (!provider.isRecord()) {
+                throw unusable(jar, named, "is no record: make it one");
+            }
+            String name = ElementName.of(provider);
+            requireFree(name, new Place(jar, provider), type);
+            requireOwnName(name, new Place(jar, provider), type);
+            return;
         }
-        requireOwnName(jar, type, provider);
+        requireMakeable(jar, named, provider);
+        String name = nameOf(made(jar, named, provider));
+        requireFree(name, new Place(jar, provider), type);
+        if (namesOfOwn(type).contains(name)) {
+            throw takenByOwn(name, new Place(jar, provider), type);
+        }
     }
 
     private Class<?> type(Path jar, Named named) {
@@ -121,22 +132,54 @@ final class ProviderCheck {
         }
     }
 
-    private void requireOwnName(Path jar, Class<?> type, Class<?> provider) {
-        boolean isMade = MADE.contains(type);
-        String name = isMade ? provider.getSimpleName() : ElementName.of(provider);
-        Place place = new Place(jar, provider);
+    private static Object made(Path jar, Named named, Class<?> provider) {
+        try {
+            return provider.getConstructor().newInstance();
+        } catch (ReflectiveOperationException | LinkageError e) {
+            throw unusable(jar, named, "cannot be made (%s): mend its constructor".formatted(e), e);
+        }
+    }
+
+    /** The name by which somebody chooses it. */
+    private static String nameOf(Object made) {
+        return switch (made) {
+            case Renderer renderer -> renderer.name();
+            case FeedbackProcessor processor -> processor.name();
+            default -> made.getClass().getSimpleName();
+        };
+    }
+
+    private Set<String> namesOfOwn(Class<?> type) {
+        return ServiceLoader.load(type, ownLoader).stream()
+                .map(own -> nameOf(own.get()))
+                .collect(toSet());
+    }
+
+    private void requireFree(String name, Place place, Class<?> type) {
         Place other = taken.getOrDefault(type.getName() + " " + name, place);
         if (!other.equals(place)) {
             throw new UserError(
                     "%s and %s both provide the %s '%s': take one of them out of the folder, or rename one."
-                            .formatted(other.jar(), jar, type.getSimpleName(), name));
+                            .formatted(other.jar(), place.jar(), type.getSimpleName(), name));
         }
         taken.put(type.getName() + " " + name, place);
-        if (!isMade && own.implementations(type).getOrDefault(name, provider) != provider) {
-            throw new UserError(
-                    "%s provides the %s '%s', as auvsim itself does: rename %s."
-                            .formatted(jar, type.getSimpleName(), name, provider.getName()));
+    }
+
+    private void requireOwnName(String name, Place place, Class<?> type) {
+        Class<?> provider = place.provider();
+        if (own.implementations(type).getOrDefault(name, provider) != provider) {
+            throw takenByOwn(name, place, type);
         }
+    }
+
+    private static UserError takenByOwn(String name, Place place, Class<?> type) {
+        return new UserError(
+                "%s provides the %s '%s', as auvsim itself does: rename %s."
+                        .formatted(
+                                place.jar(),
+                                type.getSimpleName(),
+                                name,
+                                place.provider().getName()));
     }
 
     private static UserError unusable(Path jar, Named named, String what) {

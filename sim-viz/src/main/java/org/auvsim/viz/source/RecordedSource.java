@@ -32,12 +32,14 @@ public final class RecordedSource implements Source {
 
     private final String name;
     private final String notices;
+    private final Reach reach;
     private final PlayHead head;
     private final ShownChronicle shown;
 
-    private RecordedSource(String name, Chronicle chronicle, List<String> notices) {
+    private RecordedSource(String name, Chronicle chronicle, Reach reach) {
         this.name = name;
-        this.notices = String.join("", notices);
+        this.notices = notices(reach, chronicle.stride());
+        this.reach = reach;
         this.head = new PlayHead(chronicle.steps());
         this.shown = new ShownChronicle(chronicle);
         shown.show(head.time());
@@ -64,9 +66,7 @@ public final class RecordedSource implements Source {
             Chronicle chronicle = ChronicleReader.read(reader, file.toString(), most, share::tell);
             progress.accept(1.0);
             return new RecordedSource(
-                    String.valueOf(file.getFileName()),
-                    chronicle,
-                    notices(reader.reach(), chronicle.stride()));
+                    String.valueOf(file.getFileName()), chronicle, reader.reach());
         } catch (NoSuchFileException e) {
             throw new DocumentException(file + ": there is no such file", e);
         } catch (IOException e) {
@@ -74,7 +74,7 @@ public final class RecordedSource implements Source {
         }
     }
 
-    private static List<String> notices(Reach reach, int stride) {
+    private static String notices(Reach reach, int stride) {
         List<String> notices = new ArrayList<>();
         if (!reach.isWhole()) {
             notices.add("; it was cut off and is shown as far as it goes");
@@ -82,7 +82,12 @@ public final class RecordedSource implements Source {
         if (stride > 1) {
             notices.add("; it is long: one state of %d is shown".formatted(stride));
         }
-        return notices;
+        return String.join("", notices);
+    }
+
+    /** How far the recording goes. */
+    public Reach reach() {
+        return reach;
     }
 
     @Override

@@ -20,6 +20,9 @@ import java.util.stream.Collectors;
  * @param follow the object that the camera goes with, by its name or id
  */
 public record ViewStart(boolean dark, StandardView from, Optional<String> follow) {
+    /** So many times its own size is the camera away from what it follows. */
+    private static final double AWAY = 8;
+
     /**
      * Lets options and camera begin so.
      *
@@ -44,9 +47,6 @@ public record ViewStart(boolean dark, StandardView from, Optional<String> follow
                                             AWAY * radius));
         }
     }
-
-    /** So many times its own size is the camera away from what it follows. */
-    private static final double AWAY = 8;
 
     private static SeenObject named(Scene scene, String name) throws ScreenException {
         for (SeenObject object : scene.objects()) {

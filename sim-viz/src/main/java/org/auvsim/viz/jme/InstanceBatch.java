@@ -21,6 +21,9 @@ final class InstanceBatch extends InstancedGeometry {
     private static final int FLOATS = 16;
     private static final int FIRST = 64;
 
+    /** What is flat is as thick as this (m), so that it has a side to be lit. */
+    private static final double THIN = 1e-6;
+
     private final VertexBuffer instances = new VertexBuffer(VertexBuffer.Type.InstanceData);
     private final VertexBuffer[] all = {instances};
     private final float[] one = new float[FLOATS];
@@ -41,9 +44,6 @@ final class InstanceBatch extends InstancedGeometry {
         data.clear();
         count = 0;
     }
-
-    /** What is flat is as thick as this (m), so that it has a side to be lit. */
-    private static final double THIN = 1e-6;
 
     /** A copy in a pose, its place given from the picture's own origin (m), with three sizes. */
     void add(

@@ -2,6 +2,7 @@ package org.auvsim.viz.window;
 
 import java.awt.Window;
 import java.io.File;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
@@ -63,12 +64,27 @@ final class FileMenu {
         chooser.setFileFilter(new FileNameExtensionFilter("PNG pictures", "png"));
         chooser.setSelectedFile(new File(chooser.getCurrentDirectory(), pictureName()));
         if (chooser.showSaveDialog(window) == JFileChooser.APPROVE_OPTION) {
-            save(chooser.getSelectedFile().toPath());
+            saveAs(chooser.getSelectedFile().toPath());
         }
     }
 
+    /** Saves as a file that somebody has named; one that is there only if they say so. */
+    void saveAs(Path named) {
+        Path file = png(named);
+        String question = "There is a file %s. Write over it?".formatted(file.getFileName());
+        if (!Files.exists(file) || Question.confirms(window, question, "Write over")) {
+            save(file);
+        }
+    }
+
+    /** The same with .png at its end, if it has no suffix. */
+    static Path png(Path named) {
+        String name = String.valueOf(named.getFileName());
+        return name.contains(".") ? named : named.resolveSibling(name + ".png");
+    }
+
     /** Saves the next frame and tells how it went. */
-    void save(Path file) {
+    private void save(Path file) {
         var _ =
                 recorder.save(file)
                         .whenComplete(

@@ -4,17 +4,21 @@ import java.awt.BorderLayout;
 import java.awt.FlowLayout;
 import java.awt.GridLayout;
 import java.awt.Window;
+import java.awt.event.KeyEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSpinner;
 import javax.swing.JTextField;
+import javax.swing.KeyStroke;
 import javax.swing.SpinnerNumberModel;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
@@ -31,6 +35,7 @@ final class FrameDialog {
     private final JLabel words = new JLabel(" ");
     private final JButton start = new JButton("Start");
     private final Timer timer = new Timer(40, e -> frame());
+    private Optional<JDialog> opened = Optional.empty();
 
     FrameDialog(Desk desk, Window window, Recorder recorder) {
         this.desk = desk;
@@ -47,7 +52,16 @@ final class FrameDialog {
         tell();
     }
 
+    /** Shows it, or brings it to the front. */
     void open() {
+        if (opened.isEmpty()) {
+            opened = Optional.of(build());
+        }
+        opened.get().setVisible(true);
+        opened.get().toFront();
+    }
+
+    private JDialog build() {
         JDialog dialog = new JDialog(window, "Record frames");
         dialog.setName("frames-dialog");
         JButton choose = new JButton("Choose...");
@@ -68,9 +82,14 @@ final class FrameDialog {
         all.add(film);
         all.add(words);
         dialog.add(all);
+        dialog.getRootPane()
+                .registerKeyboardAction(
+                        e -> dialog.setVisible(false),
+                        KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
+                        JComponent.WHEN_IN_FOCUSED_WINDOW);
         dialog.pack();
         dialog.setLocationRelativeTo(window);
-        dialog.setVisible(true);
+        return dialog;
     }
 
     private void choose(JDialog dialog) {

@@ -25,7 +25,6 @@ import java.util.concurrent.CompletionException;
 import javax.swing.JFileChooser;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
-import javax.swing.JOptionPane;
 import javax.swing.SwingUtilities;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
@@ -54,7 +53,7 @@ final class SimulatorMenu {
         menu.addSeparator();
         item(menu, "take-snapshot", act("Take a snapshot", this::takeSnapshot).key("ctrl T"));
         menu.add(restore);
-        item(menu, "reset", act("Reset", () -> desk.ask(new ResetCommand())));
+        item(menu, "reset", act("Reset...", this::reset));
         item(menu, "load-scenario", act("Load a scenario...", this::load).key("ctrl L"));
         menu.addSeparator();
         menu.add(clients);
@@ -139,20 +138,14 @@ final class SimulatorMenu {
                 .forEach(
                         client -> {
                             String words =
-                                    "Disconnect %s, %s at %s"
+                                    "Disconnect %s, %s at %s..."
                                             .formatted(client.name(), client.role(), client.peer());
                             String session = Long.toString(client.sessionId());
                             JMenuItem item =
                                     clients.add(
                                             new Act(
                                                     words,
-                                                    () ->
-                                                            desk.ask(
-                                                                    new DisconnectClientCommand(
-                                                                            session,
-                                                                            "an administrator has"
-                                                                                + " ended the"
-                                                                                + " session"))));
+                                                    () -> disconnect(client.name(), session)));
                             item.setName("disconnect-" + session);
                         });
         none(clients);
@@ -203,15 +196,24 @@ final class SimulatorMenu {
         }
     }
 
+    private void reset() {
+        String question = "Bring the world back to its beginning for all clients?";
+        if (Question.confirms(window, question, "Reset")) {
+            desk.ask(new ResetCommand());
+        }
+    }
+
+    private void disconnect(String name, String session) {
+        String question = "End the session of %s? What it controls is let go.".formatted(name);
+        if (Question.confirms(window, question, "Disconnect")) {
+            desk.ask(
+                    new DisconnectClientCommand(session, "an administrator has ended the session"));
+        }
+    }
+
     private void shutdown() {
-        int answer =
-                JOptionPane.showConfirmDialog(
-                        window,
-                        "Shut the simulator down for all its clients?",
-                        "Shut down",
-                        JOptionPane.YES_NO_OPTION,
-                        JOptionPane.QUESTION_MESSAGE);
-        if (answer == JOptionPane.YES_OPTION) {
+        String question = "Shut the simulator down for all its clients?";
+        if (Question.confirms(window, question, "Shut down")) {
             desk.ask(new ShutdownSimulatorCommand());
         }
     }

@@ -2,10 +2,15 @@ package org.auvsim.viz.window;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Window;
 import java.awt.event.MouseEvent;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.Stream;
 
+import javax.swing.AbstractButton;
+import javax.swing.JDialog;
 import javax.swing.JMenu;
 import javax.swing.SwingUtilities;
 
@@ -23,7 +28,11 @@ final class Clicks {
     }
 
     static <C extends Component> C find(ViewerWindow window, String name, Class<C> kind) {
-        return find(window.frame(), name)
+        return find(window.frame(), name, kind);
+    }
+
+    static <C extends Component> C find(Container in, String name, Class<C> kind) {
+        return find(in, name)
                 .map(kind::cast)
                 .orElseThrow(() -> new AssertionError("there is no component " + name));
     }
@@ -37,6 +46,39 @@ final class Clicks {
             }
             Optional<Component> inside =
                     part instanceof Container more ? find(more, name) : Optional.empty();
+            if (inside.isPresent()) {
+                return inside;
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** Answers the question that comes, by the words on a button. */
+    static void answer(String words) throws Exception {
+        AtomicBoolean isAnswered = new AtomicBoolean();
+        while (!isAnswered.get()) {
+            inSwing(
+                    () ->
+                            Stream.of(Window.getWindows())
+                                    .filter(Window::isShowing)
+                                    .filter(JDialog.class::isInstance)
+                                    .flatMap(dialog -> button(dialog, words).stream())
+                                    .findFirst()
+                                    .ifPresent(
+                                            button -> {
+                                                isAnswered.set(true);
+                                                button.doClick(0);
+                                            }));
+        }
+    }
+
+    private static Optional<AbstractButton> button(Container in, String words) {
+        for (Component part : in.getComponents()) {
+            if (part instanceof AbstractButton button && words.equals(button.getText())) {
+                return Optional.of(button);
+            }
+            Optional<AbstractButton> inside =
+                    part instanceof Container more ? button(more, words) : Optional.empty();
             if (inside.isPresent()) {
                 return inside;
             }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.message.control.ApplyDirectForceCommand;
 import org.auvsim.auvsml.message.control.PauseSimulatorCommand;
+import org.auvsim.auvsml.message.control.ResetCommand;
 import org.auvsim.auvsml.message.control.RestoreSnapshotCommand;
 import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
 import org.auvsim.auvsml.message.control.SetPropulsorCommand;
@@ -34,11 +35,13 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JMenu;
+import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.JSpinner;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
 
 /** Somebody clicks through the window; needs a display. */
 @Tag("display")
@@ -220,17 +223,49 @@ class ViewerWindowTest {
     }
 
     @Test
-    void restoresASnapshotAndDisconnectsAClient() throws Exception {
+    void restoresASnapshotAndDisconnectsAClientIfThatIsMeant() throws Exception {
         FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
         open(simulator);
         Clicks.inSwing(() -> find("menu-simulator", JMenu.class).setSelected(true));
         Clicks.inSwing(() -> find("menu-simulator", JMenu.class).setSelected(false));
         Clicks.inSwing(() -> find("restore-before", AbstractButton.class).doClick(0));
-        Clicks.inSwing(() -> find("disconnect-4", AbstractButton.class).doClick(0));
+        AbstractButton disconnect = find("disconnect-4", AbstractButton.class);
+        for (String answer : new String[] {"Cancel", "Disconnect"}) {
+            SwingUtilities.invokeLater(() -> disconnect.doClick(0));
+            Clicks.answer(answer);
+        }
+        Clicks.inSwing(() -> {});
         assertThat(simulator.asked)
-                .contains(
+                .endsWith(
                         new RestoreSnapshotCommand("before"),
                         new DisconnectClientCommand("4", "an administrator has ended the session"));
+    }
+
+    @Test
+    void resetsOnlyIfThatIsMeant() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        open(simulator);
+        AbstractButton reset = find("reset", AbstractButton.class);
+        SwingUtilities.invokeLater(() -> reset.doClick(0));
+        Clicks.answer("Cancel");
+        Clicks.inSwing(() -> {});
+        assertThat(simulator.asked).isEmpty();
+        SwingUtilities.invokeLater(() -> reset.doClick(0));
+        Clicks.answer("Reset");
+        Clicks.inSwing(() -> {});
+        assertThat(simulator.asked).containsExactly(new ResetCommand());
+    }
+
+    @Test
+    void plotsShowTheLastMinuteOfWhatIsSelectedAndSayWhatToDoBefore() throws Exception {
+        open(new FakeSimulator(Scenes.withBuoy()));
+        Clicks.inSwing(
+                () -> {
+                    assertThat(find("plots-hint", JLabel.class).isShowing()).isTrue();
+                    find("objects", JTable.class).setRowSelectionInterval(0, 0);
+                    assertThat(find("plots", JPanel.class).isShowing()).isTrue();
+                    assertThat(find("plots-hint", JLabel.class).isShowing()).isFalse();
+                });
     }
 
     @Test

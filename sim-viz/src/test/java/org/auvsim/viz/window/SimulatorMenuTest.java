@@ -1,0 +1,61 @@
+package org.auvsim.viz.window;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.auvsml.message.control.LoadScenarioCommand;
+import org.auvsim.viz.camera.OrbitCamera;
+import org.auvsim.viz.drawing.ViewOptions;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+
+import javax.swing.JFrame;
+
+/** An administrator loads scenarios; needs a display for the window. */
+@Tag("display")
+@Timeout(60)
+class SimulatorMenuTest {
+    @TempDir private Path folder;
+    private final FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+    private final Desk desk =
+            new Desk(simulator, new OrbitCamera(), new FakeScreen(), new ViewOptions());
+    private final JFrame frame = new JFrame();
+    private final SimulatorMenu menu = new SimulatorMenu(desk, frame);
+
+    @AfterEach
+    void close() throws Exception {
+        Clicks.inSwing(frame::dispose);
+    }
+
+    @Test
+    void aScenarioIsReadAndSent() throws Exception {
+        Path file = Path.of("..", "examples", "scenarios", "tank.xml");
+        Clicks.inSwing(() -> menu.load(file));
+        while (simulator.asked.isEmpty()) {
+            Thread.onSpinWait();
+        }
+        assertThat(simulator.asked)
+                .singleElement()
+                .isInstanceOfSatisfying(
+                        LoadScenarioCommand.class,
+                        command -> assertThat(command.scenario().worldObject()).isNotEmpty());
+    }
+
+    @Test
+    void aFileThatIsNoScenarioIsASentence() throws Exception {
+        BlockingQueue<String> words = new LinkedBlockingQueue<>();
+        desk.onWords(occurrence -> words.add(occurrence.text()));
+        Path file = Files.writeString(folder.resolve("no.xml"), "<scenario><tank/></scenario>");
+        Clicks.inSwing(() -> menu.load(file));
+        assertThat(words.poll(30, TimeUnit.SECONDS)).contains("no.xml").contains("tank");
+        assertThat(simulator.asked).isEmpty();
+    }
+}

@@ -20,14 +20,19 @@ import org.auvsim.auvsml.message.control.StepCommand;
 import org.auvsim.auvsml.message.entity.AddWorldObjectCommand;
 import org.auvsim.auvsml.message.entity.DescribeWorldObjectRequest;
 import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
+import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.field.UniformCurrent;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Sphere;
 import org.auvsim.core.world.World;
+import org.auvsim.server.feedback.AsynchronousFeedbackTimestepper;
+import org.auvsim.server.feedback.FeedbackTimestepper;
+import org.auvsim.server.feedback.SimpleFixedTimeFeedbackTimestepper;
 import org.auvsim.server.net.TcpTransport;
 import org.auvsim.server.simulator.Simulator;
+import org.auvsim.viz.scene.ActorView;
 import org.auvsim.viz.scene.Scene;
 import org.auvsim.viz.scene.SeenObject;
 import org.junit.jupiter.api.Test;
@@ -37,6 +42,7 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.ExecutionException;
 
@@ -223,6 +229,71 @@ class LiveSourceTest {
                                     assertThat(look.actor(0).forces().getFirst().vector())
                                             .isEqualTo(new Vec3(0, 3, 0)));
         }
+    }
+
+    @Test
+    void whereTheStepWillBringAnObjectIsSeen() throws Exception {
+        TcpTransport tcp = TcpTransport.onLoopback(0);
+        FeedbackTimestepper waiting =
+                SimpleFixedTimeFeedbackTimestepper.waiting(Duration.ofMillis(1));
+        try (Simulator _ = meeting(tcp, waiting);
+                LiveSource source = connected(tcp.port())) {
+            makeSteps(source, 2);
+            source.scene()
+                    .look(
+                            Long.MAX_VALUE / 2,
+                            look -> {
+                                ActorView bob = look.actor(0);
+                                assertThat(bob.isProjected()).isTrue();
+                                assertThat(bob.projectedPosition(0)).isCloseTo(1.2, within(1e-12));
+                            });
+        }
+    }
+
+    @Test
+    void measurementsAndCollisionsAreSeen() throws Exception {
+        TcpTransport tcp = TcpTransport.onLoopback(0);
+        try (Simulator _ = meeting(tcp, new AsynchronousFeedbackTimestepper());
+                LiveSource source = connected(tcp.port())) {
+            Vec3 known = new Vec3(1, 0, 0);
+            Vec3 measured = new Vec3(1.5, 0.25, 0);
+            source.ask(
+                            new DifferentPositionFeedbackMessage(
+                                    1,
+                                    0,
+                                    "DirectPositionChangeFeedbackHandler",
+                                    known,
+                                    measured,
+                                    known))
+                    .get();
+            makeSteps(source, 15);
+            source.scene()
+                    .look(
+                            Long.MAX_VALUE / 2,
+                            look -> {
+                                ActorView bob = look.actor(0);
+                                assertThat(bob.isMeasured()).isTrue();
+                                assertThat(bob.measuredPosition(1)).isEqualTo(0.25);
+                                assertThat(look.meetings()).hasSize(1);
+                                assertThat(look.meetings().getFirst().one()).isIn(1L, 3L);
+                            });
+        }
+    }
+
+    /** Bob will meet Carl after a second. */
+    private static Simulator meeting(TcpTransport tcp, FeedbackTimestepper timestepper) {
+        World world =
+                World.builder()
+                        .timeStep(0.1)
+                        .add(ball("Bob", 1, 1))
+                        .add(ball("Carl", 3, 0))
+                        .build();
+        return Simulator.of(world)
+                .timestepper(timestepper)
+                .paused()
+                .role(Role.ADMIN)
+                .transport(tcp)
+                .start();
     }
 
     @Test

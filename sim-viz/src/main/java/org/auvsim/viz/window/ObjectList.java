@@ -3,38 +3,37 @@ package org.auvsim.viz.window;
 import com.formdev.flatlaf.FlatClientProperties;
 
 import java.awt.BorderLayout;
+import java.awt.event.ActionEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.util.Locale;
 import java.util.OptionalLong;
 
+import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JTextField;
+import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
-import javax.swing.RowFilter;
 import javax.swing.SwingConstants;
 import javax.swing.event.ListSelectionEvent;
 import javax.swing.table.DefaultTableCellRenderer;
-import javax.swing.table.TableRowSorter;
 
-/** The list of all objects, with a filter. */
+/** The tree of all objects, with a filter. */
 final class ObjectList {
     private final Desk desk;
     private final ObjectRows rows;
     private final JTable table;
-    private final TableRowSorter<ObjectRows> sorter;
     private final JTextField filter = new JTextField();
     private final JPanel panel = new JPanel(new BorderLayout(0, 4));
+    private OptionalLong shown = OptionalLong.empty();
     private boolean isUpdating;
 
     ObjectList(Desk desk) {
         this.desk = desk;
         rows = new ObjectRows(desk.scene(), desk.camera());
         table = new JTable(rows);
-        sorter = new TableRowSorter<>(rows);
         table.setName("objects");
         filter.setName("filter");
         arrangeTable();
@@ -52,70 +51,126 @@ final class ObjectList {
     }
 
     private void arrangeTable() {
-        sorter.setSortable(ObjectRows.SPEED, false);
-        sorter.setSortable(ObjectRows.DISTANCE, false);
-        table.setRowSorter(sorter);
+        table.setRowSorter(new RowOrder(rows));
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         table.setFillsViewportHeight(true);
-        int[] widths = {128, 34, 46, 54};
-        for (int column = 0; column < widths.length; column++) {
-            table.getColumnModel().getColumn(column).setPreferredWidth(widths[column]);
-        }
+        int[] widths = {148, 30, 42, 50};
         DefaultTableCellRenderer toTheRight = new DefaultTableCellRenderer();
         toTheRight.setHorizontalAlignment(SwingConstants.RIGHT);
-        table.getColumnModel().getColumn(ObjectRows.SPEED).setCellRenderer(toTheRight);
-        table.getColumnModel().getColumn(ObjectRows.DISTANCE).setCellRenderer(toTheRight);
+        for (int column = 0; column < widths.length; column++) {
+            table.getColumnModel().getColumn(column).setPreferredWidth(widths[column]);
+            table.getColumnModel()
+                    .getColumn(column)
+                    .setCellRenderer(column == ObjectRows.NAME ? new RowCells(rows) : toTheRight);
+        }
         table.getSelectionModel().addListSelectionListener(this::selected);
+        fold("LEFT", false);
+        fold("RIGHT", true);
         table.addMouseListener(
                 new MouseAdapter() {
                     @Override
                     public void mouseClicked(MouseEvent e) {
-                        int row = table.rowAtPoint(e.getPoint());
-                        if (e.getClickCount() == 2 && row >= 0) {
-                            desk.toggleFollow(rows.object(table.convertRowIndexToModel(row)).id());
-                        }
+                        clicked(e);
                     }
                 });
+    }
+
+    private void fold(String key, boolean on) {
+        table.getInputMap().put(KeyStroke.getKeyStroke(key), key);
+        table.getActionMap()
+                .put(
+                        key,
+                        new AbstractAction() {
+                            private static final long serialVersionUID = 1L;
+
+                            @Override
+                            public void actionPerformed(ActionEvent e) {
+                                if (table.getSelectedRow() >= 0) {
+                                    open(table.getSelectedRow(), on);
+                                }
+                            }
+                        });
+    }
+
+    private void clicked(MouseEvent e) {
+        int at = table.rowAtPoint(e.getPoint());
+        if (at < 0) {
+            return;
+        }
+        Row row = rows.row(at);
+        boolean isTwice = e.getClickCount() == 2;
+        boolean isHandle =
+                table.columnAtPoint(e.getPoint()) == ObjectRows.NAME
+                        && RowCells.isHandle(row, e.getX() - table.getCellRect(at, 0, false).x);
+        if (isHandle || (isTwice && row instanceof Row.Group)) {
+            open(at, !rows.outline().isOpen(row));
+        } else if (isTwice) {
+            rows.idOf(at).ifPresent(desk::toggleFollow);
+        }
+    }
+
+    private void open(int at, boolean on) {
+        rows.outline().open(rows.row(at), on);
+        rebuild();
+        if (at < table.getRowCount()) {
+            select(at);
+        }
     }
 
     private void selected(ListSelectionEvent e) {
         if (!isUpdating && !e.getValueIsAdjusting() && table.getSelectedRow() >= 0) {
-            int row = table.convertRowIndexToModel(table.getSelectedRow());
-            desk.select(OptionalLong.of(rows.object(row).id()));
+            OptionalLong id = rows.idOf(table.getSelectedRow());
+            if (id.isPresent()) {
+                shown = id;
+                desk.select(id);
+            }
         }
     }
 
     private void filter() {
-        String wanted = filter.getText().strip().toLowerCase(Locale.ROOT);
+        rows.outline().filter(filter.getText());
+        rebuild();
+        showSelected();
+    }
+
+    private void rebuild() {
         isUpdating = true;
-        sorter.setRowFilter(
-                new RowFilter<>() {
-                    @Override
-                    public boolean include(Entry<? extends ObjectRows, ? extends Integer> entry) {
-                        var object = entry.getModel().object(entry.getIdentifier());
-                        return object.name().toLowerCase(Locale.ROOT).contains(wanted)
-                                || Long.toString(object.id()).equals(wanted);
-                    }
-                });
+        rows.build();
         isUpdating = false;
-        refresh();
     }
 
     private void refresh() {
         isUpdating = true;
-        rows.update();
-        OptionalLong id = desk.options().selected();
-        int row = id.isPresent() ? rows.rowOf(id.getAsLong()) : -1;
-        int seen = row < 0 ? -1 : table.convertRowIndexToView(row);
-        if (seen != table.getSelectedRow()) {
-            if (seen < 0) {
-                table.clearSelection();
-            } else {
-                table.setRowSelectionInterval(seen, seen);
-                table.scrollRectToVisible(table.getCellRect(seen, 0, true));
-            }
-        }
+        boolean isOther = rows.update();
         isUpdating = false;
+        OptionalLong id = desk.options().selected();
+        if (!id.equals(shown)) {
+            shown = id;
+            boolean wasFolded =
+                    desk.selected().map(object -> rows.outline().reveal(object)).orElse(false);
+            if (wasFolded) {
+                rebuild();
+            }
+            showSelected();
+        } else if (isOther) {
+            showSelected();
+        }
         table.repaint();
+    }
+
+    private void showSelected() {
+        int row = shown.isPresent() ? rows.rowOf(shown.getAsLong()) : -1;
+        if (row < 0) {
+            table.clearSelection();
+        } else {
+            select(row);
+            table.scrollRectToVisible(table.getCellRect(row, 0, true));
+        }
+    }
+
+    private void select(int row) {
+        isUpdating = true;
+        table.setRowSelectionInterval(row, row);
+        isUpdating = false;
     }
 }

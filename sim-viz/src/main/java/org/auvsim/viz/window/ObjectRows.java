@@ -9,13 +9,14 @@ import org.auvsim.viz.scene.SeenObject;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.function.ToDoubleFunction;
 
 import javax.swing.table.AbstractTableModel;
 
 /**
- * The objects as rows. How an object moves is looked up when its row is painted, so that rows out
- * of sight cost nothing.
+ * The tree of objects as rows. How an object moves is looked up when its row is painted, so that
+ * rows out of sight cost nothing.
  */
 final class ObjectRows extends AbstractTableModel {
     private static final long serialVersionUID = 1L;
@@ -27,7 +28,8 @@ final class ObjectRows extends AbstractTableModel {
 
     private final transient Scene scene;
     private final transient OrbitCamera camera;
-    private transient List<SeenObject> objects = List.of();
+    private final transient Outline outline = new Outline();
+    private transient List<Row> rows = List.of();
     private long revision = -1;
 
     ObjectRows(Scene scene, OrbitCamera camera) {
@@ -35,26 +37,44 @@ final class ObjectRows extends AbstractTableModel {
         this.camera = camera;
     }
 
+    /** What is unfolded, wanted, and in which order; {@link #build} shows a change. */
+    Outline outline() {
+        return outline;
+    }
+
     /** Reads the objects again if they are others now; whether they were. */
     boolean update() {
-        long now = scene.revision();
-        if (now == revision) {
+        if (scene.revision() == revision) {
             return false;
         }
-        revision = now;
-        objects = scene.objects();
-        fireTableDataChanged();
+        build();
         return true;
     }
 
-    SeenObject object(int row) {
-        return objects.get(row);
+    /** Reads the objects again. */
+    void build() {
+        revision = scene.revision();
+        rows = outline.rows(scene.objects());
+        fireTableDataChanged();
+    }
+
+    Row row(int row) {
+        return rows.get(row);
+    }
+
+    /** The object that a row is, or that it is a part of. */
+    OptionalLong idOf(int row) {
+        return switch (rows.get(row)) {
+            case Row.Item item -> OptionalLong.of(item.object().id());
+            case Row.Part part -> OptionalLong.of(part.owner().id());
+            case Row.Group _ -> OptionalLong.empty();
+        };
     }
 
     /** The row of an object, -1 if it has none. */
     int rowOf(long id) {
-        for (int row = 0; row < objects.size(); row++) {
-            if (objects.get(row).id() == id) {
+        for (int row = 0; row < rows.size(); row++) {
+            if (rows.get(row) instanceof Row.Item(SeenObject object) && object.id() == id) {
                 return row;
             }
         }
@@ -63,7 +83,7 @@ final class ObjectRows extends AbstractTableModel {
 
     @Override
     public int getRowCount() {
-        return objects.size();
+        return rows.size();
     }
 
     @Override
@@ -77,17 +97,18 @@ final class ObjectRows extends AbstractTableModel {
     }
 
     @Override
-    public Class<?> getColumnClass(int column) {
-        return column == ID ? Long.class : String.class;
+    public Object getValueAt(int row, int column) {
+        Row at = rows.get(row);
+        if (column == NAME) {
+            return at.name();
+        }
+        return at instanceof Row.Item(SeenObject object) ? value(object, column) : "";
     }
 
-    @Override
-    public Object getValueAt(int row, int column) {
-        SeenObject object = objects.get(row);
+    private Object value(SeenObject object, int column) {
         return switch (column) {
-            case NAME -> object.name();
             case ID -> object.id();
-            case SPEED -> object.isFixed() ? "fixed" : live(object, m -> m.velocity().norm());
+            case SPEED -> object.isFixed() ? "" : live(object, m -> m.velocity().norm());
             default -> live(object, m -> m.position().distance(eye()));
         };
     }
@@ -103,10 +124,6 @@ final class ObjectRows extends AbstractTableModel {
 
     /** Where the camera is (m, world). */
     private Vec3 eye() {
-        double away = camera.distance();
-        return new Vec3(
-                camera.target(0) - away * camera.forward(0),
-                camera.target(1) - away * camera.forward(1),
-                camera.target(2) - away * camera.forward(2));
+        return new Vec3(camera.position(0), camera.position(1), camera.position(2));
     }
 }

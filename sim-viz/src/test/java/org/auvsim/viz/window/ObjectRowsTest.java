@@ -2,18 +2,39 @@ package org.auvsim.viz.window;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.Sphere;
 import org.auvsim.viz.camera.OrbitCamera;
 import org.auvsim.viz.scene.Movement;
 import org.auvsim.viz.scene.Scene;
 import org.auvsim.viz.scene.SeenObject;
 import org.junit.jupiter.api.Test;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
 class ObjectRowsTest {
     private final Scene scene = Scenes.withBuoy();
     private final OrbitCamera camera = new OrbitCamera();
     private final ObjectRows rows = new ObjectRows(scene, camera);
+
+    private List<Object> names() {
+        List<Object> names = new ArrayList<>();
+        for (int row = 0; row < rows.getRowCount(); row++) {
+            names.add(rows.getValueAt(row, ObjectRows.NAME));
+        }
+        return names;
+    }
+
+    private void addRock(String name, long id) {
+        scene.add(
+                SeenObject.of(
+                        id,
+                        WorldObjectDefinition.named(name).fixed().volume(new Sphere(1)).build()));
+    }
 
     @Test
     void readsTheObjectsAgainOnlyIfTheyAreOthers() {
@@ -22,9 +43,63 @@ class ObjectRowsTest {
         assertThat(rows.update()).isFalse();
         scene.add(SeenObject.of(10, Scenes.buoy()));
         assertThat(rows.update()).isTrue();
-        assertThat(rows.getRowCount()).isEqualTo(2);
-        assertThat(rows.rowOf(10)).isEqualTo(1);
+        assertThat(rows.getRowCount()).isEqualTo(3);
+        assertThat(rows.rowOf(10)).isEqualTo(2);
         assertThat(rows.rowOf(11)).isEqualTo(-1);
+    }
+
+    @Test
+    void objectsStandByWhatTheyCanDo() throws Exception {
+        Scene tank = Scenes.of("bluerov2-dive.xml");
+        SeenObject rov = tank.object(1).orElseThrow();
+        addRock("Rock", 20);
+        scene.add(rov);
+        scene.add(new SeenObject(30, "Thing", Optional.empty()));
+        rows.build();
+        assertThat(names())
+                .containsExactly(
+                        "Vehicles (1)",
+                        rov.name(),
+                        "Free bodies (1)",
+                        "Buoy",
+                        "Fixed (1)",
+                        "Rock",
+                        "Unknown (1)",
+                        "Thing");
+        rows.outline().open(rows.row(2), false);
+        rows.outline().open(rows.row(1), true);
+        rows.build();
+        assertThat(names()).contains("Aft Port, propulsor").doesNotContain("Buoy");
+        assertThat(rows.idOf(2)).hasValue(1);
+        assertThat(rows.outline().reveal(scene.object(9).orElseThrow())).isTrue();
+        rows.build();
+        assertThat(names()).contains("Buoy");
+    }
+
+    @Test
+    void theFilterLeavesWhatIsWanted() {
+        addRock("Rock", 20);
+        rows.outline().filter(" ROC");
+        rows.build();
+        assertThat(names()).containsExactly("Fixed (1)", "Rock");
+        rows.outline().filter("9");
+        rows.build();
+        assertThat(names()).containsExactly("Free bodies (1)", "Buoy");
+    }
+
+    @Test
+    void columnsOrderObjectsWithinTheirKind() {
+        addRock("b", 20);
+        addRock("C", 21);
+        addRock("a", 22);
+        RowOrder order = new RowOrder(rows);
+        order.toggleSortOrder(ObjectRows.NAME);
+        assertThat(names().subList(3, 6)).containsExactly("a", "b", "C");
+        order.toggleSortOrder(ObjectRows.NAME);
+        assertThat(names().subList(3, 6)).containsExactly("C", "b", "a");
+        order.toggleSortOrder(ObjectRows.NAME);
+        order.toggleSortOrder(ObjectRows.SPEED);
+        assertThat(names().subList(3, 6)).containsExactly("b", "C", "a");
     }
 
     @Test
@@ -32,10 +107,10 @@ class ObjectRowsTest {
         rows.update();
         camera.look(0, 0);
         camera.aim(0, 0, 0, 20);
-        assertThat(rows.getValueAt(0, ObjectRows.DISTANCE)).isEqualTo("15.00");
+        assertThat(rows.getValueAt(1, ObjectRows.DISTANCE)).isEqualTo("15.00");
         scene.jump(9, new Movement(1, Vec3.ZERO, Quat.IDENTITY, new Vec3(3, 4, 0), Vec3.ZERO));
         scene.look(0, look -> {});
-        assertThat(rows.getValueAt(0, ObjectRows.SPEED)).isEqualTo("5.00");
-        assertThat(rows.getValueAt(0, ObjectRows.DISTANCE)).isEqualTo("20.00");
+        assertThat(rows.getValueAt(1, ObjectRows.SPEED)).isEqualTo("5.00");
+        assertThat(rows.getValueAt(1, ObjectRows.DISTANCE)).isEqualTo("20.00");
     }
 }

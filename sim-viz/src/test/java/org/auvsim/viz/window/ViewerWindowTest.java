@@ -73,8 +73,8 @@ class ViewerWindowTest {
                 () -> {
                     JTable objects = find("objects", JTable.class);
                     find("filter", JTextField.class).setText("rov");
-                    assertThat(objects.getRowCount()).isEqualTo(1);
-                    objects.setRowSelectionInterval(0, 0);
+                    assertThat(objects.getRowCount()).isEqualTo(2);
+                    objects.setRowSelectionInterval(1, 1);
                     assertThat(view.selected()).isEqualTo(OptionalLong.of(1));
                     find("filter", JTextField.class).setText("");
                     camera.aim(5, 0, 0, 20);
@@ -87,6 +87,21 @@ class ViewerWindowTest {
                     JTable objects = find("objects", JTable.class);
                     int row = objects.getSelectedRow();
                     assertThat(objects.getValueAt(row, 0)).isEqualTo("Buoy");
+                });
+    }
+
+    @Test
+    void whatIsSelectedInThePictureIsUnfoldedInTheTree() throws Exception {
+        open(new FakeSimulator(Scenes.withBuoy()));
+        Clicks.inSwing(
+                () -> {
+                    JTable objects = find("objects", JTable.class);
+                    Clicks.click(objects, 4, objects.getRowHeight() / 2);
+                    assertThat(objects.getRowCount()).isEqualTo(1);
+                    view.select(OptionalLong.of(9));
+                    window.orElseThrow().turn();
+                    assertThat(objects.getRowCount()).isEqualTo(2);
+                    assertThat(objects.getSelectedRow()).isEqualTo(1);
                 });
     }
 
@@ -262,7 +277,7 @@ class ViewerWindowTest {
         Clicks.inSwing(
                 () -> {
                     assertThat(find("plots-hint", JLabel.class).isShowing()).isTrue();
-                    find("objects", JTable.class).setRowSelectionInterval(0, 0);
+                    find("objects", JTable.class).setRowSelectionInterval(1, 1);
                     assertThat(find("plots", JPanel.class).isShowing()).isTrue();
                     assertThat(find("plots-hint", JLabel.class).isShowing()).isFalse();
                 });

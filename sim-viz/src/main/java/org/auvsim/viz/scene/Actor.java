@@ -49,8 +49,9 @@ final class Actor implements ActorView {
         }
     }
 
+    /** When it was described the world had a time of its own, so that its trail begins later. */
     private void stand(WorldObjectDefinition definition, double time) {
-        jump(
+        appear(
                 new Movement(
                         time,
                         definition.position(),
@@ -61,6 +62,11 @@ final class Actor implements ActorView {
 
     /** Is somewhere else all at once. */
     void jump(Movement motion) {
+        appear(motion);
+        trail.add(motion);
+    }
+
+    private void appear(Movement motion) {
         write(motion, now);
         timeNow = motion.time();
         System.arraycopy(now, 0, before, 0, STATE);
@@ -68,7 +74,6 @@ final class Actor implements ActorView {
         timeProjected = Double.NEGATIVE_INFINITY;
         timeMeasured = Double.NEGATIVE_INFINITY;
         trail.clear();
-        trail.add(motion);
     }
 
     /** Has moved on; a state of the same time replaces the last one, an older one begins anew. */

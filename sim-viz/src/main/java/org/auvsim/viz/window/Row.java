@@ -9,6 +9,11 @@ sealed interface Row {
     /** What it is called. */
     String name();
 
+    /** What it is, for whoever points at it. */
+    default String words() {
+        return name();
+    }
+
     /** Whether there is something below it. */
     boolean isBranch();
 
@@ -55,6 +60,11 @@ sealed interface Row {
     record Part(SeenObject owner, Component component) implements Row {
         @Override
         public String name() {
+            return component.name();
+        }
+
+        @Override
+        public String words() {
             return component.name() + ", " + ElementName.of(component.getClass());
         }
 

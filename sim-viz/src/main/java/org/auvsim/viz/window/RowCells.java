@@ -43,7 +43,7 @@ final class RowCells extends DefaultTableCellRenderer {
                 BorderFactory.createEmptyBorder(
                         0, row.isBranch() ? left : left + handle(true).getIconWidth() + 4, 0, 0));
         setFont(table.getFont().deriveFont(row instanceof Row.Group ? Font.BOLD : Font.PLAIN));
-        setToolTipText(row.name());
+        setToolTipText(row.words());
         return this;
     }
 }

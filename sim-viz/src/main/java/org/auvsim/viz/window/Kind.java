@@ -9,7 +9,7 @@ enum Kind {
     /** They have propulsors or fins. */
     VEHICLE("Vehicles"),
     /** They move as they are pushed. */
-    BODY("Free bodies"),
+    BODY("Free"),
     /** They never move. */
     FIXED("Fixed"),
     /** What they are made of is not known. */

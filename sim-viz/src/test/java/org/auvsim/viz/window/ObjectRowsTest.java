@@ -60,7 +60,7 @@ class ObjectRowsTest {
                 .containsExactly(
                         "Vehicles (1)",
                         rov.name(),
-                        "Free bodies (1)",
+                        "Free (1)",
                         "Buoy",
                         "Fixed (1)",
                         "Rock",
@@ -84,7 +84,7 @@ class ObjectRowsTest {
         assertThat(names()).containsExactly("Fixed (1)", "Rock");
         rows.outline().filter("9");
         rows.build();
-        assertThat(names()).containsExactly("Free bodies (1)", "Buoy");
+        assertThat(names()).containsExactly("Free (1)", "Buoy");
     }
 
     @Test

@@ -138,7 +138,7 @@ public final class ViewerWindow {
         JSplitPane withRight = split(JSplitPane.HORIZONTAL_SPLIT, centre, right, 1);
         JPanel left = new ObjectList(desk).component();
         left.setMinimumSize(new Dimension(140, 100));
-        left.setPreferredSize(new Dimension(270, 500));
+        left.setPreferredSize(new Dimension(292, 500));
         return split(JSplitPane.HORIZONTAL_SPLIT, left, withRight, 0);
     }
 

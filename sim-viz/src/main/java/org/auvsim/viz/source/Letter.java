@@ -20,13 +20,15 @@ import java.util.Optional;
  * @param unknown names of elements that are left out
  */
 record Letter(Optional<String> requestId, List<Message> messages, List<String> unknown) {
+    private static final XmlTreeReader TREES = new XmlTreeReader(Limits.ANSWER);
+
     /**
      * Reads a text.
      *
      * @throws AuvsmlException if it is not AUVSML
      */
     static Letter read(String text, MessageCatalogue catalogue) throws AuvsmlException {
-        XmlTree tree = new XmlTreeReader(Limits.ANSWER).read(text.getBytes(StandardCharsets.UTF_8));
+        XmlTree tree = TREES.read(text.getBytes(StandardCharsets.UTF_8));
         Optional<String> requestId = MessageCatalogue.requestId(tree);
         try {
             return new Letter(requestId, catalogue.decode(tree), List.of());

@@ -17,7 +17,10 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
 
 import javax.imageio.ImageIO;
 
@@ -164,20 +167,56 @@ class ViewTest {
     /** In a process of its own, as this one may have a display. */
     @Test
     void withoutADisplayThereIsNoWindow() throws Exception {
-        Process view =
-                new ProcessBuilder(
+        assertThat(refused(Map.of(), "-Djava.awt.headless=true", recording().toString()))
+                .contains("There is no display here")
+                .contains("'auvsim watch'");
+    }
+
+    /** Mesa takes the version from the environment. */
+    @Test
+    @Tag("display")
+    void withoutOpenGlThereIsNoPicture() throws Exception {
+        Map<String, String> old =
+                Map.of(
+                        "LIBGL_ALWAYS_SOFTWARE",
+                        "1",
+                        "__GLX_VENDOR_LIBRARY_NAME",
+                        "mesa",
+                        "MESA_GL_VERSION_OVERRIDE",
+                        "2.1");
+        Path picture = folder.resolve("x.png");
+        assertThat(
+                        refused(
+                                old,
+                                "-Djava.awt.headless=false",
+                                recording().toString(),
+                                "--picture",
+                                picture.toString()))
+                .contains("no display with OpenGL 3.2")
+                .contains("--renderer osp");
+        assertThat(picture).doesNotExist();
+    }
+
+    /** What a viewer says that cannot show anything. */
+    private static String refused(
+            Map<String, String> environment, String property, String... arguments)
+            throws Exception {
+        List<String> command =
+                new ArrayList<>(
+                        List.of(
                                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                                "-Djava.awt.headless=true",
+                                property,
                                 "-cp",
                                 System.getProperty("java.class.path"),
                                 Auvsim.class.getName(),
-                                "view",
-                                recording().toString())
-                        .redirectErrorStream(true)
-                        .start();
+                                "view"));
+        command.addAll(List.of(arguments));
+        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+        builder.environment().putAll(environment);
+        Process view = builder.start();
         String said = new String(view.getInputStream().readAllBytes(), UTF_8);
-        assertThat(said).contains("There is no display here").contains("'auvsim watch'");
         assertThat(view.waitFor()).isEqualTo(2);
+        return said;
     }
 
     @Test

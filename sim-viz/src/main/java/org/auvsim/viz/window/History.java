@@ -4,11 +4,12 @@ import org.auvsim.core.math.Quat;
 import org.auvsim.viz.scene.ActorView;
 import org.auvsim.viz.scene.Angles;
 
-import java.util.Arrays;
-
 /** How an object has moved over the last minute of the world's time, its present state the last. */
 final class History {
     static final double SECONDS = 60;
+
+    /** A line leaves this share of a plot's height free above and below. */
+    private static final double MARGIN = 0.08;
 
     private final double[] times;
     private final double[][] values;
@@ -94,19 +95,23 @@ final class History {
         return line;
     }
 
-    /** The smallest value of some quantities. */
-    double least(Quantity... of) {
-        return Arrays.stream(of)
-                .flatMapToDouble(q -> Arrays.stream(values[q.ordinal()]))
-                .min()
-                .orElse(0);
-    }
-
-    /** The largest value of some quantities. */
-    double most(Quantity... of) {
-        return Arrays.stream(of)
-                .flatMapToDouble(q -> Arrays.stream(values[q.ordinal()]))
-                .max()
-                .orElse(0);
+    /**
+     * From where to where a plot of some quantities reaches; what hardly changes lies in the
+     * middle.
+     */
+    double[] height(Quantity... of) {
+        double least = Double.POSITIVE_INFINITY;
+        double most = Double.NEGATIVE_INFINITY;
+        double span = 0;
+        for (Quantity quantity : of) {
+            span = Math.max(span, quantity.span());
+            for (double value : values[quantity.ordinal()]) {
+                least = Math.min(least, value);
+                most = Math.max(most, value);
+            }
+        }
+        double half = (0.5 + MARGIN) * Math.max(most - least, span);
+        double middle = (least + most) / 2;
+        return new double[] {middle - half, middle + half};
     }
 }

@@ -10,7 +10,6 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Font;
-import java.util.List;
 import java.util.Locale;
 
 import javax.swing.JComponent;
@@ -18,9 +17,6 @@ import javax.swing.UIManager;
 
 /** A plot of one quantity or more over time. */
 final class Plot {
-    /** A line leaves this share of the height free above and below. */
-    private static final double MARGIN = 0.08;
-
     /** The width is at least so long (s). */
     private static final double SHORTEST = 5;
 
@@ -91,25 +87,11 @@ final class Plot {
             chart.updateXYSeries(quantity.word(), times, history.line(quantity), null);
         }
         double end = times[times.length - 1];
-        double[] height = height(history);
+        double[] height = history.height(quantities);
         XYStyler styler = chart.getStyler();
         styler.setXAxisMin(Math.min(times[0], end - SHORTEST));
         styler.setXAxisMax(end);
         styler.setYAxisMin(height[0]);
         styler.setYAxisMax(height[1]);
-    }
-
-    /** From where to where its values reach; what hardly changes lies in the middle. */
-    double[] height(History history) {
-        double least = history.least(quantities);
-        double most = history.most(quantities);
-        double span = Math.max(most - least, smallest());
-        double half = (0.5 + MARGIN) * span;
-        double middle = (least + most) / 2;
-        return new double[] {middle - half, middle + half};
-    }
-
-    private double smallest() {
-        return List.of(quantities).stream().mapToDouble(Quantity::span).max().orElse(1);
     }
 }

@@ -59,6 +59,31 @@ class HistoryTest {
     }
 
     @Test
+    void whatHardlyChangesIsALineInTheMiddleOfItsPlot() {
+        sway(1, 5);
+        sway(2, 5.0000001);
+        double[] height = history().height(Quantity.X);
+        assertThat(height[1] - height[0]).isCloseTo(0.0232, within(1e-6));
+        assertThat((height[0] + height[1]) / 2).isCloseTo(5, within(1e-6));
+    }
+
+    @Test
+    void whatChangesFillsTheHeightOfItsPlot() {
+        sway(1, 5);
+        sway(2, 7);
+        double[] height = history().height(Quantity.X, Quantity.Y);
+        // From y = 0 to x = 7, and a margin.
+        assertThat(height[0]).isBetween(-1.0, 0.0);
+        assertThat(height[1]).isBetween(7.0, 8.0);
+    }
+
+    private void sway(double time, double x) {
+        scene.move(9, new Movement(time, new Vec3(x, 0, 0), Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO));
+        scene.stepDone(time, 0);
+        scene.look(Long.MAX_VALUE / 2, look -> {});
+    }
+
+    @Test
     void anglesAreAsPeopleSayThem() {
         Quat yaw = Quat.ofAxisAngle(new Vec3(0, 0, 1), 0.5);
         Quat bowUp = Quat.ofAxisAngle(new Vec3(0, 1, 0), -0.2);

@@ -8,21 +8,45 @@ package org.auvsim.core.actuator;
  * do, but with a cubic step, which leaves the attached flow as it is.
  */
 final class Polar {
+    /** Sines up to this (that of 30 degrees) are of small angles. */
+    private static final double SMALL = 0.5;
+
     private Polar() {}
 
-    /** C_L at an angle (rad), -pi to pi, whose sine and cosine are given. */
-    static double lift(Fin fin, double angle, double sine, double cosine) {
-        double stalled = stalled(fin, angle);
-        return (1 - stalled) * fin.liftSlope() * angle + stalled * 2 * sine * cosine;
+    /** The angle (rad, -pi to pi) of a flow; that of small ones costs little. */
+    static double angle(double aside, double ahead) {
+        double length = Math.sqrt(ahead * ahead + aside * aside);
+        return ahead > 0 && Math.abs(aside) < SMALL * length
+                ? StrictMath.asin(aside / length)
+                : StrictMath.atan2(aside, ahead);
     }
 
-    /** C_D at an angle (rad) whose sine is given. */
-    static double drag(Fin fin, double angle, double sine) {
+    /** The same angle (rad) from -pi to pi, of one that is at most a turn off. */
+    static double wrapped(double angle) {
+        return angle > Math.PI
+                ? angle - 2 * Math.PI
+                : angle < -Math.PI ? angle + 2 * Math.PI : angle;
+    }
+
+    /** C_L at an angle (rad), -pi to pi. */
+    static double lift(Fin fin, double angle) {
         double stalled = stalled(fin, angle);
         double attached = fin.liftSlope() * angle;
-        return fin.dragCoefficient()
-                + (1 - stalled) * fin.inducedDrag() * attached * attached
-                + stalled * 2 * sine * sine;
+        return stalled == 0
+                ? attached
+                : (1 - stalled) * attached + stalled * StrictMath.sin(2 * angle);
+    }
+
+    /** C_D at an angle (rad), -pi to pi. */
+    static double drag(Fin fin, double angle) {
+        double stalled = stalled(fin, angle);
+        double lift = fin.liftSlope() * angle;
+        double attached = fin.inducedDrag() * lift * lift;
+        if (stalled == 0) {
+            return fin.dragCoefficient() + attached;
+        }
+        double sine = StrictMath.sin(angle);
+        return fin.dragCoefficient() + (1 - stalled) * attached + stalled * 2 * sine * sine;
     }
 
     /** The share of the flat plate, 0 to 1. */

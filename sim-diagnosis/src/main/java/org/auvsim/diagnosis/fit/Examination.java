@@ -21,6 +21,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * Examines measured runs: searches causes with some, judges them with others, and says what it is.
@@ -99,7 +100,8 @@ public final class Examination {
     public Diagnosis diagnosis() {
         Search.Found found = new Search(model, fit, causes, contest, course).found();
         course.at("judging by held-out runs", 0.9);
-        Judgement judgement = Judgement.of(found, new Trial(found.model(), heldOut, found.noise()));
+        Judgement judgement =
+                Judgement.of(found, new Trial(found.stepping(), heldOut, found.noise()));
         if (judgement.isOfTwoMinds() && course.goesOn()) {
             Search.Found all = new Search(model, allRuns(), causes, contest, course).found();
             if (isConvincing(all, found)) {
@@ -175,7 +177,8 @@ public final class Examination {
                 runs(found, best, before, after),
                 discrepancy,
                 Optional.empty(),
-                new Menu(found.model(), best.fit(), found.noise()).next(best, found.competitors()),
+                new Menu(found.stepping().model(), best.fit(), found.noise())
+                        .next(best, found.competitors()),
                 found.traces().identifiability(best.fit().hypothesis().causes()),
                 model.extended(isExplained ? best.fit().variant() : model.variant()),
                 notices(found),
@@ -186,7 +189,7 @@ public final class Examination {
     private List<String> notices(Search.Found found) {
         List<String> notices = new ArrayList<>();
         double stated = model.scenario().timeStep().delta();
-        double used = found.model().scenario().timeStep().delta();
+        double used = found.stepping().model().scenario().timeStep().delta();
         if (used < stated) {
             notices.add(
                     ("the scenario's time step of %s s is too long for this data: steps of %s"
@@ -265,18 +268,21 @@ public final class Examination {
             Search.Found found, Judged before, Judged after, Variant variant, boolean areHeldOut) {
         List<RigidMotion[]> motionBefore = before.fit().motions();
         List<RigidMotion[]> motionAfter = after.fit().motions();
-        List<DiagnosedRun> runs = new ArrayList<>();
-        for (int r = 0; r < after.fit().data().size(); r++) {
-            Misses of = after.fit().data().get(r);
-            runs.add(
-                    new DiagnosedRun(
-                            of.run(),
-                            areHeldOut,
-                            told(of.run(), model.variant(), motionBefore.get(r)),
-                            told(of.run(), variant, motionAfter.get(r)),
-                            MissingForce.along(found.model(), variant, of, found.noise())));
-        }
-        return runs;
+        List<Misses> data = after.fit().data();
+        return IntStream.range(0, data.size())
+                .parallel()
+                .mapToObj(
+                        r -> {
+                            Misses of = data.get(r);
+                            return new DiagnosedRun(
+                                    of.run(),
+                                    areHeldOut,
+                                    told(of.run(), model.variant(), motionBefore.get(r)),
+                                    told(of.run(), variant, motionAfter.get(r)),
+                                    MissingForce.along(
+                                            found.stepping(), variant, of, found.noise()));
+                        })
+                .toList();
     }
 
     /** As the sensors would tell. */

@@ -1,7 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
-import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble;
 import org.auvsim.diagnosis.model.Ensemble.Leg;
 import org.auvsim.diagnosis.model.Variant;
@@ -23,7 +22,7 @@ final class FirstOrder {
     /** Duration of a leg (s), if samples are not further apart: what causes do is slower. */
     private static final double LEG = 0.2;
 
-    private final BelievedModel model;
+    private final Shooting shooting;
     private final Variant variant;
     private final Misses of;
     private final Moves moves;
@@ -33,8 +32,8 @@ final class FirstOrder {
     private final int group;
 
     private FirstOrder(Fit fit, Misses of, Moves moves) {
-        this.model = fit.model();
-        this.variant = fit.variant();
+        this.shooting = fit.shooting(of);
+        this.variant = shooting.variant();
         this.of = of;
         this.moves = moves;
         double apart = of.run().duration() / (of.run().size() - 1);
@@ -52,37 +51,29 @@ final class FirstOrder {
     }
 
     private List<WindowDerivatives> windows(List<Window> windows) {
-        int last = windows.size() - 1;
         if (of.hasLastingErrors()) {
-            return IntStream.rangeClosed(0, last)
-                    .parallel()
-                    .mapToObj(w -> derivatives(windows.get(w), w == last, moves))
-                    .toList();
+            return derivatives(windows, moves);
         }
-        List<WindowDerivatives> byStarts =
-                IntStream.rangeClosed(0, last)
-                        .parallel()
-                        .mapToObj(w -> derivatives(windows.get(w), w == last, Moves.NONE))
-                        .toList();
+        List<WindowDerivatives> byStarts = derivatives(windows, Moves.NONE);
         if (byStarts.stream().anyMatch(WindowDerivatives::isLost)) {
             return byStarts.stream().map(this::ofNothing).toList();
         }
         List<Leg> legs = new ArrayList<>();
         int[] firstLeg = new int[windows.size()];
-        for (int w = 0; w <= last; w++) {
+        for (int w = 0; w < firstLeg.length; w++) {
             firstLeg[w] = legs.size();
             legs.addAll(legs(byStarts.get(w)));
         }
         double[][][] partings = partings(legs);
-        return IntStream.rangeClosed(0, last)
+        return IntStream.range(0, firstLeg.length)
                 .parallel()
-                .mapToObj(w -> along(byStarts.get(w), w == last, legs, firstLeg[w], partings))
+                .mapToObj(w -> along(byStarts.get(w), legs, firstLeg[w], partings))
                 .toList();
     }
 
     /** Those by whole simulations. */
-    private WindowDerivatives derivatives(Window window, boolean isLast, Moves by) {
-        return WindowDerivatives.of(model, variant, of, window, isLast, group, by);
+    private List<WindowDerivatives> derivatives(List<Window> windows, Moves by) {
+        return windows.parallelStream().map(w -> shooting.derivatives(w, group, by)).toList();
     }
 
     private WindowDerivatives ofNothing(WindowDerivatives window) {
@@ -107,7 +98,8 @@ final class FirstOrder {
         double[][][] ofMoving =
                 moving.isEmpty()
                         ? new double[0][][]
-                        : Ensemble.partings(model, of.run(), legs, variant, moving);
+                        : Ensemble.partings(
+                                shooting.stepping().model(), of.run(), legs, variant, moving);
         double[][][] all = new double[moves.size()][][];
         int next = 0;
         for (int p = 0; p < all.length; p++) {
@@ -121,19 +113,15 @@ final class FirstOrder {
     }
 
     private WindowDerivatives along(
-            WindowDerivatives window,
-            boolean isLast,
-            List<Leg> legs,
-            int firstLeg,
-            double[][][] partings) {
+            WindowDerivatives window, List<Leg> legs, int firstLeg, double[][][] partings) {
         int count = legs(window).size();
-        int samples = window.window.length() + (isLast ? 1 : 0);
+        int samples = window.window.samples(of.run());
         List<LegResponse> responses = new ArrayList<>();
         for (int l = 0; l < count; l++) {
             Leg leg = legs.get(firstLeg + l);
             responses.add(response(leg, leg.to() - leg.from(), window.window, samples));
         }
-        if (isLast) {
+        if (samples > window.window.length()) {
             Leg end = new Leg(window.window.to(), window.window.to(), window.end);
             responses.add(response(end, 1, window.window, samples));
         }
@@ -151,15 +139,15 @@ final class FirstOrder {
                         error);
             }
             double step = moves.steps().get(p);
-            byParameter[p] = WindowDerivatives.slope(rows, new double[rows.length], step);
-            endByParameter[p] = WindowDerivatives.slope(error, new double[error.length], step);
+            byParameter[p] = Shooting.slope(rows, new double[rows.length], step);
+            endByParameter[p] = Shooting.slope(error, new double[error.length], step);
         }
         return window.by(byParameter, endByParameter);
     }
 
     private LegResponse response(Leg leg, int samples, Window window, int ofWindow) {
         int first = (leg.from() - window.from()) / group * group;
-        return new LegResponse(model, variant, of, leg, samples, Math.min(group, ofWindow - first));
+        return new LegResponse(shooting, leg, samples, Math.min(group, ofWindow - first));
     }
 
     private void carry(

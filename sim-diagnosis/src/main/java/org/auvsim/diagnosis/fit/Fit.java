@@ -3,8 +3,6 @@ package org.auvsim.diagnosis.fit;
 import org.auvsim.diagnosis.fit.Outcome.Squares;
 import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.BelievedModel;
-import org.auvsim.diagnosis.model.Ensemble;
-import org.auvsim.diagnosis.model.Ensemble.Entrant;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.server.feedback.RigidMotion;
@@ -19,60 +17,59 @@ import java.util.stream.IntStream;
  * A hypothesis, and windows that follow the measurement under it. Immutable; a step leads to a
  * better one.
  *
+ * @param stepping the model
  * @param data what motions miss of each run
  * @param windows of each run, in order
  * @param knowledge of the hypothesis's parameters beside these runs
  */
 record Fit(
-        BelievedModel model,
+        Stepping stepping,
         List<Misses> data,
         Hypothesis hypothesis,
         List<List<Window>> windows,
         Knowledge knowledge) {
+    /** The model in the steps of predictions. */
+    BelievedModel model() {
+        return stepping.model();
+    }
+
+    /** Windows of one of the runs under the hypothesis. */
+    Shooting shooting(Misses of) {
+        return new Shooting(stepping, variant(), of);
+    }
+
     /** The model with the causes. */
     Variant variant() {
-        return hypothesis.in(model.variant());
+        return hypothesis.in(stepping.variant());
     }
 
     Fit with(Hypothesis other, List<List<Window>> moved) {
-        return new Fit(model, data, other, moved, knowledge);
+        return new Fit(stepping, data, other, moved, knowledge);
     }
 
     /** The same with parameters of which something is known. */
     Fit knowing(Knowledge other) {
-        return new Fit(model, data, hypothesis, windows, other);
+        return new Fit(stepping, data, hypothesis, windows, other);
     }
 
     /**
      * Derivatives by the starts of the windows and by the hypothesis's own parameters, run by run.
      */
     List<List<WindowDerivatives>> derivatives() {
-        return derivatives(hypothesis.moves(model.variant()));
+        return derivatives(hypothesis.moves(stepping.variant()));
     }
 
     /** Those by the starts of the windows and by other parameters. */
     List<List<WindowDerivatives>> derivatives(Moves moves) {
-        Variant variant = variant();
-        List<List<WindowDerivatives>> all = new ArrayList<>();
-        for (int r = 0; r < data.size(); r++) {
-            Misses of = data.get(r);
-            List<Window> ofRun = windows.get(r);
-            all.add(
-                    IntStream.range(0, ofRun.size())
-                            .parallel()
-                            .mapToObj(
-                                    w ->
-                                            WindowDerivatives.of(
-                                                    model,
-                                                    variant,
-                                                    of,
-                                                    ofRun.get(w),
-                                                    w == ofRun.size() - 1,
-                                                    1,
-                                                    moves))
-                            .toList());
-        }
-        return all;
+        return IntStream.range(0, data.size())
+                .parallel()
+                .mapToObj(r -> derivatives(shooting(data.get(r)), windows.get(r), moves))
+                .toList();
+    }
+
+    private static List<WindowDerivatives> derivatives(
+            Shooting shooting, List<Window> windows, Moves moves) {
+        return windows.parallelStream().map(w -> shooting.derivatives(w, 1, moves)).toList();
     }
 
     /** Windows chained in blocks of so many; known starts hold the first of each run. */
@@ -84,7 +81,7 @@ record Fit(
             for (int w = 0; w < ofRun.size(); w += perBlock) {
                 blocks.add(
                         new WindowBlock(
-                                model,
+                                model(),
                                 ofRun.subList(w, Math.min(ofRun.size(), w + perBlock)),
                                 data.get(r).shown(),
                                 w == 0 ? data.get(r).run().start() : Optional.empty()));
@@ -101,31 +98,22 @@ record Fit(
 
     /** One window a run, from the start of its first. */
     Fit whole() {
-        List<List<Window>> one = new ArrayList<>();
-        for (int r = 0; r < data.size(); r++) {
-            RigidMotion start = windows.get(r).getFirst().start();
-            one.add(List.of(new Window(0, data.get(r).run().size() - 1, start)));
-        }
-        return with(hypothesis, one);
+        return with(
+                hypothesis,
+                IntStream.range(0, data.size()).mapToObj(r -> List.of(whole(r))).toList());
     }
 
     /** The motion of each run, simulated in one go from its start. */
     List<RigidMotion[]> motions() {
-        Variant variant = variant();
         return IntStream.range(0, data.size())
                 .parallel()
-                .mapToObj(
-                        r ->
-                                Ensemble.simulate(
-                                        model,
-                                        data.get(r).run(),
-                                        0,
-                                        data.get(r).run().size() - 1,
-                                        List.of(
-                                                new Entrant(
-                                                        variant,
-                                                        windows.get(r).getFirst().start())))[0])
+                .mapToObj(r -> shooting(data.get(r)).motion(whole(r)))
                 .toList();
+    }
+
+    private Window whole(int run) {
+        RigidMotion start = windows.get(run).getFirst().start();
+        return new Window(0, data.get(run).run().size() - 1, start);
     }
 
     /** By how much that is off by channel, in standard deviations of the noise. */

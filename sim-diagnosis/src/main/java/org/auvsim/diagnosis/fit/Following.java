@@ -37,8 +37,8 @@ final class Following {
     /** A share of the cost that is not worth a step. */
     private static final double ENOUGH = 1e-4;
 
+    private final Shooting shooting;
     private final BelievedModel model;
-    private final Variant variant;
     private final MeasuredRun run;
     private final Misses data;
     private final Noise noise;
@@ -49,12 +49,12 @@ final class Following {
 
     private final List<Double> shownAfterwards;
 
-    /** The model in a variant, and what motions miss of a run. */
-    Following(BelievedModel model, Variant variant, Misses data, Noise noise) {
-        this.model = model;
-        this.variant = variant;
+    /** Of one run under a variant of the model. */
+    Following(Shooting shooting, Noise noise) {
+        this.shooting = shooting;
+        this.model = shooting.stepping().model();
+        this.data = shooting.of();
         this.run = data.run();
-        this.data = data;
         this.noise = noise;
         this.looseness = Looseness.of(run, noise);
         this.shown = shown(looseness, data.shown());
@@ -62,13 +62,14 @@ final class Following {
     }
 
     /** Windows that follow runs under a hypothesis. */
-    static Fit of(BelievedModel model, Hypothesis hypothesis, List<Misses> data, Noise noise) {
-        Variant variant = hypothesis.in(model.variant());
+    static Fit of(Stepping stepping, Hypothesis hypothesis, List<Misses> data, Noise noise) {
+        Variant variant = hypothesis.in(stepping.variant());
         List<List<Window>> windows =
                 data.parallelStream()
-                        .map(run -> new Following(model, variant, run, noise).windows())
+                        .map(run -> new Shooting(stepping, variant, run))
+                        .map(shooting -> new Following(shooting, noise).windows())
                         .toList();
-        return new Fit(model, data, hypothesis, windows, Knowledge.NONE);
+        return new Fit(stepping, data, hypothesis, windows, Knowledge.NONE);
     }
 
     /**
@@ -76,10 +77,14 @@ final class Following {
      *
      * @param cost chi squared of its samples and of what was known of its start
      */
-    private record Fitted(Window window, WindowDerivatives derivatives, double cost) {
+    private record Fitted(Window window, RigidMotion[] motion, double[] misses, double cost) {
         /** Whether it misses far more than noise. */
         boolean isFarOff() {
-            return !(derivatives.cost() < FAR_OFF * derivatives.misses.length);
+            return !(Outcome.squares(misses) < FAR_OFF * misses.length);
+        }
+
+        RigidMotion end() {
+            return motion[window.length()];
         }
     }
 
@@ -116,7 +121,7 @@ final class Following {
     /** A model without faults needs no more than a known start. */
     private Fitted inOneGo(KnownStart known) {
         Window whole = new Window(0, run.size() - 1, known.motion());
-        return fit(whole, true, asFarAsKnown(known), FEW_ITERATIONS);
+        return fit(whole, asFarAsKnown(known), FEW_ITERATIONS);
     }
 
     /** Each begins where the one before has led, or where the measurement says. */
@@ -129,7 +134,7 @@ final class Following {
             RigidMotion guess =
                     w == 0
                             ? run.start().map(KnownStart::motion).orElseGet(() -> measured(0, to))
-                            : fitted.getLast().derivatives().end;
+                            : fitted.getLast().end();
             Fitted one = fit(from, to, guess);
             if (one.isFarOff()) {
                 Fitted other = fit(from, to, measured(from, to));
@@ -170,8 +175,7 @@ final class Following {
                 from == 0
                         ? run.start().map(this::asFarAsKnown).orElse(new KnownStart(guess, shown))
                         : new KnownStart(guess, shownAfterwards);
-        boolean isLast = to == run.size() - 1;
-        return fit(new Window(from, to, guess), isLast, near, MOST_ITERATIONS);
+        return fit(new Window(from, to, guess), near, MOST_ITERATIONS);
     }
 
     private static List<Double> shown(List<Double> looseness, boolean[] isShown) {
@@ -190,36 +194,41 @@ final class Following {
     }
 
     /** Gauss-Newton steps, halved until they help. */
-    private Fitted fit(Window start, boolean isLast, KnownStart known, int mostIterations) {
-        Fitted best = derive(start, isLast, known);
+    private Fitted fit(Window start, KnownStart known, int mostIterations) {
+        Fitted best = judged(start, known);
         for (int iteration = 0; iteration < mostIterations; iteration++) {
-            WindowBlock block =
-                    new WindowBlock(
-                            model, List.of(best.derivatives()), data.shown(), Optional.of(known));
-            double before = best.cost();
-            Fitted next = best;
-            double share = 1;
-            for (int halving = 0; halving < MOST_HALVINGS; halving++) {
-                Fitted tried = derive(block.moved(new double[0], share).getFirst(), isLast, known);
-                if (tried.cost() < best.cost()) {
-                    next = tried;
-                    break;
-                }
-                share /= 2;
-            }
+            Fitted next = better(best, known);
+            boolean isWorthIt = next.cost() < best.cost() * (1 - ENOUGH);
             best = next;
-            if (!(best.cost() < before * (1 - ENOUGH))) {
+            if (!isWorthIt) {
                 break;
             }
         }
         return best;
     }
 
-    private Fitted derive(Window window, boolean isLast, KnownStart known) {
+    private Fitted better(Fitted from, KnownStart known) {
         WindowDerivatives derivatives =
-                WindowDerivatives.of(model, variant, data, window, isLast, 1, Moves.NONE);
-        double cost = derivatives.cost() + Outcome.squares(known, window.start());
-        return new Fitted(window, derivatives, cost);
+                shooting.derivatives(from.window(), from.motion(), 1, Moves.NONE);
+        WindowBlock block =
+                new WindowBlock(model, List.of(derivatives), data.shown(), Optional.of(known));
+        double share = 1;
+        for (int halving = 0; halving < MOST_HALVINGS; halving++) {
+            Fitted tried = judged(block.moved(new double[0], share).getFirst(), known);
+            if (tried.cost() < from.cost()) {
+                return tried;
+            }
+            share /= 2;
+        }
+        return from;
+    }
+
+    private Fitted judged(Window window, KnownStart known) {
+        RigidMotion[] motion = shooting.motion(window);
+        double[] misses = shooting.misses(window, motion);
+        double cost = Outcome.squares(misses) + Outcome.squares(known, window.start());
+        return new Fitted(
+                window, motion, misses, Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost);
     }
 
     private boolean follows(List<Fitted> fitted) {
@@ -231,8 +240,7 @@ final class Following {
                                     SHARE_OF_NOISE * noise.of(channel))
                             : Math.max(TURN, SHARE_OF_NOISE * noise.of(channel));
             for (Fitted window : fitted) {
-                if (systematic(window.derivatives().misses, channel) * noise.of(channel)
-                        > allowed) {
+                if (systematic(window.misses(), channel) * noise.of(channel) > allowed) {
                     return false;
                 }
             }

@@ -1,8 +1,5 @@
 package org.auvsim.diagnosis.fit;
 
-import org.auvsim.diagnosis.model.BelievedModel;
-import org.auvsim.diagnosis.model.Ensemble;
-import org.auvsim.diagnosis.model.Ensemble.Entrant;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.Gain;
 import org.auvsim.diagnosis.result.HorizonGain;
@@ -20,11 +17,14 @@ final class Horizons {
     /** Each so many of the short windows one prediction begins. */
     private static final int EVERY = 4;
 
-    private final BelievedModel model;
+    private static final List<double[]> NOTHING =
+            List.of(new double[SHARES.length], new double[SHARES.length]);
+
+    private final Stepping stepping;
     private final Noise noise;
 
-    Horizons(BelievedModel model, Noise noise) {
-        this.model = model;
+    Horizons(Stepping stepping, Noise noise) {
+        this.stepping = stepping;
         this.noise = noise;
     }
 
@@ -35,7 +35,7 @@ final class Horizons {
             shortest = Math.min(shortest, of.run().duration());
         }
         List<HorizonGain> gains = new ArrayList<>();
-        List<double[]> before = squares(data, model.variant(), shortest);
+        List<double[]> before = squares(data, stepping.variant(), shortest);
         List<double[]> with = squares(data, after, shortest);
         for (int s = 0; s < SHARES.length; s++) {
             if (before.get(1)[s] > 0 && with.get(1)[s] > 0) {
@@ -53,40 +53,47 @@ final class Horizons {
 
     /** Sums of squared position errors (m^2) by share, and how many they are. */
     private List<double[]> squares(List<Misses> data, Variant variant, double shortest) {
+        return data.parallelStream()
+                .map(of -> squares(new Shooting(stepping, variant, of), shortest))
+                .reduce(NOTHING, Horizons::sum);
+    }
+
+    private static List<double[]> sum(List<double[]> some, List<double[]> others) {
+        List<double[]> sum = new ArrayList<>();
+        for (int i = 0; i < some.size(); i++) {
+            double[] both = some.get(i).clone();
+            for (int s = 0; s < both.length; s++) {
+                both[s] += others.get(i)[s];
+            }
+            sum.add(both);
+        }
+        return sum;
+    }
+
+    private List<double[]> squares(Shooting shooting, double shortest) {
         double[] sums = new double[SHARES.length];
         double[] counts = new double[SHARES.length];
-        for (Misses of : data) {
-            List<Window> windows = new Following(model, variant, of, noise).shortWindows();
-            for (int w = 0; w < windows.size(); w += EVERY) {
-                add(of, variant, windows.get(w), shortest, sums, counts);
-            }
+        List<Window> windows = new Following(shooting, noise).shortWindows();
+        for (int w = 0; w < windows.size(); w += EVERY) {
+            add(shooting, windows.get(w), shortest, sums, counts);
         }
         return List.of(sums, counts);
     }
 
     private void add(
-            Misses of,
-            Variant variant,
-            Window window,
-            double shortest,
-            double[] sums,
-            double[] counts) {
+            Shooting shooting, Window begin, double shortest, double[] sums, double[] counts) {
+        Misses of = shooting.of();
         int last = of.run().size() - 1;
-        RigidMotion[] motion =
-                Ensemble.simulate(
-                        model,
-                        of.run(),
-                        window.from(),
-                        last,
-                        List.of(new Entrant(variant, window.start())))[0];
+        Window window = new Window(begin.from(), last, begin.start());
+        RigidMotion[] motion = shooting.motion(window);
         double[] misses =
-                of.plain(motion, variant.sensing(), window.from(), last - window.from() + 1);
+                of.plain(motion, shooting.variant().sensing(), begin.from(), motion.length);
         int rows = of.rows().size();
         for (int s = 0; s < SHARES.length; s++) {
-            double until = of.run().time(window.to()) + SHARES[s] * shortest;
-            for (int k = window.to(); k <= last; k++) {
+            double until = of.run().time(begin.to()) + SHARES[s] * shortest;
+            for (int k = begin.to(); k <= last; k++) {
                 if (of.run().time(k) >= until) {
-                    addSample(of, misses, (k - window.from()) * rows, s, sums, counts);
+                    addSample(of, misses, (k - begin.from()) * rows, s, sums, counts);
                     break;
                 }
             }

@@ -40,7 +40,7 @@ public record Imitation(UnaryOperator<Variant> change) implements Cause {
      */
     public Map<Channel, Gain> gains(
             BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
-        Trial trial = new Trial(model, heldOut, Noise.of(fit));
+        Trial trial = new Trial(Stepping.exact(model), heldOut, Noise.of(fit));
         Hypothesis imitated = Hypothesis.NONE.and(this, new double[0]);
         return trial.gains(trial.prediction(Hypothesis.NONE), trial.prediction(imitated));
     }

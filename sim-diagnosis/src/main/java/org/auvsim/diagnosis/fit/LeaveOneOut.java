@@ -57,12 +57,12 @@ final class LeaveOneOut {
         List<List<Window>> windows = new ArrayList<>(fit.windows());
         data.remove(run);
         windows.remove(run);
-        return new Fit(fit.model(), data, fit.hypothesis(), windows, fit.knowledge());
+        return new Fit(fit.stepping(), data, fit.hypothesis(), windows, fit.knowledge());
     }
 
     private static Fit only(Fit fit, int run) {
         return new Fit(
-                fit.model(),
+                fit.stepping(),
                 List.of(fit.data().get(run)),
                 fit.hypothesis(),
                 List.of(fit.windows().get(run)),

@@ -2,12 +2,9 @@ package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble;
-import org.auvsim.diagnosis.model.Ensemble.Entrant;
 import org.auvsim.diagnosis.model.Ensemble.Leg;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.server.feedback.RigidMotion;
-
-import java.util.List;
 
 /**
  * What errors of a motion do in a short leg of it, to first order: an error at its beginning, and
@@ -26,33 +23,31 @@ final class LegResponse {
     private final double[][] shownOfParting = new double[SIZE][];
 
     /**
-     * Of a leg under a variant of the model.
+     * Of a leg.
      *
      * @param samples how many of the leg's count
      * @param together how many samples are taken together with them
      */
-    LegResponse(
-            BelievedModel model,
-            Variant variant,
-            Misses of,
-            Leg leg,
-            int samples,
-            double together) {
-        List<Entrant> entrants =
-                WindowDerivatives.starts(model, leg.start()).stream()
-                        .map(start -> new Entrant(variant, start))
-                        .toList();
+    LegResponse(Shooting shooting, Leg leg, int samples, double together) {
+        BelievedModel model = shooting.stepping().model();
+        Variant variant = shooting.variant();
+        Misses of = shooting.of();
         RigidMotion[][] motions =
-                Ensemble.simulate(model, of.run(), leg.from(), leg.to(), entrants);
+                Ensemble.simulate(
+                        shooting.stepping().rough(),
+                        of.run(),
+                        leg.from(),
+                        leg.to(),
+                        shooting.fromAllStarts(leg.start()));
         double weight = 1 / Math.sqrt(together);
         double[] before =
                 sum(of, of.of(motions[0], variant.sensing(), leg.from(), samples), weight);
         RigidMotion end = motions[0][leg.to() - leg.from()];
         for (int i = 0; i < SIZE; i++) {
-            double step = WindowDerivatives.STEPS[i / 3];
+            double step = Shooting.step(i);
             RigidMotion[] moved = motions[i + 1];
             RigidMotion[] parting = parting(of, leg, motions[0], model, i, step);
-            transition[i] = slope(moved[leg.to() - leg.from()].minus(end), step);
+            transition[i] = Shooting.slope(moved[leg.to() - leg.from()].minus(end), step);
             shown[i] = slope(of, moved, variant, leg, samples, weight, before, step);
             shownOfParting[i] = slope(of, parting, variant, leg, samples, weight, before, step);
         }
@@ -73,10 +68,6 @@ final class LegResponse {
         return moved;
     }
 
-    private static double[] slope(double[] difference, double step) {
-        return WindowDerivatives.slope(difference, new double[difference.length], step);
-    }
-
     private static double[] slope(
             Misses of,
             RigidMotion[] moved,
@@ -87,7 +78,7 @@ final class LegResponse {
             double[] before,
             double step) {
         double[] misses = of.of(moved, variant.sensing(), leg.from(), samples);
-        return WindowDerivatives.slope(sum(of, misses, weight), before, step);
+        return Shooting.slope(sum(of, misses, weight), before, step);
     }
 
     private static double[] sum(Misses of, double[] misses, double weight) {

@@ -1,12 +1,9 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.core.math.Vec3;
-import org.auvsim.diagnosis.model.BelievedModel;
-import org.auvsim.diagnosis.model.Ensemble;
-import org.auvsim.diagnosis.model.Ensemble.Entrant;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.ForceResidual;
-import org.auvsim.server.feedback.RigidMotion;
+import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -19,9 +16,10 @@ final class MissingForce {
     private MissingForce() {}
 
     /** Before and after, where the windows under the believed model begin. */
-    static List<ForceResidual> along(BelievedModel model, Variant after, Misses run, Noise noise) {
-        Variant before = model.variant();
-        List<Window> windows = new Following(model, before, run, noise).shortWindows();
+    static List<ForceResidual> along(Stepping stepping, Variant after, Misses run, Noise noise) {
+        Shooting before = new Shooting(stepping, stepping.variant(), run);
+        Shooting with = new Shooting(stepping, after, run);
+        List<Window> windows = new Following(before, noise).shortWindows();
         List<ForceResidual> forces = new ArrayList<>();
         for (int w = 0; w + 1 < windows.size(); w++) {
             Window window = windows.get(w);
@@ -29,23 +27,17 @@ final class MissingForce {
             forces.add(
                     new ForceResidual(
                             run.run().time(window.to()),
-                            force(model, before, run, window, next),
-                            force(model, after, run, window, next)));
+                            force(before, window, next),
+                            force(with, window, next)));
         }
         return forces;
     }
 
-    private static Vec3 force(
-            BelievedModel model, Variant variant, Misses run, Window window, Window next) {
-        RigidMotion[] motion =
-                Ensemble.simulate(
-                        model,
-                        run.run(),
-                        window.from(),
-                        window.to(),
-                        List.of(new Entrant(variant, window.start())))[0];
-        double between = (run.run().time(next.to()) - run.run().time(window.from())) / 2;
-        Vec3 jump = next.start().velocity().minus(motion[window.length()].velocity());
-        return jump.times(variant.body().mass().orElse(1.0) / between);
+    private static Vec3 force(Shooting shooting, Window window, Window next) {
+        MeasuredRun run = shooting.of().run();
+        Vec3 end = shooting.motion(window)[window.length()].velocity();
+        double between = (run.time(next.to()) - run.time(window.from())) / 2;
+        Vec3 jump = next.start().velocity().minus(end);
+        return jump.times(shooting.variant().body().mass().orElse(1.0) / between);
     }
 }

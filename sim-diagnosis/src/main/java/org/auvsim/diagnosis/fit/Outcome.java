@@ -75,6 +75,15 @@ record Outcome(
         return squares;
     }
 
+    /** Sum of squares. */
+    static double squares(double[] misses) {
+        double sum = 0;
+        for (double miss : misses) {
+            sum += miss * miss;
+        }
+        return sum;
+    }
+
     /** Squared distance of a start from what is known of it, in standard deviations. */
     static double squares(KnownStart known, RigidMotion start) {
         double[] off = start.minus(known.motion());

@@ -23,8 +23,13 @@ final class Refinement {
     /** Steps that do not lead on, though they should, are damped by these (Marquardt 1963). */
     private static final double[] DAMPINGS = {1e-3, 1e-2, 0.1, 1};
 
-    /** A share of the cost that is not worth a step. */
+    /** A share of the cost that is not worth a step; where far more than noise is missed. */
     private static final double ENOUGH = 1e-4;
+
+    private static final double ENOUGH_FAR_OFF = 1e-2;
+
+    /** Far more than noise is missed if chi squared a number is above this. */
+    private static final double FAR_OFF = 4;
 
     private Refinement() {}
 
@@ -159,7 +164,8 @@ final class Refinement {
     }
 
     private static boolean isWorthIt(double gain, Judged of) {
-        return gain > ENOUGH * of.cost();
+        boolean isFarOff = of.cost() > FAR_OFF * of.outcome().count();
+        return gain > (isFarOff ? ENOUGH_FAR_OFF : ENOUGH) * of.cost();
     }
 
     private static Judged better(Judged from) {

@@ -26,7 +26,7 @@ final class Search {
 
     private static final double FALSE_ALARMS = 0.01;
 
-    private final BelievedModel model;
+    private final Stepping stepping;
     private final Noise noise;
     private final Fit base;
     private final List<Cause> library;
@@ -44,12 +44,12 @@ final class Search {
             Course course) {
         this.noise = Noise.of(runs);
         List<Misses> data = Misses.of(runs, noise);
-        Fit asStated = Following.of(model, Hypothesis.NONE, data, noise);
-        this.model = StepLength.converged(model, asStated);
+        Fit asStated = Following.of(Stepping.hopeful(model), Hypothesis.NONE, data, noise);
+        this.stepping = StepLength.converged(asStated);
         this.base =
-                this.model.equals(model)
+                stepping.equals(asStated.stepping())
                         ? asStated
-                        : Following.of(this.model, Hypothesis.NONE, data, noise);
+                        : Following.of(stepping, Hypothesis.NONE, data, noise);
         this.library = library;
         this.guesses = library.stream().map(c -> new Seed.Guesses(c, c.guesses(runs))).toList();
         this.course = course;
@@ -73,8 +73,8 @@ final class Search {
             Traces traces,
             Noise noise) {
         /** The model, in steps that are short enough. */
-        BelievedModel model() {
-            return none.fit().model();
+        Stepping stepping() {
+            return none.fit().stepping();
         }
 
         /** The best, one of its causes left out. */
@@ -237,7 +237,7 @@ final class Search {
 
     /** Windows that follow the measurement under a hypothesis. */
     private Fit following(Hypothesis hypothesis) {
-        return Following.of(model, hypothesis, base.data(), noise);
+        return Following.of(stepping, hypothesis, base.data(), noise);
     }
 
     /** All starts come near, the best of them nearer, the best of those to the end. */

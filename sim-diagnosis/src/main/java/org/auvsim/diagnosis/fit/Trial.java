@@ -2,7 +2,6 @@ package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.fit.Outcome.Squares;
-import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.Gain;
 import org.auvsim.diagnosis.result.HorizonGain;
@@ -24,19 +23,19 @@ final class Trial {
     /** Above this the residuals of a held-out run have a memory. */
     private static final double LIMIT = 5;
 
-    private final BelievedModel model;
+    private final Stepping stepping;
     private final List<Misses> data;
     private final Noise noise;
 
-    Trial(BelievedModel model, List<MeasuredRun> heldOut, Noise noise) {
-        this.model = model;
+    Trial(Stepping stepping, List<MeasuredRun> heldOut, Noise noise) {
+        this.stepping = stepping;
         this.data = Misses.of(heldOut, noise);
         this.noise = noise;
     }
 
     /** Held-out runs from starts of their own, the hypothesis as it is. */
     Judged prediction(Hypothesis hypothesis) {
-        Fit fit = Following.of(model, hypothesis.settled(), data, noise);
+        Fit fit = Following.of(stepping, hypothesis.settled(), data, noise);
         return Refinement.converge(Refinement.approach(fit, 1), STEPS);
     }
 
@@ -121,6 +120,6 @@ final class Trial {
 
     /** The same by how far ahead is predicted. */
     List<HorizonGain> horizons(Variant after) {
-        return new Horizons(model, noise).gains(data, after);
+        return new Horizons(stepping, noise).gains(data, after);
     }
 }

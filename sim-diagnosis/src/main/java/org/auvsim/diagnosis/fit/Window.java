@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
 /**
@@ -16,5 +17,10 @@ record Window(int from, int to, RigidMotion start) {
 
     int length() {
         return to - from;
+    }
+
+    /** How many of a run's samples are its own: the run's last one is that of the last window. */
+    int samples(MeasuredRun run) {
+        return to == run.size() - 1 ? length() + 1 : length();
     }
 }

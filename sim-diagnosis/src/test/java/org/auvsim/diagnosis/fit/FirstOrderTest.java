@@ -66,7 +66,12 @@ class FirstOrderTest {
                         "vehicle");
         MeasuredRun run = run();
         Noise noise = Noise.of(List.of(run));
-        fit = Following.of(model, Hypothesis.NONE, Misses.of(List.of(run), noise), noise);
+        fit =
+                Following.of(
+                        Stepping.exact(model),
+                        Hypothesis.NONE,
+                        Misses.of(List.of(run), noise),
+                        noise);
     }
 
     /** The model's own motion under commands that change, with noise. */
@@ -129,9 +134,7 @@ class FirstOrderTest {
         Moves moves = new Moves(variants, steps);
         List<WindowDerivatives> windows = FirstOrder.derivatives(fit, moves).getFirst();
         Window only = windows.getFirst().window;
-        WindowDerivatives whole =
-                WindowDerivatives.of(
-                        model, model.variant(), fit.data().getFirst(), only, true, 8, moves);
+        WindowDerivatives whole = fit.shooting(fit.data().getFirst()).derivatives(only, 8, moves);
 
         assertThat(windows).hasSize(1);
         assertThat(variants).hasSizeGreaterThan(500);

@@ -85,7 +85,9 @@ class ProfileTest {
                         .orElseThrow();
         Noise ofRun = Noise.of(List.of(run));
         Hypothesis hypothesis = new Hypothesis(List.of(drag), List.of(new double[] {DRAG}));
-        Fit fit = Following.of(model, hypothesis, Misses.of(List.of(run), ofRun), ofRun);
+        Fit fit =
+                Following.of(
+                        Stepping.exact(model), hypothesis, Misses.of(List.of(run), ofRun), ofRun);
         return Refinement.converge(Refinement.approach(fit, 1), 20);
     }
 

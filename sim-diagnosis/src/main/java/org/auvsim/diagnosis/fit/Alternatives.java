@@ -18,15 +18,23 @@ final class Alternatives {
 
     private Alternatives() {}
 
-    /** Those of the best, nearest first. */
+    /**
+     * Those of the best, nearest first. Beside specific causes, those that can imitate others are
+     * told where they predict the very same.
+     */
     static List<Judged> competitors(Judged best, List<Judged> judged) {
+        boolean isGeneric = best.fit().hypothesis().isGeneric();
         List<List<Cause>> taken = new ArrayList<>();
         taken.add(best.fit().hypothesis().causes());
         List<Judged> competitors = new ArrayList<>();
         for (Judged other : judged) {
             List<Cause> causes = other.fit().hypothesis().causes();
             boolean isNear = other.score() < best.score() + MARGIN;
-            if (isNear && !contains(causes, best) && !taken.contains(causes)) {
+            boolean isPlain = !other.fit().hypothesis().isGeneric() || isGeneric;
+            if (isNear
+                    && !contains(causes, best)
+                    && !taken.contains(causes)
+                    && (isPlain || areSame(best, other))) {
                 taken.add(causes);
                 competitors.add(other);
             }

@@ -119,7 +119,7 @@ public final class Examination {
         Judged best = all.best();
         return !best.isNone()
                 && Search.isWhite(best)
-                && (ofFit.best().isNone() || Trial.holdsLeftOut(best));
+                && (ofFit.best().isNone() || Trial.holdsLeftOut(all.none(), best));
     }
 
     private List<MeasuredRun> allRuns() {

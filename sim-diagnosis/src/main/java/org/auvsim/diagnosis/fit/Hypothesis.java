@@ -55,6 +55,11 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
         return places;
     }
 
+    /** Whether one of the causes is one that can imitate others. */
+    boolean isGeneric() {
+        return causes.stream().anyMatch(Cause::isGeneric);
+    }
+
     /** Number of parameters of all causes. */
     int size() {
         return theta.stream().mapToInt(t -> t.length).sum();

@@ -10,12 +10,16 @@ record Judged(Fit fit, Outcome outcome, double score) {
     }
 
     static Judged of(Fit fit, Outcome outcome) {
-        Hypothesis hypothesis = fit.hypothesis();
-        double score =
-                outcome.deviance()
-                        + hypothesis.size() * Math.log(outcome.count())
-                        + hypothesis.price();
-        return new Judged(fit, outcome, score);
+        return new Judged(fit, outcome, outcome.deviance() + price(fit.hypothesis(), outcome));
+    }
+
+    private static double price(Hypothesis hypothesis, Outcome outcome) {
+        return hypothesis.size() * Math.log(outcome.count()) + hypothesis.price();
+    }
+
+    /** By how much the deviance must fall for its causes to be believed. */
+    double price() {
+        return price(fit.hypothesis(), outcome);
     }
 
     /** The logarithm of the model's evidence (Schwarz 1978), up to a constant. */

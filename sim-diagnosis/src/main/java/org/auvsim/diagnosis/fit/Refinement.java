@@ -28,6 +28,9 @@ final class Refinement {
 
     private static final double ENOUGH_FAR_OFF = 1e-2;
 
+    /** All steps to come may gain so many times what the last one has gained. */
+    private static final double HOPE = 5;
+
     /** Far more than noise is missed if chi squared a number is above this. */
     private static final double FAR_OFF = 4;
 
@@ -151,12 +154,18 @@ final class Refinement {
 
     /** Gauss-Newton steps of whole runs, shortened until they help. */
     static Judged converge(Judged start, int mostSteps) {
+        return converge(start, mostSteps, Double.POSITIVE_INFINITY);
+    }
+
+    /** The same, given up where a score is out of reach. */
+    static Judged converge(Judged start, int mostSteps, double score) {
         Judged best = start;
         for (int s = 0; s < mostSteps && Double.isFinite(best.cost()); s++) {
             Judged next = better(best);
             boolean isWorthIt = isWorthIt(best.cost() - next.cost(), next);
+            boolean isNear = next.score() - HOPE * (best.score() - next.score()) < score;
             best = next;
-            if (!isWorthIt) {
+            if (!isWorthIt || !isNear) {
                 break;
             }
         }

@@ -21,6 +21,9 @@ final class Search {
     private static final int THIRD_STEPS = 40;
     private static final int FORWARD = 4;
 
+    /** Scores that are worse than the best by more are of no interest. */
+    private static final double BESIDE = 30;
+
     /** A gain below this may be one of noise, among so many causes. */
     private static final double DOUBTFUL = 30;
 
@@ -194,7 +197,7 @@ final class Search {
     /**
      * The same with each of its causes exchanged for those that leave nearly the same trace: which
      * of two it is that the data cannot tell apart is not to depend on which was tried. A specific
-     * cause stays before a generic one.
+     * cause stays before a generic one, which is told beside it.
      */
     private Judged amongAliases(Judged found, Traces traces) {
         Judged best = found;
@@ -204,11 +207,11 @@ final class Search {
             boolean isGeneric = of.causes().get(c).isGeneric();
             List<Cause> aliases =
                     traces.alike(of.causes().get(c)).stream()
-                            .filter(alias -> isGeneric || !alias.isGeneric())
                             .filter(alias -> !isJudged(others.and(alias, new double[0]).causes()))
                             .toList();
             if (!aliases.isEmpty() && course.goesOn()) {
-                best = tournament(screen(others, aliases).starts(1), best, 0.8, 0.9);
+                Judged other = tournament(screen(others, aliases).starts(1), best, 0.8, 0.9);
+                best = isGeneric || !other.fit().hypothesis().isGeneric() ? other : best;
             }
         }
         return best;
@@ -255,8 +258,8 @@ final class Search {
                                                                 / starts.size()))
                         .map(start -> Refinement.approach(start.fit(), start.perBlock()))
                         .toList();
-        List<Judged> nearer = best(near, SECOND_ROUND, SECOND_STEPS);
-        List<Judged> last = best(nearer, THIRD_ROUND, THIRD_STEPS);
+        List<Judged> nearer = best(near, SECOND_ROUND, SECOND_STEPS, Double.POSITIVE_INFINITY);
+        List<Judged> last = best(nearer, THIRD_ROUND, THIRD_STEPS, toBeat(nearer, otherwise));
         judged.addAll(last);
         return last.stream()
                 .filter(j -> j.score() < otherwise.score())
@@ -264,7 +267,16 @@ final class Search {
                 .orElse(otherwise);
     }
 
-    private List<Judged> best(List<Judged> of, int most, int steps) {
+    /** The best score there is, and what may be of interest beside it. */
+    private static double toBeat(List<Judged> round, Judged otherwise) {
+        double best = otherwise.score();
+        for (Judged judged : round) {
+            best = Math.min(best, judged.score());
+        }
+        return best + BESIDE;
+    }
+
+    private List<Judged> best(List<Judged> of, int most, int steps, double toBeat) {
         Set<List<Cause>> taken = new HashSet<>();
         return of.stream()
                 .sorted(Comparator.comparingDouble(Judged::score))
@@ -272,7 +284,7 @@ final class Search {
                 .limit(most)
                 .toList()
                 .parallelStream()
-                .map(j -> course.goesOn() ? Refinement.converge(j, steps) : j)
+                .map(j -> course.goesOn() ? Refinement.converge(j, steps, toBeat) : j)
                 .toList();
     }
 
@@ -285,7 +297,8 @@ final class Search {
             Hypothesis hypothesis = best.fit().hypothesis();
             for (int c = 0; hypothesis.causes().size() > 1 && c < hypothesis.causes().size(); c++) {
                 Fit fewer = best.fit().with(hypothesis.without(c), best.fit().windows());
-                Judged without = Refinement.converge(Judged.of(fewer), THIRD_STEPS);
+                Judged without =
+                        Refinement.converge(Judged.of(fewer), THIRD_STEPS, best.score() + BESIDE);
                 judged.add(without);
                 if (without.score() < best.score()) {
                     best = without;

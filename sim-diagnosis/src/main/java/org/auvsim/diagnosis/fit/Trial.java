@@ -55,19 +55,53 @@ final class Trial {
                         .with(fitted.fit().hypothesis(), predicted.fit().windows())
                         .knowing(known);
         Judged adjusted = Refinement.converge(Judged.of(fit), ADJUSTMENTS);
-        return adjusted.outcome().deviance() < before.outcome().deviance() + Cause.PRICE
+        return isConfirmed(before.outcome().misses(), List.of(adjusted), fitted)
+                && adjusted.outcome().deviance() < before.outcome().deviance() + Cause.PRICE
                 && Search.whiteness(adjusted) < LIMIT
                 && worstRatio(adjusted.outcome(), fitted.outcome()) < MOST_RATIO;
     }
 
-    /** Whether each of the runs that all were searched with is predicted by the others. */
-    static boolean holdsLeftOut(Judged fitted) {
-        return LeaveOneOut.adjusted(fitted).stream()
-                .allMatch(
-                        prediction ->
-                                Search.whiteness(prediction) < LIMIT
-                                        && worstRatio(prediction.outcome(), fitted.outcome())
-                                                < MOST_RATIO);
+    /**
+     * Whether each of the runs that all were searched with is predicted by the others, and not one
+     * of them alone asks for the causes.
+     *
+     * @param none the model as it was believed, fitted to the same runs
+     */
+    static boolean holdsLeftOut(Judged none, Judged fitted) {
+        List<Judged> predictions = LeaveOneOut.adjusted(fitted);
+        return !restsOnOneRun(none, fitted)
+                && isConfirmed(none.outcome().misses(), predictions, fitted)
+                && predictions.stream()
+                        .allMatch(
+                                prediction ->
+                                        Search.whiteness(prediction) < LIMIT
+                                                && worstRatio(
+                                                                prediction.outcome(),
+                                                                fitted.outcome())
+                                                        < MOST_RATIO);
+    }
+
+    /** Whether causes would not be worth their price without the run that gains most by them. */
+    private static boolean restsOnOneRun(Judged none, Judged fitted) {
+        double all = 0;
+        double most = 0;
+        for (int r = 0; r < fitted.fit().data().size(); r++) {
+            double gain =
+                    Outcome.squares(none.outcome().misses().get(r))
+                            - Outcome.squares(fitted.outcome().misses().get(r));
+            all += gain;
+            most = Math.max(most, gain);
+        }
+        return all - most < fitted.price();
+    }
+
+    /** A model that lacks nothing has nothing to be borne out. */
+    private static boolean isConfirmed(
+            List<double[]> before, List<Judged> predictions, Judged fitted) {
+        List<double[]> after =
+                predictions.stream().flatMap(p -> p.outcome().misses().stream()).toList();
+        int parameters = predictions.size() * fitted.fit().hypothesis().size();
+        return fitted.isNone() || Confirmation.of(before, after, parameters);
     }
 
     /** The largest ratio over channels of root mean squares. */

@@ -2,59 +2,40 @@ package org.auvsim.core.dynamics;
 
 import org.auvsim.core.entity.Block;
 
-/** A step of one body, cut into equal parts because its forces are stiff. */
+import java.util.Arrays;
+
+/** A step of bodies that is cut into equal parts because their forces are stiff. */
 public final class SubSteps {
     /**
      * Parts whose z ({@link Stiffness}) is up to this are fine: damped, though not to a percent.
      */
     private static final int FINE = 2;
 
-    /** Loads one body into a block, as it is at the step's begin, with all that acts on it. */
-    public interface Load {
-        /** Fills the block. */
-        void into(Block block);
-    }
-
     private SubSteps() {}
 
     /**
-     * Integrates a body in as many parts as needed, twice as many each time; the end is in the
-     * block.
+     * Integrates the bodies of a block, as they are at the step's begin, in so many parts; the end
+     * is in the block.
      *
-     * @param parts with which to begin
-     * @return how many parts were needed; 0 if the most that are made ({@link
-     *     Block#MOST_SUB_STEPS}) are too few
+     * @param fine told of each body: whether the parts are short enough for it
      */
-    public static int integrate(
+    public static void integrate(
             Integrator integrator,
             EquationsOfMotion equations,
             Block block,
-            Load load,
             double dt,
-            int parts) {
-        for (int n = parts; n <= Block.MOST_SUB_STEPS; n *= 2) {
-            load.into(block);
-            if (isFine(integrator, equations, block, dt, n)) {
-                return n;
-            }
-        }
-        return 0;
-    }
-
-    private static boolean isFine(
-            Integrator integrator, EquationsOfMotion equations, Block block, double dt, int parts) {
+            int parts,
+            boolean[] fine) {
         double begin = block.time;
+        Arrays.fill(fine, 0, block.count, true);
         for (int k = 0; k < parts; k++) {
             block.time = begin + k * (dt / parts);
             equations.evaluate(block);
             integrator.advance(equations, block, dt / parts);
             for (int i = 0; i < block.count; i++) {
-                if (block.subSteps(i) > FINE) {
-                    return false;
-                }
+                fine[i] &= block.subSteps(i) <= FINE;
             }
         }
         block.time = begin + dt;
-        return true;
     }
 }

@@ -29,9 +29,8 @@ final class Outlook {
         bodies = population.state();
         IntFunction<String> names = slot -> population.objects().get(slot).name();
         Block block = new Block(equations.groups().capacity());
-        Block single = new Block(block.capacity);
-        end = new Projection(bodies, equations, integrator, block, single, names);
-        probe = new Projection(bodies, equations, integrator, block, single, names);
+        end = new Projection(bodies, equations, integrator, block, names);
+        probe = new Projection(bodies, equations, integrator, block, names);
     }
 
     /** Looks from the present state on, which is that of a time (s). */

@@ -22,12 +22,13 @@ final class Projection {
     private final EquationsOfMotion equations;
     private final Integrator integrator;
     private final Block block;
-    private final Block single;
     private final IntFunction<String> names;
     private final BodyGroups groups;
     private final BodyGroups.Batch batch;
-    private final int[] one = new int[1];
     private final int[] parts;
+    private final int[] stiff;
+    private final int[] together;
+    private final boolean[] fine;
     private final double[][] columns;
     private final int[] known;
     private final int[] wanted = new int[Block.SIZE];
@@ -39,7 +40,7 @@ final class Projection {
     private double offset = Double.NaN;
 
     /**
-     * Of these bodies; both blocks are used only while something is integrated.
+     * Of these bodies; the block is used only while something is integrated.
      *
      * @param names of the bodies, by slot, for sentences
      */
@@ -48,17 +49,18 @@ final class Projection {
             EquationsOfMotion equations,
             Integrator integrator,
             Block block,
-            Block single,
             IntFunction<String> names) {
         this.bodies = bodies;
         this.equations = equations;
         this.integrator = integrator;
         this.block = block;
-        this.single = single;
         this.names = names;
         this.groups = equations.groups();
         this.batch = new BodyGroups.Batch(groups.capacity());
         this.parts = new int[bodies.count()];
+        this.stiff = new int[block.capacity];
+        this.together = new int[block.capacity];
+        this.fine = new boolean[block.capacity];
         this.columns = new double[BodyState.COLUMNS][bodies.count()];
         this.known = new int[bodies.count()];
     }
@@ -196,39 +198,79 @@ final class Projection {
             known[block.slot(i)] = round;
             parts[block.slot(i)] = block.subSteps(i);
         }
+        if (block.hasSubSteps()) {
+            cut(stiffUnits());
+        }
+    }
+
+    /** Notes the bodies of the block whose step should be cut, of coupled ones the first. */
+    private int stiffUnits() {
+        int count = 0;
         int size;
-        for (int i = 0; block.hasSubSteps() && i < block.count; i += size) {
-            int slot = block.slot(i);
-            size = groups.size(slot);
+        for (int i = 0; i < block.count; i += size) {
+            size = groups.size(block.slot(i));
             int most = 1;
             for (int k = i; k < i + size; k++) {
                 most = Math.max(most, block.subSteps(k));
             }
             if (most > 1) {
-                cut(slot, most);
+                stiff[count++] = block.slot(i);
+                for (int k = i; k < i + size; k++) {
+                    parts[block.slot(k)] = most;
+                }
+            }
+        }
+        return count;
+    }
+
+    /** Integrates bodies with stiff forces again, in parts: in twice as many until all are fine. */
+    private void cut(int count) {
+        for (int n = 2; n <= Block.MOST_SUB_STEPS; n *= 2) {
+            int alone = 0;
+            for (int s = 0; s < count; s++) {
+                if (parts[stiff[s]] == n && groups.isCoupled(stiff[s])) {
+                    integrateParts(groups.members(stiff[s]), n);
+                } else if (parts[stiff[s]] == n) {
+                    together[alone++] = stiff[s];
+                }
+            }
+            integrateParts(alone, n);
+        }
+        for (int s = 0; s < count; s++) {
+            if (parts[stiff[s]] > Block.MOST_SUB_STEPS) {
+                throw StepException.tooStiff(names.apply(stiff[s]), now, offset);
             }
         }
     }
 
-    /** Integrates a body with stiff forces again, in parts, with those that it is coupled to. */
-    private void cut(int slot, int atLeast) {
-        int[] members = one;
-        one[0] = slot;
-        if (groups.isCoupled(slot)) {
-            members = groups.members(slot);
-        }
-        int[] loaded = members;
-        int needed =
-                SubSteps.integrate(
-                        integrator, equations, single, b -> loadGroup(loaded, b), offset, atLeast);
-        if (needed == 0) {
-            throw StepException.tooStiff(names.apply(slot), now, offset);
+    /** Of coupled bodies, all are fine or none. */
+    private void integrateParts(int[] members, int n) {
+        loadGroup(members, block);
+        SubSteps.integrate(integrator, equations, block, offset, n, fine);
+        boolean areFine = true;
+        for (int i = 0; i < block.count; i++) {
+            areFine &= fine[i];
         }
         for (int i = 0; i < members.length; i++) {
-            parts[members[i]] = needed;
-            for (int c = 0; c < BodyState.COLUMNS; c++) {
-                columns[c][members[i]] = single.state[c][i];
+            keep(members[i], i, areFine, n);
+        }
+    }
+
+    /** Bodies that are not coupled, so many of those noted. */
+    private void integrateParts(int count, int n) {
+        if (count > 0) {
+            equations.load(block, together, count, now);
+            SubSteps.integrate(integrator, equations, block, offset, n, fine);
+            for (int i = 0; i < count; i++) {
+                keep(together[i], i, fine[i], n);
             }
+        }
+    }
+
+    private void keep(int slot, int i, boolean isFine, int n) {
+        parts[slot] = isFine ? n : 2 * n;
+        for (int c = 0; isFine && c < BodyState.COLUMNS; c++) {
+            columns[c][slot] = block.state[c][i];
         }
     }
 

@@ -47,6 +47,11 @@ record Fit(
         return new Fit(stepping, data, other, moved, knowledge);
     }
 
+    /** The same in steps of other lengths. */
+    Fit in(Stepping other) {
+        return new Fit(other, data, hypothesis, windows, knowledge);
+    }
+
     /** The same with parameters of which something is known. */
     Fit knowing(Knowledge other) {
         return new Fit(stepping, data, hypothesis, windows, other);

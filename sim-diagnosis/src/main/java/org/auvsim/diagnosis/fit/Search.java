@@ -47,11 +47,12 @@ final class Search {
             Course course) {
         this.noise = Noise.of(runs);
         List<Misses> data = Misses.of(runs, noise);
-        Fit asStated = Following.of(Stepping.hopeful(model), Hypothesis.NONE, data, noise);
+        Fit asStated =
+                Following.of(Stepping.longer(model).getFirst(), Hypothesis.NONE, data, noise);
         this.stepping = StepLength.converged(asStated);
         this.base =
-                stepping.equals(asStated.stepping())
-                        ? asStated
+                stepping.model().equals(model)
+                        ? asStated.in(stepping)
                         : Following.of(stepping, Hypothesis.NONE, data, noise);
         this.library = library;
         this.guesses = library.stream().map(c -> new Seed.Guesses(c, c.guesses(runs))).toList();

@@ -46,21 +46,40 @@ record Shooting(Stepping stepping, Variant variant, Misses of) {
     /** The same where its motion is known. */
     WindowDerivatives derivatives(Window window, RigidMotion[] motion, int group, Moves moves) {
         List<Entrant> entrants = entrants(window.start(), moves);
-        RigidMotion[][] motions =
-                Ensemble.simulate(stepping.rough(), of.run(), window.from(), window.to(), entrants);
-        double[] before = misses(window, entrants.getFirst(), motions[0], group);
-        RigidMotion end = motions[0][window.length()];
-        double[][] slopes = new double[motions.length - 1][];
-        double[][] endSlopes = new double[motions.length - 1][];
+        Knots knots = knots(window);
+        RigidMotion[][] rough =
+                Ensemble.simulate(stepping.rough(), of.run(), knots.samples(), entrants);
+        double[] missed = misses(window, entrants.getFirst(), motion, group);
+        RigidMotion end = motion[window.length()];
+        double[][] slopes = new double[rough.length - 1][];
+        double[][] endSlopes = new double[rough.length - 1][];
         for (int i = 0; i < slopes.length; i++) {
             int parameter = i - RigidMotion.SIZE;
             double step = parameter < 0 ? step(i) : moves.steps().get(parameter);
-            RigidMotion[] moved = motions[i + 1];
-            slopes[i] = slope(misses(window, entrants.get(i + 1), moved, group), before, step);
+            RigidMotion[] moved = knots.parted(motion, rough[0], rough[i + 1]);
+            slopes[i] = slope(misses(window, entrants.get(i + 1), moved, group), missed, step);
             endSlopes[i] = slope(moved[window.length()].minus(end), step);
         }
-        double[] missed = misses(window, new Entrant(variant, window.start()), motion, group);
         return new WindowDerivatives(window, motion, missed, slopes, endSlopes);
+    }
+
+    /** The motion in a window as the steps of differences have it. */
+    RigidMotion[] rough(Window window, RigidMotion[] motion) {
+        List<Entrant> alone = List.of(new Entrant(variant, window.start()));
+        Knots knots = knots(window);
+        RigidMotion[] rough =
+                Ensemble.simulate(stepping.rough(), of.run(), knots.samples(), alone)[0];
+        return knots.parted(motion, knots.of(motion), rough);
+    }
+
+    /** Into how many parts the engine cuts the steps of differences, by sample. */
+    double cuts(Window window) {
+        Entrant alone = new Entrant(variant, window.start());
+        return Ensemble.cuts(stepping.rough(), of.run(), knots(window).samples(), alone);
+    }
+
+    private Knots knots(Window window) {
+        return Knots.of(of.run(), window, stepping.rough().scenario().timeStep().delta());
     }
 
     /** The variant from a start, then from the same with each number moved, then others. */

@@ -1,9 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.model.BelievedModel;
-import org.auvsim.diagnosis.model.Ensemble;
-import org.auvsim.diagnosis.model.Ensemble.Entrant;
-import org.auvsim.diagnosis.model.Sensing;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.List;
@@ -20,6 +17,9 @@ final class StepLength {
     /** Steps that do for differences may move it by so much noise. */
     private static final double ROUGH = 1;
 
+    /** The engine may cut so many of them a sample: then shorter ones would cost less. */
+    private static final double FEW_CUTS = 0.1;
+
     private static final int MOST_HALVINGS = 4;
 
     private StepLength() {}
@@ -28,14 +28,30 @@ final class StepLength {
     static Stepping converged(Fit following) {
         BelievedModel now = following.model();
         for (int h = 0; h < MOST_HALVINGS; h++) {
-            BelievedModel finer = now.stepping(step(now, following) / 2);
-            if (difference(now, finer, following) < SHARE) {
+            Stepping finer = new Stepping(now, now.stepping(step(now, following) / 2));
+            if (difference(finer, following) < SHARE) {
                 break;
             }
-            now = finer;
+            now = finer.rough();
         }
-        Stepping longer = Stepping.hopeful(now);
-        return difference(now, longer.rough(), following) < ROUGH ? longer : Stepping.exact(now);
+        return Stepping.longer(now).stream()
+                .filter(longer -> difference(longer, following) < ROUGH)
+                .filter(longer -> cuts(longer, following) < FEW_CUTS)
+                .findFirst()
+                .orElse(Stepping.exact(now));
+    }
+
+    /** The most of any run. */
+    private static double cuts(Stepping stepping, Fit following) {
+        double most = 0;
+        for (int r = 0; r < following.data().size(); r++) {
+            Shooting shooting =
+                    new Shooting(stepping, following.variant(), following.data().get(r));
+            for (Window window : following.windows().get(r)) {
+                most = Math.max(most, shooting.cuts(window));
+            }
+        }
+        return most;
     }
 
     /** The longest step that is really made: none is longer than the time between samples. */
@@ -49,29 +65,30 @@ final class StepLength {
         return Math.min(longest, model.scenario().timeStep().delta());
     }
 
-    private static double difference(BelievedModel one, BelievedModel other, Fit following) {
+    /** The largest of any number; infinite where a motion gets out of all bounds. */
+    private static double difference(Stepping stepping, Fit following) {
         return IntStream.range(0, following.data().size())
                 .parallel()
                 .mapToDouble(
                         r ->
                                 difference(
-                                        one,
-                                        other,
-                                        following.data().get(r),
+                                        new Shooting(
+                                                stepping,
+                                                following.variant(),
+                                                following.data().get(r)),
                                         following.windows().get(r)))
                 .max()
                 .orElse(0);
     }
 
-    /** The largest of any number of a run; infinite where a motion gets out of all bounds. */
-    private static double difference(
-            BelievedModel one, BelievedModel other, Misses of, List<Window> windows) {
+    private static double difference(Shooting shooting, List<Window> windows) {
         double largest = 0;
         for (Window window : windows) {
-            double[] a = misses(one, of, window);
-            double[] b = misses(other, of, window);
-            for (int i = 0; i < a.length; i++) {
-                double difference = Math.abs(a[i] - b[i]);
+            RigidMotion[] motion = shooting.motion(window);
+            double[] one = shooting.misses(window, motion);
+            double[] other = shooting.misses(window, shooting.rough(window, motion));
+            for (int i = 0; i < one.length; i++) {
+                double difference = Math.abs(one[i] - other[i]);
                 largest =
                         Double.isNaN(difference)
                                 ? Double.POSITIVE_INFINITY
@@ -79,16 +96,5 @@ final class StepLength {
             }
         }
         return largest;
-    }
-
-    private static double[] misses(BelievedModel model, Misses of, Window window) {
-        RigidMotion[] motion =
-                Ensemble.simulate(
-                        model,
-                        of.run(),
-                        window.from(),
-                        window.to(),
-                        List.of(new Entrant(model.variant(), window.start())))[0];
-        return of.of(motion, Sensing.EXACT, window.from(), window.length() + 1);
     }
 }

@@ -3,6 +3,8 @@ package org.auvsim.diagnosis.fit;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
 
+import java.util.List;
+
 /**
  * The model in steps of two lengths.
  *
@@ -11,17 +13,18 @@ import org.auvsim.diagnosis.model.Variant;
  *     in the same ones
  */
 record Stepping(BelievedModel model, BelievedModel rough) {
-    /** Longer steps are longer by this factor. */
-    private static final double LONGER = 4;
+    /** Longer steps are longer by these factors. */
+    private static final List<Double> LONGER = List.of(4.0, 2.0);
 
     /** Differences in the steps of predictions, too. */
     static Stepping exact(BelievedModel model) {
         return new Stepping(model, model);
     }
 
-    /** Differences in longer steps, which may turn out to be too long. */
-    static Stepping hopeful(BelievedModel model) {
-        return new Stepping(model, model.stepping(LONGER * model.scenario().timeStep().delta()));
+    /** Differences in longer steps, which may turn out to be too long; the longest first. */
+    static List<Stepping> longer(BelievedModel model) {
+        double step = model.scenario().timeStep().delta();
+        return LONGER.stream().map(by -> new Stepping(model, model.stepping(by * step))).toList();
     }
 
     /** The body as it is believed. */

@@ -137,17 +137,47 @@ public final class Ensemble {
      */
     public static RigidMotion[][] simulate(
             BelievedModel model, MeasuredRun run, int from, int to, List<Entrant> entrants) {
+        return simulate(model, run, IntStream.rangeClosed(from, to).toArray(), entrants);
+    }
+
+    /**
+     * The same, told at some samples alone; steps may then be longer than from one sample to the
+     * next.
+     *
+     * @param samples in order, the first and the last included
+     * @return motion of each variant at each of these samples
+     */
+    public static RigidMotion[][] simulate(
+            BelievedModel model, MeasuredRun run, int[] samples, List<Entrant> entrants) {
         if (entrants.size() > together(model, entrants)) {
-            return halves(model, run, from, to, entrants);
+            return halves(model, run, samples, entrants);
         }
         try {
             double step = model.scenario().timeStep().delta();
-            return new Ensemble(model, run, from, entrants, step).simulate(from, to);
+            return new Ensemble(model, run, samples[0], entrants, step).simulate(samples);
         } catch (StepException e) {
             return entrants.size() == 1
-                    ? lost(to - from + 1)
-                    : halves(model, run, from, to, entrants);
+                    ? lost(samples.length)
+                    : halves(model, run, samples, entrants);
         }
+    }
+
+    /**
+     * Into how many parts the engine cuts steps of a variant that are too long for its stiff
+     * forces, by sample; 0 if none are.
+     *
+     * @param samples between which it is simulated, in order
+     */
+    public static double cuts(
+            BelievedModel model, MeasuredRun run, int[] samples, Entrant entrant) {
+        double step = model.scenario().timeStep().delta();
+        Ensemble alone = new Ensemble(model, run, samples[0], List.of(entrant), step);
+        try {
+            alone.simulate(samples);
+        } catch (StepException e) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return (double) alone.world.statistics().subSteps() / samples.length;
     }
 
     /** How many may share a world; every body asks all currents whether it feels them. */
@@ -157,15 +187,24 @@ public final class Ensemble {
         return inOwnWater ? Math.min(most, MOST_IN_OWN_WATER) : most;
     }
 
-    private RigidMotion[][] simulate(int from, int to) {
-        RigidMotion[][] motions = new RigidMotion[bodies.size()][to - from + 1];
+    private RigidMotion[][] simulate(int[] samples) {
+        RigidMotion[][] motions = new RigidMotion[bodies.size()][samples.length];
         keep(motions, 0);
-        for (int k = from; k < to; k++) {
-            inputs.command(k, k == from, bodies);
-            advance(run.time(k + 1));
-            keep(motions, k + 1 - from);
+        for (int s = 1; s < samples.length; s++) {
+            advance(samples[s - 1], samples[s], s == 1);
+            keep(motions, s);
         }
         return motions;
+    }
+
+    /** From one sample to another, with what is commanded between them. */
+    private void advance(int from, int to, boolean areNew) {
+        for (int k = from; k < to; k++) {
+            inputs.command(k, areNew && k == from, bodies);
+            if (k + 1 == to || inputs.changeAt(k + 1)) {
+                advance(run.time(k + 1));
+            }
+        }
     }
 
     private static RigidMotion[][] lost(int samples) {
@@ -176,11 +215,11 @@ public final class Ensemble {
 
     /** In two worlds: one that cannot be simulated takes none of the others with it. */
     private static RigidMotion[][] halves(
-            BelievedModel model, MeasuredRun run, int from, int to, List<Entrant> entrants) {
+            BelievedModel model, MeasuredRun run, int[] samples, List<Entrant> entrants) {
         int half = entrants.size() / 2;
-        RigidMotion[][] first = simulate(model, run, from, to, entrants.subList(0, half));
+        RigidMotion[][] first = simulate(model, run, samples, entrants.subList(0, half));
         RigidMotion[][] second =
-                simulate(model, run, from, to, entrants.subList(half, entrants.size()));
+                simulate(model, run, samples, entrants.subList(half, entrants.size()));
         RigidMotion[][] all = Arrays.copyOf(first, entrants.size());
         System.arraycopy(second, 0, all, half, second.length);
         return all;
@@ -258,12 +297,7 @@ public final class Ensemble {
         for (int l = 0; l < legs.size(); l++) {
             Leg leg = legs.get(l);
             bodies.forEach(leg.start()::giveTo);
-            for (int k = leg.from(); k < leg.to(); k++) {
-                inputs.command(k, l == 0 && k == leg.from(), bodies);
-                if (k + 1 == leg.to() || inputs.changeAt(k + 1)) {
-                    advance(run.time(k + 1));
-                }
-            }
+            advance(leg.from(), leg.to(), l == 0);
             RigidMotion end = RigidMotion.of(bodies.getFirst());
             for (int i = 0; i < partings.length; i++) {
                 partings[i][l] = RigidMotion.of(bodies.get(i + 1)).minus(end);

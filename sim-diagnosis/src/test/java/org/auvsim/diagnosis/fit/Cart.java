@@ -82,6 +82,6 @@ record Cart(double gain, double drag, double current) {
     Fit fit(Hypothesis hypothesis) throws AuvsmlException {
         Noise noise = Noise.of(List.of(run()));
         List<Misses> data = Misses.of(List.of(run()), noise);
-        return Following.of(Stepping.hopeful(believed()), hypothesis, data, noise);
+        return Following.of(Stepping.longer(believed()).getFirst(), hypothesis, data, noise);
     }
 }

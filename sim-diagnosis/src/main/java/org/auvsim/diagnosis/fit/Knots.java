@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.model.Ensemble;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
@@ -58,10 +59,14 @@ final class Knots {
      * @param motion at each sample of the window
      * @param rough at each knot
      * @param other alike
-     * @return at each sample of the window
+     * @return at each sample of the window; lost if one of them is
      */
     RigidMotion[] parted(RigidMotion[] motion, RigidMotion[] rough, RigidMotion[] other) {
         RigidMotion[] parted = new RigidMotion[motion.length];
+        if (isLost(motion) || isLost(rough) || isLost(other)) {
+            Arrays.fill(parted, Ensemble.LOST);
+            return parted;
+        }
         double[] begin = other[0].minus(rough[0]);
         parted[0] = motion[0].plus(begin);
         for (int q = 1; q < samples.length; q++) {
@@ -80,6 +85,11 @@ final class Knots {
             begin = end;
         }
         return parted;
+    }
+
+    /** What gets lost is not known from its beginning on. */
+    private static boolean isLost(RigidMotion[] motion) {
+        return motion[0].equals(Ensemble.LOST);
     }
 
     /** How fast a small way and a small turn from a motion grow: a turn is carried along, too. */

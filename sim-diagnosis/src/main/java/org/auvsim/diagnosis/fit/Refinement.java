@@ -23,16 +23,8 @@ final class Refinement {
     /** Steps that do not lead on, though they should, are damped by these (Marquardt 1963). */
     private static final double[] DAMPINGS = {1e-3, 1e-2, 0.1, 1};
 
-    /** A share of the cost that is not worth a step; where far more than noise is missed. */
+    /** A share of the cost that is not worth a step. */
     private static final double ENOUGH = 1e-4;
-
-    private static final double ENOUGH_FAR_OFF = 1e-2;
-
-    /** All steps to come may gain so many times what the last one has gained. */
-    private static final double HOPE = 5;
-
-    /** Far more than noise is missed if chi squared a number is above this. */
-    private static final double FAR_OFF = 4;
 
     private Refinement() {}
 
@@ -157,13 +149,14 @@ final class Refinement {
         return converge(start, mostSteps, Double.POSITIVE_INFINITY);
     }
 
-    /** The same, given up where a score is out of reach. */
+    /** The same, given up where a score is out of reach even if all steps gain like the last. */
     static Judged converge(Judged start, int mostSteps, double score) {
         Judged best = start;
         for (int s = 0; s < mostSteps && Double.isFinite(best.cost()); s++) {
             Judged next = better(best);
             boolean isWorthIt = isWorthIt(best.cost() - next.cost(), next);
-            boolean isNear = next.score() - HOPE * (best.score() - next.score()) < score;
+            double hoped = (mostSteps - s - 1) * (best.score() - next.score());
+            boolean isNear = next.score() - hoped < score;
             best = next;
             if (!isWorthIt || !isNear) {
                 break;
@@ -173,8 +166,7 @@ final class Refinement {
     }
 
     private static boolean isWorthIt(double gain, Judged of) {
-        boolean isFarOff = of.cost() > FAR_OFF * of.outcome().count();
-        return gain > (isFarOff ? ENOUGH_FAR_OFF : ENOUGH) * of.cost();
+        return gain > ENOUGH * of.cost();
     }
 
     private static Judged better(Judged from) {

@@ -21,6 +21,9 @@ final class Search {
     private static final int THIRD_STEPS = 40;
     private static final int FORWARD = 4;
 
+    /** A model that lacks nothing needs few; how badly another one fits need not be known well. */
+    private static final int NONE_STEPS = 8;
+
     /** Scores that are worse than the best by more are of no interest. */
     private static final double BESIDE = 30;
 
@@ -103,7 +106,7 @@ final class Search {
     /** Specific causes first; those that can imitate others only where none of those passes. */
     Found found() {
         course.at("fitting the model as it is", 0.1);
-        Judged none = Refinement.converge(Refinement.approach(base, 1), THIRD_STEPS);
+        Judged none = Refinement.converge(Refinement.approach(base, 1), NONE_STEPS);
         judged.add(none);
         List<Cause> specific = library.stream().filter(c -> !c.isGeneric()).toList();
         Judged best = searched(none, specific);

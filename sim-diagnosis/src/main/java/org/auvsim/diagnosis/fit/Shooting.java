@@ -18,6 +18,11 @@ record Shooting(Stepping stepping, Variant variant, Misses of) {
     /** Changes of a start: position (m), turn (rad), velocity (m/s), angular velocity (rad/s). */
     private static final double[] STEPS = {1e-5, 1e-6, 1e-6, 1e-6};
 
+    /** In steps that do for the variant. */
+    Shooting {
+        stepping = stepping.of(variant);
+    }
+
     /** By how much a number of a start is changed. */
     static double step(int number) {
         return STEPS[number / 3];

@@ -1,5 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.core.effect.Kick;
+import org.auvsim.core.effect.StepForce;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
 
@@ -25,6 +27,14 @@ record Stepping(BelievedModel model, BelievedModel rough) {
     static List<Stepping> longer(BelievedModel model) {
         double step = model.scenario().timeStep().delta();
         return LONGER.stream().map(by -> new Stepping(model, model.stepping(by * step))).toList();
+    }
+
+    /** The same for a variant: longer steps would miss what acts on it for a few of the others. */
+    Stepping of(Variant variant) {
+        boolean isAbrupt =
+                variant.body().effect().stream()
+                        .anyMatch(effect -> effect instanceof Kick || effect instanceof StepForce);
+        return isAbrupt ? exact(model) : this;
     }
 
     /** The body as it is believed. */

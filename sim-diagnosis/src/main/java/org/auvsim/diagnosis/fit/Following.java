@@ -72,19 +72,33 @@ final class Following {
         return new Fit(stepping, data, hypothesis, windows, Knowledge.NONE);
     }
 
-    /**
-     * A window as it was fitted, and by how much it misses.
-     *
-     * @param cost chi squared of its samples and of what was known of its start
-     */
-    private record Fitted(Window window, RigidMotion[] motion, double[] misses, double cost) {
-        /** Whether it misses far more than noise. */
-        boolean isFarOff() {
-            return !(Outcome.squares(misses) < FAR_OFF * misses.length);
+    /** A window as it was fitted, and by how much it misses. */
+    private static final class Fitted {
+        private final Window window;
+        private final RigidMotion[] motion;
+        private final double[] misses;
+
+        /** Chi squared of its samples and of what was known of its start. */
+        private final double cost;
+
+        Fitted(Window window, RigidMotion[] motion, double[] misses, double cost) {
+            this.window = window;
+            this.motion = motion;
+            this.misses = misses;
+            this.cost = cost;
+        }
+
+        Window window() {
+            return window;
         }
 
         RigidMotion end() {
             return motion[window.length()];
+        }
+
+        /** Whether it misses far more than noise. */
+        boolean isFarOff() {
+            return !(Outcome.squares(misses) < FAR_OFF * misses.length);
         }
     }
 
@@ -138,7 +152,7 @@ final class Following {
             Fitted one = fit(from, to, guess);
             if (one.isFarOff()) {
                 Fitted other = fit(from, to, measured(from, to));
-                one = other.cost() < one.cost() ? other : one;
+                one = other.cost < one.cost ? other : one;
             }
             fitted.add(one);
         }
@@ -198,7 +212,7 @@ final class Following {
         Fitted best = judged(start, known);
         for (int iteration = 0; iteration < mostIterations; iteration++) {
             Fitted next = better(best, known);
-            boolean isWorthIt = next.cost() < best.cost() * (1 - ENOUGH);
+            boolean isWorthIt = next.cost < best.cost * (1 - ENOUGH);
             best = next;
             if (!isWorthIt) {
                 break;
@@ -209,13 +223,13 @@ final class Following {
 
     private Fitted better(Fitted from, KnownStart known) {
         WindowDerivatives derivatives =
-                shooting.derivatives(from.window(), from.motion(), 1, Moves.NONE);
+                shooting.derivatives(from.window(), from.motion, 1, Moves.NONE);
         WindowBlock block =
                 new WindowBlock(model, List.of(derivatives), data.shown(), Optional.of(known));
         double share = 1;
         for (int halving = 0; halving < MOST_HALVINGS; halving++) {
             Fitted tried = judged(block.moved(new double[0], share).getFirst(), known);
-            if (tried.cost() < from.cost()) {
+            if (tried.cost < from.cost) {
                 return tried;
             }
             share /= 2;
@@ -240,7 +254,7 @@ final class Following {
                                     SHARE_OF_NOISE * noise.of(channel))
                             : Math.max(TURN, SHARE_OF_NOISE * noise.of(channel));
             for (Fitted window : fitted) {
-                if (systematic(window.misses(), channel) * noise.of(channel) > allowed) {
+                if (systematic(window.misses, channel) * noise.of(channel) > allowed) {
                     return false;
                 }
             }

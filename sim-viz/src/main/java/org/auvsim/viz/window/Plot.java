@@ -43,7 +43,7 @@ final class Plot {
         styler.setPlotMargin(2);
         styler.setXAxisTickMarkSpacingHint(50);
         styler.setYAxisTickMarkSpacingHint(24);
-        styler.setxAxisTickLabelsFormattingFunction(Plot::seconds);
+        styler.setXAxisTickLabelsFormattingFunction(Plot::seconds);
         styler.setYAxisDecimalPattern("0.###");
         panel = new XChartPanel<>(chart);
         // Its keys would take those of the window's menus.

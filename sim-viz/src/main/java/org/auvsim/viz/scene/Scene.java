@@ -228,7 +228,7 @@ public final class Scene {
 
     /** Reads something of one object as it was shown last; empty if it is not known. */
     public synchronized <T> Optional<T> lookAt(long id, Function<ActorView, T> reading) {
-        return Optional.ofNullable(byId.get(id)).map(reading::apply);
+        return Optional.ofNullable(byId.get(id)).map(reading);
     }
 
     private final class Look implements SceneLook {

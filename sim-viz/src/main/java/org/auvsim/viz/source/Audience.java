@@ -142,7 +142,7 @@ final class Audience {
             case EntityAddedMessage(double _, long id) ->
                     Thread.startVirtualThread(
                             () -> {
-                                describe(id, "#" + id);
+                                var _ = describe(id, "#" + id);
                                 exchange.want(new GetFieldListRequest());
                             });
             case EntityRemovedMessage _ ->

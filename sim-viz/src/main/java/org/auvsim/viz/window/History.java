@@ -1,8 +1,13 @@
 package org.auvsim.viz.window;
 
+import static java.util.Objects.requireNonNull;
+
 import org.auvsim.core.math.Quat;
 import org.auvsim.viz.scene.ActorView;
 import org.auvsim.viz.scene.Angles;
+
+import java.util.EnumMap;
+import java.util.Map;
 
 /** How an object has moved over the last minute of the world's time, its present state the last. */
 final class History {
@@ -12,11 +17,13 @@ final class History {
     private static final double MARGIN = 0.08;
 
     private final double[] times;
-    private final double[][] values;
+    private final Map<Quantity, double[]> values = new EnumMap<>(Quantity.class);
 
     private History(int count) {
         times = new double[count];
-        values = new double[Quantity.values().length][count];
+        for (Quantity quantity : Quantity.values()) {
+            values.put(quantity, new double[count]);
+        }
     }
 
     /** An object's, as it is shown at a time (s). */
@@ -65,11 +72,11 @@ final class History {
 
     private void set(int i, double time, double x, double y, double z, double speed, double yaw) {
         times[i] = time;
-        values[Quantity.X.ordinal()][i] = x;
-        values[Quantity.Y.ordinal()][i] = y;
-        values[Quantity.DEPTH.ordinal()][i] = 0.0 - z;
-        values[Quantity.SPEED.ordinal()][i] = speed;
-        values[Quantity.YAW.ordinal()][i] = Math.toDegrees(yaw);
+        of(Quantity.X)[i] = x;
+        of(Quantity.Y)[i] = y;
+        of(Quantity.DEPTH)[i] = 0.0 - z;
+        of(Quantity.SPEED)[i] = speed;
+        of(Quantity.YAW)[i] = Math.toDegrees(yaw);
     }
 
     /** When the states were (s), the oldest first. */
@@ -77,9 +84,13 @@ final class History {
         return times.clone();
     }
 
+    private double[] of(Quantity quantity) {
+        return requireNonNull(values.get(quantity));
+    }
+
     /** A quantity of the same states. */
     double[] values(Quantity quantity) {
-        return values[quantity.ordinal()].clone();
+        return of(quantity).clone();
     }
 
     /** A quantity as a line: none is drawn from 180 to -180 degrees. */
@@ -105,7 +116,7 @@ final class History {
         double span = 0;
         for (Quantity quantity : of) {
             span = Math.max(span, quantity.span());
-            for (double value : values[quantity.ordinal()]) {
+            for (double value : of(quantity)) {
                 least = Math.min(least, value);
                 most = Math.max(most, value);
             }

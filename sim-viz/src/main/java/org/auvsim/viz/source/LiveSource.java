@@ -84,7 +84,7 @@ public final class LiveSource implements Source, Steering {
         Strangers strangers = new Strangers(scene);
         Audience asking = new Audience(scene, to, strangers);
         audience = asking;
-        Thread.startVirtualThread(() -> begin(asking));
+        Thread.startVirtualThread(() -> begin(asking, to));
         String why =
                 to.read(
                         letter -> {
@@ -107,12 +107,16 @@ public final class LiveSource implements Source, Steering {
         }
     }
 
-    private void begin(Audience asking) {
+    /** A simulator that does not tell what there is is left; another try may find another one. */
+    private void begin(Audience asking, Exchange to) {
         try {
             asking.begin();
             ready.complete(null);
         } catch (CompletionException e) {
-            say(String.valueOf(requireNonNullElse(e.getCause(), e).getMessage()));
+            String why = String.valueOf(requireNonNullElse(e.getCause(), e).getMessage());
+            say(why);
+            ready.completeExceptionally(new RefusedException(why));
+            to.close();
         }
     }
 
@@ -233,8 +237,9 @@ public final class LiveSource implements Source, Steering {
 
     @Override
     public Role role() {
-        String name = exchange.client().welcome().role().toUpperCase(Locale.ROOT);
-        return isConnected() ? Role.valueOf(name) : Role.VIEWER;
+        return isConnected()
+                ? Role.named(exchange.client().welcome().role()).orElse(Role.VIEWER)
+                : Role.VIEWER;
     }
 
     @Override

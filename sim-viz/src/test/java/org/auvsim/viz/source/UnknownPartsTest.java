@@ -1,9 +1,11 @@
 package org.auvsim.viz.source;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
+import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.entity.DescribeWorldObjectRequest;
 import org.auvsim.viz.scene.Occurrence;
@@ -19,6 +21,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.List;
 import java.util.Scanner;
+import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -53,6 +56,17 @@ class UnknownPartsTest {
         }
     }
 
+    @Test
+    void aSimulatorThatDoesNotTellWhatThereIsIsNoneToSee() throws Exception {
+        String refusal = "<error-response code=\"NOT_ALLOWED\" text=\"Nothing is told here.\"/>";
+        try (LiveSource source = connected("guest", request -> refusal)) {
+            assertThatThrownBy(() -> source.ready().get())
+                    .hasCauseInstanceOf(RefusedException.class)
+                    .hasMessageContaining("Nothing is told here.");
+            assertThat(source.role()).isEqualTo(Role.VIEWER);
+        }
+    }
+
     private static List<String> told(LiveSource source) throws Exception {
         // It is described more than once.
         source.ask(new DescribeWorldObjectRequest(1)).handle((answer, refusal) -> true).get();
@@ -60,19 +74,23 @@ class UnknownPartsTest {
     }
 
     private static LiveSource connected(String parts) throws Exception {
-        ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
-        Thread.startVirtualThread(() -> serve(server, parts));
-        LiveSource source =
-                LiveSource.connect(
-                        "127.0.0.1",
-                        server.getLocalPort(),
-                        MessageCatalogue.load(UnknownPartsTest.class.getClassLoader()));
+        LiveSource source = connected("admin", request -> answer(request, parts));
         source.ready().get();
         return source;
     }
 
+    private static LiveSource connected(String role, UnaryOperator<String> answers)
+            throws Exception {
+        ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+        Thread.startVirtualThread(() -> serve(server, role, answers));
+        return LiveSource.connect(
+                "127.0.0.1",
+                server.getLocalPort(),
+                MessageCatalogue.load(UnknownPartsTest.class.getClassLoader()));
+    }
+
     /** Answers one client until it goes. */
-    private static void serve(ServerSocket server, String parts) {
+    private static void serve(ServerSocket server, String role, UnaryOperator<String> answers) {
         try (server;
                 Socket client = server.accept();
                 InputStream in = client.getInputStream();
@@ -80,14 +98,14 @@ class UnknownPartsTest {
             write(
                     client,
                     "<auvsml><welcome-message protocol-version=\"1\" server=\"x\" session-id=\"1\""
-                            + " role=\"admin\"/></auvsml>");
+                            + " role=\"%s\"/></auvsml>".formatted(role));
             while (roots.hasNext()) {
                 Matcher request = REQUEST.matcher(roots.next());
                 if (request.find()) {
                     write(
                             client,
                             "<auvsml request-id=\"%s\">%s</auvsml>"
-                                    .formatted(request.group(1), answer(request.group(2), parts)));
+                                    .formatted(request.group(1), answers.apply(request.group(2))));
                 }
             }
         } catch (IOException e) {

@@ -62,7 +62,7 @@ class DriverTest {
                     frame.setVisible(true);
                 });
         while (!part.isFocusOwner()) {
-            Clicks.inSwing(part::requestFocusInWindow);
+            Clicks.inSwing(part::requestFocus); // of another window's, if one still has it
         }
     }
 

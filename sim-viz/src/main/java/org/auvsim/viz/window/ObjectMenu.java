@@ -4,7 +4,9 @@ import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.message.control.ReleaseControlCommand;
 import org.auvsim.auvsml.message.control.TakeControlCommand;
 import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
+import org.auvsim.viz.scene.SeenObject;
 
+import java.awt.Window;
 import java.util.function.LongConsumer;
 
 import javax.swing.Action;
@@ -13,12 +15,14 @@ import javax.swing.JMenu;
 /** What can be done with the selected object. */
 final class ObjectMenu {
     private final Desk desk;
+    private final Window window;
     private final EffectDialog effects;
     private final Action drive;
 
-    ObjectMenu(Desk desk, EffectDialog effects) {
+    ObjectMenu(Desk desk, Window window) {
         this.desk = desk;
-        this.effects = effects;
+        this.window = window;
+        effects = new EffectDialog(desk, window);
         drive =
                 new Act("Drive by keys and gamepad", () -> desk.drive(!desk.isDriving()))
                         .key("ctrl D")
@@ -41,13 +45,19 @@ final class ObjectMenu {
                 .setName("release-control-item");
         menu.addSeparator();
         menu.add(act("Add an effect...", Role.ADMIN, effects::open)).setName("add-effect");
-        menu.add(
-                        act(
-                                "Remove from the world",
-                                Role.ADMIN,
-                                id -> desk.ask(new RemoveEntityCommand(id))))
+        menu.add(act("Remove from the world...", Role.ADMIN, this::remove))
                 .setName("remove-entity");
         return menu;
+    }
+
+    private void remove(long id) {
+        String name = desk.scene().object(id).map(SeenObject::name).orElse("#" + id);
+        String question =
+                "Remove %s from the world for all clients, and lose it as it is now?"
+                        .formatted(name);
+        if (Question.confirms(window, question, "Remove")) {
+            desk.ask(new RemoveEntityCommand(id));
+        }
     }
 
     private Act act(String words, Role role, LongConsumer deed) {

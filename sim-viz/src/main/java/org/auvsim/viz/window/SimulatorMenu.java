@@ -5,6 +5,7 @@ import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.mapping.ContextClasses;
+import org.auvsim.auvsml.message.command.KeptSnapshot;
 import org.auvsim.auvsml.message.control.ListSnapshotsRequest;
 import org.auvsim.auvsml.message.control.LoadScenarioCommand;
 import org.auvsim.auvsml.message.control.ResetCommand;
@@ -116,20 +117,15 @@ final class SimulatorMenu {
         response.snapshot()
                 .forEach(
                         kept -> {
-                            String words =
-                                    String.format(
-                                            Locale.ROOT, "%s, of %.2f s", kept.name(), kept.time());
                             JMenuItem item =
-                                    restore.add(
-                                            new Act(
-                                                    words,
-                                                    () ->
-                                                            desk.ask(
-                                                                    new RestoreSnapshotCommand(
-                                                                            kept.name()))));
+                                    restore.add(new Act(words(kept) + "...", () -> restore(kept)));
                             item.setName("restore-" + kept.name());
                         });
         none(restore);
+    }
+
+    private static String words(KeptSnapshot kept) {
+        return String.format(Locale.ROOT, "%s, of %.2f s", kept.name(), kept.time());
     }
 
     private void clients(ClientListResponse response) {
@@ -172,7 +168,7 @@ final class SimulatorMenu {
         }
     }
 
-    /** Reads a scenario aside and sends it. */
+    /** Reads a scenario aside and sends it, if that is meant. */
     void load(Path file) {
         var _ =
                 CompletableFuture.supplyAsync(() -> read(file))
@@ -181,7 +177,7 @@ final class SimulatorMenu {
                                         SwingUtilities.invokeLater(
                                                 () -> {
                                                     if (failure == null) {
-                                                        desk.ask(new LoadScenarioCommand(scenario));
+                                                        load(file, scenario);
                                                     } else {
                                                         desk.say(Desk.sentence(failure));
                                                     }
@@ -196,15 +192,34 @@ final class SimulatorMenu {
         }
     }
 
+    private void load(Path file, Scenario scenario) {
+        String question =
+                "Put %s in the place of the world for all clients, and lose how it is now?"
+                        .formatted(file.getFileName());
+        if (Question.confirms(window, question, "Load")) {
+            desk.ask(new LoadScenarioCommand(scenario));
+        }
+    }
+
+    private void restore(KeptSnapshot kept) {
+        String question =
+                "Bring the world back to %s, for all clients, and lose how it is now?"
+                        .formatted(words(kept));
+        if (Question.confirms(window, question, "Restore")) {
+            desk.ask(new RestoreSnapshotCommand(kept.name()));
+        }
+    }
+
     private void reset() {
-        String question = "Bring the world back to its beginning for all clients?";
+        String question =
+                "Bring the world back to its beginning for all clients, and lose how it is now?";
         if (Question.confirms(window, question, "Reset")) {
             desk.ask(new ResetCommand());
         }
     }
 
     private void disconnect(String name, String session) {
-        String question = "End the session of %s? What it controls is let go.".formatted(name);
+        String question = "End the session of %s, and let go what it controls?".formatted(name);
         if (Question.confirms(window, question, "Disconnect")) {
             desk.ask(
                     new DisconnectClientCommand(session, "an administrator has ended the session"));
@@ -212,7 +227,8 @@ final class SimulatorMenu {
     }
 
     private void shutdown() {
-        String question = "Shut the simulator down for all its clients?";
+        String question =
+                "Shut the simulator down for all its clients, and lose its world and snapshots?";
         if (Question.confirms(window, question, "Shut down")) {
             desk.ask(new ShutdownSimulatorCommand());
         }

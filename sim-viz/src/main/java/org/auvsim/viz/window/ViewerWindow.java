@@ -76,7 +76,7 @@ public final class ViewerWindow {
     private void build() {
         FileMenu file = new FileMenu(desk, frame, recorder, this::close);
         ViewMenu view = new ViewMenu(desk, this::colour);
-        ObjectMenu object = new ObjectMenu(desk, new EffectDialog(desk, frame));
+        ObjectMenu object = new ObjectMenu(desk, frame);
         JMenuBar menus = new JMenuBar();
         menus.add(file.menu());
         menus.add(view.menu());

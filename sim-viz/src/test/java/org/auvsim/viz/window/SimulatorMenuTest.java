@@ -36,12 +36,15 @@ class SimulatorMenuTest {
     }
 
     @Test
-    void aScenarioIsReadAndSent() throws Exception {
+    void aScenarioIsReadAndSentOnlyIfThatIsMeant() throws Exception {
         Path file = Path.of("..", "examples", "scenarios", "tank.xml");
         Clicks.inSwing(() -> menu.load(file));
-        while (simulator.asked.isEmpty()) {
-            Thread.onSpinWait();
-        }
+        Clicks.answer("Cancel");
+        Clicks.inSwing(() -> {});
+        assertThat(simulator.asked).isEmpty();
+        Clicks.inSwing(() -> menu.load(file));
+        Clicks.answer("Load");
+        Clicks.inSwing(() -> {});
         assertThat(simulator.asked)
                 .singleElement()
                 .isInstanceOfSatisfying(

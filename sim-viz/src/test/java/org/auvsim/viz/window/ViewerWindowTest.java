@@ -9,8 +9,11 @@ import org.auvsim.auvsml.message.control.ResetCommand;
 import org.auvsim.auvsml.message.control.RestoreSnapshotCommand;
 import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
 import org.auvsim.auvsml.message.control.SetPropulsorCommand;
+import org.auvsim.auvsml.message.control.ShutdownSimulatorCommand;
 import org.auvsim.auvsml.message.entity.AddEffectCommand;
+import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
 import org.auvsim.auvsml.message.session.DisconnectClientCommand;
+import org.auvsim.auvsml.message.session.ListClientsRequest;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Frame;
@@ -243,32 +246,37 @@ class ViewerWindowTest {
         open(simulator);
         Clicks.inSwing(() -> find("menu-simulator", JMenu.class).setSelected(true));
         Clicks.inSwing(() -> find("menu-simulator", JMenu.class).setSelected(false));
-        Clicks.inSwing(() -> find("restore-before", AbstractButton.class).doClick(0));
-        AbstractButton disconnect = find("disconnect-4", AbstractButton.class);
-        for (String answer : new String[] {"Cancel", "Disconnect"}) {
-            SwingUtilities.invokeLater(() -> disconnect.doClick(0));
-            Clicks.answer(answer);
-        }
-        Clicks.inSwing(() -> {});
+        onlyIfMeant(find("restore-before", AbstractButton.class), "Restore");
+        onlyIfMeant(find("disconnect-4", AbstractButton.class), "Disconnect");
         assertThat(simulator.asked)
                 .endsWith(
+                        new ListClientsRequest(),
                         new RestoreSnapshotCommand("before"),
                         new DisconnectClientCommand("4", "an administrator has ended the session"));
     }
 
     @Test
-    void resetsOnlyIfThatIsMeant() throws Exception {
+    void resetsRemovesAndShutsDownOnlyIfThatIsMeant() throws Exception {
         FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        view.select(OptionalLong.of(9));
         open(simulator);
-        AbstractButton reset = find("reset", AbstractButton.class);
-        SwingUtilities.invokeLater(() -> reset.doClick(0));
-        Clicks.answer("Cancel");
+        onlyIfMeant(find("reset", AbstractButton.class), "Reset");
+        onlyIfMeant(find("remove-entity", AbstractButton.class), "Remove");
+        onlyIfMeant(find("shutdown", AbstractButton.class), "Shut down");
+        assertThat(simulator.asked)
+                .containsExactly(
+                        new ResetCommand(),
+                        new RemoveEntityCommand(9),
+                        new ShutdownSimulatorCommand());
+    }
+
+    /** Chooses something twice: first it is not meant, then it is. */
+    private static void onlyIfMeant(AbstractButton item, String deed) throws Exception {
+        for (String answer : new String[] {"Cancel", deed}) {
+            SwingUtilities.invokeLater(() -> item.doClick(0));
+            Clicks.answer(answer);
+        }
         Clicks.inSwing(() -> {});
-        assertThat(simulator.asked).isEmpty();
-        SwingUtilities.invokeLater(() -> reset.doClick(0));
-        Clicks.answer("Reset");
-        Clicks.inSwing(() -> {});
-        assertThat(simulator.asked).containsExactly(new ResetCommand());
     }
 
     @Test

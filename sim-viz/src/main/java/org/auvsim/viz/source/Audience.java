@@ -15,36 +15,33 @@ import org.auvsim.auvsml.message.entity.GetFieldListRequest;
 import org.auvsim.auvsml.message.entity.GetWorldObjectListCommand;
 import org.auvsim.auvsml.message.entity.WorldObjectListResponse;
 import org.auvsim.auvsml.message.listening.ListenerRegistrationRequestCommand;
-import org.auvsim.core.actuator.Fin;
-import org.auvsim.core.actuator.Propulsor;
-import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.viz.scene.Occurrence;
 import org.auvsim.viz.scene.Scene;
 import org.auvsim.viz.scene.SeenObject;
 import org.jspecify.annotations.Nullable;
 
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
-import java.util.stream.Stream;
 
 /** What a viewer asks for: what there is, how it moves, and now and then what is done to it. */
 final class Audience {
     /** More movements a second of world time are no smoother to the eye. */
     private static final double MOST_A_SECOND = 30;
 
-    /** In a larger world projected states are left out: they would double what is sent. */
-    private static final int MOST_PROJECTED = 200;
+    /** While more questions than this wait for their answers no object is asked about again. */
+    private static final int MOST_UNANSWERED = 20;
 
-    /** So many objects' forces and propulsors are asked for at a time. */
-    private static final int MOST_WATCHED = 20;
+    /** In a world of more objects projected states are left out. */
+    static final int MOST_PROJECTED = 200;
 
     private static final List<EventType> EVENTS =
             List.of(
                     EventType.KINEMATIC_STATE,
+                    EventType.PROJECTED_MOVEMENT,
                     EventType.TIMESTEP_ADVANCED,
                     EventType.COLLISION,
                     EventType.RADIO,
@@ -56,7 +53,9 @@ final class Audience {
     private final Scene scene;
     private final Exchange exchange;
     private final Strangers strangers;
-    private int turn;
+    private final Turns turns = new Turns();
+    private volatile boolean hasBegun;
+    private boolean isProjected = true;
 
     Audience(Scene scene, Exchange exchange, Strangers strangers) {
         this.scene = scene;
@@ -69,16 +68,29 @@ final class Audience {
      * read by another thread; then the scene has all objects and hears how they move.
      */
     void begin() {
-        int count = survey();
-        boolean projected = count <= MOST_PROJECTED;
-        if (!projected) {
-            tell("There are %d objects: their projected states are left out".formatted(count));
-        }
-        exchange.ask(registration(projected)).handle((_, refusal) -> told(refusal)).join();
+        survey();
+        exchange.ask(registration(/* on= */ true, EVENTS))
+                .handle((_, refusal) -> told(refusal))
+                .join();
+        hasBegun = true;
+        fitProjected();
     }
 
-    /** Asks what there is; the number of objects. */
-    private int survey() {
+    /** In a large world projected states are left out: they would double what is sent. */
+    private synchronized void fitProjected() {
+        int count = scene.objects().size();
+        boolean fits = count <= MOST_PROJECTED;
+        if (fits != isProjected) {
+            isProjected = fits;
+            tell(
+                    "There are %d objects: their projected states are %s"
+                            .formatted(count, fits ? "shown again" : "left out"));
+            exchange.want(registration(fits, List.of(EventType.PROJECTED_MOVEMENT)));
+        }
+    }
+
+    /** Asks what there is. */
+    private void survey() {
         CompletableFuture<Message> fields = exchange.ask(new GetFieldListRequest());
         Message answer = exchange.ask(new GetWorldObjectListCommand()).join();
         List<ListedWorldObject> objects =
@@ -92,7 +104,6 @@ final class Audience {
                                 .toArray(CompletableFuture[]::new))
                 .join();
         fields.handle((_, refusal) -> told(refusal)).join();
-        return objects.size();
     }
 
     private void tell(String sentence) {
@@ -106,18 +117,13 @@ final class Audience {
         return refusal == null;
     }
 
-    private static Message registration(boolean projected) {
-        List<EventType> types =
-                projected
-                        ? Stream.concat(EVENTS.stream(), Stream.of(EventType.PROJECTED_MOVEMENT))
-                                .toList()
-                        : EVENTS;
+    private static Message registration(boolean on, List<EventType> types) {
         List<Listener> listeners =
                 types.stream()
                         .map(t -> new Listener(t.eventName(), OptionalDouble.of(MOST_A_SECOND)))
                         .toList();
         return new ListenerRegistrationRequestCommand(
-                true, List.of(new ListenedObject(ListenedObject.EVERY, listeners)));
+                on, List.of(new ListenedObject(ListenedObject.EVERY, listeners)));
     }
 
     /** Asks what an object is made of; if that cannot be read, its name is all that is known. */
@@ -160,27 +166,15 @@ final class Audience {
         }
     }
 
-    /** Asks again about some that something is done to, and about some others in turn. */
-    void refresh() {
-        if (exchange.unanswered() > MOST_WATCHED) {
+    /** Once all is known, asks again about some objects, and for as much as their number lets. */
+    void refresh(OptionalLong watched) {
+        if (!hasBegun) {
             return;
         }
-        List<SeenObject> moving = scene.objects().stream().filter(o -> !o.isFixed()).toList();
-        LinkedHashSet<Long> ids = new LinkedHashSet<>();
-        moving.stream()
-                .filter(o -> o.definition().filter(Audience::isDriven).isPresent())
-                .limit(MOST_WATCHED / 2)
-                .forEach(o -> ids.add(o.id()));
-        for (int i = 0; i < moving.size() && ids.size() < MOST_WATCHED; i++) {
-            turn = (turn + 1) % moving.size();
-            ids.add(moving.get(turn).id());
+        fitProjected();
+        if (exchange.unanswered() <= MOST_UNANSWERED) {
+            turns.next(scene.objects(), watched)
+                    .forEach(id -> exchange.want(new DescribeWorldObjectRequest(id)));
         }
-        ids.forEach(id -> exchange.want(new DescribeWorldObjectRequest(id)));
-    }
-
-    private static boolean isDriven(WorldObjectDefinition definition) {
-        return !definition.force().isEmpty()
-                || definition.component().stream()
-                        .anyMatch(c -> c instanceof Propulsor || c instanceof Fin);
     }
 }

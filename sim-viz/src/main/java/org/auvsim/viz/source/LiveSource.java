@@ -18,6 +18,7 @@ import org.auvsim.viz.scene.Scene;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.CountDownLatch;
@@ -46,6 +47,7 @@ public final class LiveSource implements Source, Steering {
     private volatile Audience audience;
     private volatile Optional<SimulatorStateResponse> state = Optional.empty();
     private volatile Optional<String> trouble = Optional.empty();
+    private volatile OptionalLong watched = OptionalLong.empty();
 
     private LiveSource(String host, int port, MessageCatalogue catalogue, Exchange first) {
         this.host = host;
@@ -148,7 +150,7 @@ public final class LiveSource implements Source, Steering {
         while (!waits(REFRESH_MILLIS)) {
             if (isConnected()) {
                 exchange.want(new GetSimulatorStateRequest());
-                audience.refresh();
+                audience.refresh(watched);
             }
         }
     }
@@ -263,6 +265,11 @@ public final class LiveSource implements Source, Steering {
             return answer.whenComplete((_, _) -> Thread.startVirtualThread(() -> to.want(again)));
         }
         return answer;
+    }
+
+    @Override
+    public void watch(OptionalLong id) {
+        watched = id;
     }
 
     @Override

@@ -5,6 +5,7 @@ import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.control.SimulatorStateResponse;
 
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 
 /** A simulator as somebody at a viewer reaches it, from any thread. */
@@ -25,4 +26,7 @@ public interface Steering {
      *     simulator refuses or there is no connection
      */
     CompletableFuture<Message> ask(Message message);
+
+    /** What is done to this object is asked for each time that anything is. */
+    void watch(OptionalLong id);
 }

@@ -193,6 +193,7 @@ public final class ViewerWindow {
     /** Brings all parts up to date, and sends what waits. */
     void turn() {
         driver.turn();
+        desk.source().steering().ifPresent(s -> s.watch(desk.options().selected()));
         desk.outbox().send();
         desk.refresh();
     }

@@ -250,6 +250,41 @@ class LiveSourceTest {
         }
     }
 
+    /** The bound is crossed upwards and downwards while the simulator runs. */
+    @Test
+    void projectedStatesAreLeftOutWhileThereAreManyObjects() throws Exception {
+        TcpTransport tcp = TcpTransport.onLoopback(0);
+        FeedbackTimestepper waiting =
+                SimpleFixedTimeFeedbackTimestepper.waiting(Duration.ofMillis(1));
+        try (Simulator _ = meeting(tcp, waiting);
+                LiveSource source = connected(tcp.port())) {
+            for (int id = 1001; id < 1000 + Audience.MOST_PROJECTED; id++) {
+                source.ask(new AddWorldObjectCommand(ball("B" + id, id, 0))).get();
+            }
+            told(source, "There are 201 objects: their projected states are left out");
+            makeSteps(source, 2);
+            assertThat(isProjected(source)).isFalse();
+            source.ask(new RemoveEntityCommand(1001)).get();
+            told(source, "There are 200 objects: their projected states are shown again");
+            makeSteps(source, 4);
+            assertThat(isProjected(source)).isTrue();
+        }
+    }
+
+    /** Waits until something is told, and until what was asked for then is done. */
+    private static void told(LiveSource source, String words) throws Exception {
+        while (source.scene().drainOccurrences().stream().noneMatch(o -> o.text().equals(words))) {
+            Thread.onSpinWait();
+        }
+        source.ask(new GetSimulatorStateRequest()).get();
+    }
+
+    /** Whether it is known where Bob's step will bring him. */
+    private static boolean isProjected(LiveSource source) {
+        source.scene().look(Long.MAX_VALUE / 2, _ -> {});
+        return source.scene().lookAt(1, ActorView::isProjected).orElseThrow();
+    }
+
     @Test
     void measurementsAndCollisionsAreSeen() throws Exception {
         TcpTransport tcp = TcpTransport.onLoopback(0);

@@ -17,6 +17,7 @@ import org.auvsim.viz.source.Steering;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 
@@ -28,6 +29,7 @@ final class FakeSimulator implements Source, Steering {
     volatile boolean isConnected = true;
     volatile boolean isRunning = true;
     volatile Optional<String> refusal = Optional.empty();
+    volatile OptionalLong watched = OptionalLong.empty();
 
     FakeSimulator(Scene scene) {
         this.scene = scene;
@@ -82,6 +84,11 @@ final class FakeSimulator implements Source, Steering {
         return refusal.<CompletableFuture<Message>>map(
                         words -> CompletableFuture.failedFuture(new IllegalStateException(words)))
                 .orElseGet(() -> CompletableFuture.completedFuture(answer(message)));
+    }
+
+    @Override
+    public void watch(OptionalLong id) {
+        watched = id;
     }
 
     private static Message answer(Message message) {

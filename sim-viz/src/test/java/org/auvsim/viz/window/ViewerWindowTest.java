@@ -94,6 +94,15 @@ class ViewerWindowTest {
     }
 
     @Test
+    void whatIsSelectedIsWatched() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        open(simulator);
+        view.select(OptionalLong.of(9));
+        Clicks.inSwing(() -> window.orElseThrow().turn());
+        assertThat(simulator.watched).isEqualTo(OptionalLong.of(9));
+    }
+
+    @Test
     void whatIsSelectedInThePictureIsUnfoldedInTheTree() throws Exception {
         open(new FakeSimulator(Scenes.withBuoy()));
         Clicks.inSwing(

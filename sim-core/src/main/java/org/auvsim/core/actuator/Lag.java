@@ -9,16 +9,21 @@ record Lag(double from, double target, double lag) {
 
     /** The level after so many seconds. */
     double level(double after) {
-        return target + (from - target) * left(after);
+        return level(from, target, lag, after);
+    }
+
+    /** The same of one that is asked for nothing else, and so need not be made. */
+    static double level(double from, double target, double lag, double after) {
+        return target + (from - target) * left(lag, after);
     }
 
     /** By how much the level rises (1/s) after so many seconds. */
     double slope(double after) {
-        return lag == 0 ? 0 : (target - from) / lag * left(after);
+        return lag == 0 ? 0 : (target - from) / lag * left(lag, after);
     }
 
     /** What is left of the way to the target; nothing once it is less than rounding. */
-    private double left(double after) {
+    private static double left(double lag, double after) {
         return lag == 0 || after >= SETTLED * lag ? 0 : StrictMath.exp(-Math.max(after, 0) / lag);
     }
 

@@ -188,7 +188,12 @@ public record Propulsor(
 
     /** The level that it works at, at a time (s): the commanded one after dead zone and lag. */
     public double levelAt(double time) {
-        return course().level(sinceCommand(time));
+        double target = target();
+        return Lag.level(levelBefore(target), target, lag, sinceCommand(time));
+    }
+
+    private double levelBefore(double target) {
+        return reached.isEmpty() ? target : reached.get().value();
     }
 
     private double sinceCommand(double time) {
@@ -197,7 +202,7 @@ public record Propulsor(
 
     private Lag course() {
         double target = target();
-        return new Lag(reached.isEmpty() ? target : reached.get().value(), target, lag);
+        return new Lag(levelBefore(target), target, lag);
     }
 
     private double target() {

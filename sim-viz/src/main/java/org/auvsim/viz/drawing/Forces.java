@@ -17,6 +17,7 @@ final class Forces implements Part {
 
     private final Arrow arrow = new Arrow();
     private final Placement place = new Placement();
+    private double size;
 
     @Override
     public void paint(SceneLook look, Picture picture) {
@@ -27,6 +28,7 @@ final class Forces implements Part {
             ActorView actor = look.actor(i);
             if (actor.object().definition().isPresent() && !actor.object().isFixed()) {
                 place.of(actor);
+                size = 2 * actor.radius();
                 forces(actor, actor.object().definition().get(), look.time(), picture);
             }
         }
@@ -92,7 +94,6 @@ final class Forces implements Part {
         if (strength == 0 || definition.mass().isEmpty()) {
             return;
         }
-        double size = 2 * definition.volume().boundingRadius();
         double length =
                 size * Math.min(strength / definition.mass().getAsDouble(), LONGEST) / strength;
         arrow.paint(

@@ -37,15 +37,11 @@ public final class Framing {
 
     private void measure(SceneLook look, boolean fixed) {
         for (int i = 0; i < look.count(); i++) {
-            double radius = radius(look.actor(i));
+            double radius = look.actor(i).radius();
             if (radius < Double.POSITIVE_INFINITY && look.actor(i).object().isFixed() == fixed) {
                 include(look.actor(i), radius);
             }
         }
-    }
-
-    private static double radius(ActorView actor) {
-        return actor.object().definition().map(d -> d.volume().boundingRadius()).orElse(0.0);
     }
 
     private void include(ActorView actor, double radius) {

@@ -78,8 +78,7 @@ final class Names implements Part {
     }
 
     private static boolean isBounded(ActorView actor) {
-        return actor.object().definition().isEmpty()
-                || actor.object().definition().get().volume().isBounded();
+        return actor.radius() < Double.POSITIVE_INFINITY;
     }
 
     /** How far it reaches towards the picture's top (m). */

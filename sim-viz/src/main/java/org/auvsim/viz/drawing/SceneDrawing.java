@@ -1,10 +1,14 @@
 package org.auvsim.viz.drawing;
 
+import static java.util.Objects.requireNonNull;
+
 import org.auvsim.viz.camera.OrbitCamera;
 import org.auvsim.viz.scene.SceneLook;
 import org.auvsim.viz.source.Source;
+import org.jspecify.annotations.Nullable;
 
 import java.util.List;
+import java.util.function.Consumer;
 
 /** Paints a source's scene, part by part. */
 public final class SceneDrawing implements Painter {
@@ -24,6 +28,9 @@ public final class SceneDrawing implements Painter {
                     new WaterSurface(),
                     new Names());
 
+    private final Consumer<SceneLook> viewer = this::paint;
+    private @Nullable Picture picture;
+
     /** What {@code source} shows, as {@code options} say, seen from {@code camera}. */
     public SceneDrawing(Source source, ViewOptions options, OrbitCamera camera) {
         this.source = source;
@@ -34,21 +41,21 @@ public final class SceneDrawing implements Painter {
     @Override
     public void paint(Brush brush, long nanos) {
         source.bring(nanos);
-        Picture picture = new Picture(brush, options, palette(), camera);
-        source.scene().look(nanos, look -> paint(look, picture));
+        if (picture == null || picture.brush() != brush || picture.palette() != palette()) {
+            picture = new Picture(brush, options, palette(), camera);
+        }
+        source.scene().look(nanos, viewer);
     }
 
-    private void paint(SceneLook look, Picture picture) {
+    private void paint(SceneLook look) {
+        Picture to = requireNonNull(picture);
         follow(look);
         for (int i = 0; i < parts.size(); i++) {
-            parts.get(i).paint(look, picture);
+            parts.get(i).paint(look, to);
         }
     }
 
     private void follow(SceneLook look) {
-        if (options.followed().isEmpty()) {
-            return;
-        }
         for (int i = 0; i < look.count(); i++) {
             if (options.isFollowed(look.actor(i).object().id())) {
                 camera.lookAt(

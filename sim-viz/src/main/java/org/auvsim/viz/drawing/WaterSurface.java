@@ -1,13 +1,10 @@
 package org.auvsim.viz.drawing;
 
 import org.auvsim.core.effect.Buoyancy;
-import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Effect;
-import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.viz.scene.SceneLook;
-
-import java.util.List;
+import org.auvsim.viz.scene.Water;
 
 /** The surface of the water, where something swims or water moves, and the waves on it. */
 final class WaterSurface implements Part {
@@ -19,6 +16,9 @@ final class WaterSurface implements Part {
     private static final double SQUARE = 0.04;
 
     private final Placement place = new Placement();
+
+    /** Of the waves (m) over the row of places that was asked for last. */
+    private final double[] heights = new double[PLACES + 1];
 
     @Override
     public void paint(SceneLook look, Picture picture) {
@@ -32,7 +32,7 @@ final class WaterSurface implements Part {
         place.at(picture.camera().target(0), picture.camera().target(1), height);
         double wide = picture.share(WIDE);
         picture.brush().box(place.pose, wide, wide, 0, picture.palette().water());
-        if (hasWaves(look.fields())) {
+        if (hasWaves(look.water())) {
             waves(look, height, picture);
         }
     }
@@ -47,7 +47,7 @@ final class WaterSurface implements Part {
                 }
             }
         }
-        return hasCurrent(look.fields()) ? 0 : Double.NaN;
+        return look.water().isStill() ? Double.NaN : 0;
     }
 
     private static double height(WorldObjectDefinition definition) {
@@ -60,62 +60,28 @@ final class WaterSurface implements Part {
         return Double.NaN;
     }
 
-    private static boolean hasCurrent(List<Field<?>> fields) {
-        for (int k = 0; k < fields.size(); k++) {
-            if (fields.get(k) instanceof Current) {
-                return true;
-            }
-        }
-        return false;
+    private static boolean hasWaves(Water water) {
+        return water.elevation(0.3, 0.7, 0.1) != 0 || water.elevation(1.9, 0.2, 0.7) != 0;
     }
 
-    private static boolean hasWaves(List<Field<?>> fields) {
-        for (int k = 0; k < fields.size(); k++) {
-            boolean waves =
-                    fields.get(k) instanceof Current current
-                            && (current.elevation(0.3, 0.7, 0.1) != 0
-                                    || current.elevation(1.9, 0.2, 0.7) != 0);
-            if (waves) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    private static void waves(SceneLook look, double height, Picture picture) {
+    private void waves(SceneLook look, double height, Picture picture) {
         double square = picture.share(SQUARE);
         double x = square * Math.rint(picture.camera().target(0) / square - PLACES / 2.0);
         double y = square * Math.rint(picture.camera().target(1) / square - PLACES / 2.0);
         int colour = Palette.faded(picture.palette().water(), 0xb0);
         for (int i = 0; i <= PLACES; i++) {
-            for (int j = 0; j < PLACES; j++) {
-                wave(look, x + i * square, y + j * square, 0, square, height, colour, picture);
-                wave(look, x + j * square, y + i * square, square, 0, height, colour, picture);
+            for (int j = 0; j <= PLACES; j++) {
+                double px = x + i * square;
+                double py = y + j * square;
+                double pz = height + look.water().elevation(px, py, look.time());
+                if (i > 0) {
+                    picture.brush().line(px - square, py, heights[j], px, py, pz, colour);
+                }
+                if (j > 0) {
+                    picture.brush().line(px, py - square, heights[j - 1], px, py, pz, colour);
+                }
+                heights[j] = pz;
             }
         }
-    }
-
-    private static void wave(
-            SceneLook look,
-            double x,
-            double y,
-            double dx,
-            double dy,
-            double height,
-            int colour,
-            Picture picture) {
-        double here = height + elevation(look, x, y);
-        double there = height + elevation(look, x + dx, y + dy);
-        picture.brush().line(x, y, here, x + dx, y + dy, there, colour);
-    }
-
-    private static double elevation(SceneLook look, double x, double y) {
-        double sum = 0;
-        for (int k = 0; k < look.fields().size(); k++) {
-            if (look.fields().get(k) instanceof Current current) {
-                sum += current.elevation(x, y, look.time());
-            }
-        }
-        return sum;
     }
 }

@@ -76,6 +76,8 @@ final class LineBatch {
         shades.flip();
         ends.updateData(places);
         colours.updateData(shades);
-        mesh.updateCounts();
+        if (mesh.getVertexCount() != ends.getNumElements()) {
+            mesh.updateCounts();
+        }
     }
 }

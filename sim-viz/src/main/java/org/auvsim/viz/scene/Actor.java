@@ -24,6 +24,7 @@ final class Actor implements ActorView {
     private final double[] measured = new double[3];
     private final Trail trail;
     private SeenObject object;
+    private double radius;
     private List<NamedForce> forces = List.of();
     private double timeBefore;
     private double timeNow;
@@ -43,6 +44,7 @@ final class Actor implements ActorView {
     /** Takes what it is made of; what never moves stands where that says. */
     void become(SeenObject other) {
         object = other;
+        radius = other.definition().map(d -> d.volume().boundingRadius()).orElse(0.0);
         forces = other.definition().map(WorldObjectDefinition::force).orElse(forces);
         if (other.isFixed()) {
             other.definition().ifPresent(definition -> stand(definition, timeNow));
@@ -159,6 +161,11 @@ final class Actor implements ActorView {
     @Override
     public SeenObject object() {
         return object;
+    }
+
+    @Override
+    public double radius() {
+        return radius;
     }
 
     @Override

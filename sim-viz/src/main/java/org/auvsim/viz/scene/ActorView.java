@@ -12,6 +12,9 @@ public interface ActorView {
     /** What it is. */
     SeenObject object();
 
+    /** How far it reaches from its origin (m); infinite if it has no end, 0 if it is not known. */
+    double radius();
+
     /** Coordinate {@code axis} (0 x, 1 y, 2 z) of its origin (m, world). */
     double position(int axis);
 

@@ -26,6 +26,6 @@ public record SeenObject(long id, String name, Optional<WorldObjectDefinition> d
 
     /** Whether it never moves; also said of nothing that is not known. */
     public boolean isFixed() {
-        return definition.map(WorldObjectDefinition::fixed).orElse(false);
+        return definition.isPresent() && definition.get().fixed();
     }
 }

@@ -41,4 +41,13 @@ public final class Water {
         }
         return sum;
     }
+
+    /** By how much its surface is raised (m) over a place (m, world) at a time (s). */
+    public double elevation(double x, double y, double time) {
+        double sum = 0;
+        for (int k = 0; k < currents.size(); k++) {
+            sum += currents.get(k).elevation(x, y, time);
+        }
+        return sum;
+    }
 }

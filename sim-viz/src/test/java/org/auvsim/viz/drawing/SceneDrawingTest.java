@@ -22,16 +22,14 @@ import org.auvsim.viz.scene.Meeting;
 import org.auvsim.viz.scene.Movement;
 import org.auvsim.viz.scene.Scene;
 import org.auvsim.viz.scene.SeenObject;
-import org.auvsim.viz.source.Playback;
-import org.auvsim.viz.source.Source;
-import org.auvsim.viz.source.Steering;
+import org.auvsim.viz.source.SceneAlone;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 
-class SceneDrawingTest implements Source {
+class SceneDrawingTest {
     private final Scene scene = new Scene(new LiveClock());
     private final ViewOptions options = new ViewOptions();
     private final OrbitCamera camera = new OrbitCamera();
@@ -47,7 +45,7 @@ class SceneDrawingTest implements Source {
             options.show(layer, true);
         }
         RecordingBrush brush = new RecordingBrush();
-        new SceneDrawing(this, options, camera).paint(brush, 0);
+        new SceneDrawing(new SceneAlone(scene), options, camera).paint(brush, 0);
         return brush.painted;
     }
 
@@ -237,30 +235,4 @@ class SceneDrawingTest implements Source {
                                 .position(x, y, 0)
                                 .build()));
     }
-
-    @Override
-    public Scene scene() {
-        return scene;
-    }
-
-    @Override
-    public void bring(long nanos) {}
-
-    @Override
-    public String status() {
-        return "";
-    }
-
-    @Override
-    public Optional<Steering> steering() {
-        return Optional.empty();
-    }
-
-    @Override
-    public Optional<Playback> playback() {
-        return Optional.empty();
-    }
-
-    @Override
-    public void close() {}
 }

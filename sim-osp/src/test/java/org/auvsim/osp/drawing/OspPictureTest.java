@@ -3,13 +3,25 @@ package org.auvsim.osp.drawing;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Pose;
+import org.auvsim.core.volume.Sphere;
 import org.auvsim.viz.camera.OrbitCamera;
 import org.auvsim.viz.camera.StandardView;
 import org.auvsim.viz.drawing.Brush;
+import org.auvsim.viz.drawing.Layer;
 import org.auvsim.viz.drawing.Painter;
+import org.auvsim.viz.drawing.SceneDrawing;
+import org.auvsim.viz.drawing.ViewOptions;
+import org.auvsim.viz.scene.LiveClock;
+import org.auvsim.viz.scene.Movement;
+import org.auvsim.viz.scene.Scene;
+import org.auvsim.viz.scene.SeenObject;
+import org.auvsim.viz.source.Playback;
+import org.auvsim.viz.source.Source;
+import org.auvsim.viz.source.Steering;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,6 +29,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.awt.image.BufferedImage;
+import java.util.Optional;
 import java.util.function.Consumer;
 
 /** Pictures of known things, which are where {@link OrbitCamera#project} says. */
@@ -187,6 +200,61 @@ class OspPictureTest {
         assertThat(colour(picture, -1.5, 0, 0)).isEqualTo(DARK);
         assertThat(picture.getWidth()).isEqualTo(WIDTH);
         assertThat(picture.getHeight()).isEqualTo(HEIGHT);
+    }
+
+    /** A scene by itself, that nobody steers. */
+    private record Shown(Scene scene) implements Source {
+        @Override
+        public void bring(long nanos) {}
+
+        @Override
+        public String status() {
+            return "";
+        }
+
+        @Override
+        public Optional<Steering> steering() {
+            return Optional.empty();
+        }
+
+        @Override
+        public Optional<Playback> playback() {
+            return Optional.empty();
+        }
+
+        @Override
+        public void close() {}
+    }
+
+    @Test
+    void aProjectedStateIsAGhostThatTheGhostsLayerShows() {
+        camera.aim(0, 0, 0, 12);
+        StandardView.TOP.apply(camera);
+        Scene scene = new Scene(new LiveClock());
+        scene.add(
+                SeenObject.of(
+                        1,
+                        WorldObjectDefinition.named("Red Ball")
+                                .mass(2)
+                                .volume(new Sphere(0.5))
+                                .position(-3, 0, 0)
+                                .build()));
+        Vec3 there = new Vec3(-2, -2, 0);
+        scene.project(1, new Movement(0.1, there, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO));
+        ViewOptions options = new ViewOptions();
+        for (Layer layer : Layer.values()) {
+            options.show(layer, layer == Layer.GHOSTS);
+        }
+        SceneDrawing drawing = new SceneDrawing(new Shown(scene), options, camera);
+        BufferedImage picture = new OspRenderer().picture(drawing, WIDTH, HEIGHT);
+        int solid = colour(picture, -3, 0, 0);
+        assertThat(isLit(solid, RED)).isTrue();
+        assertThat(colour(picture, -2, -2, 0) >> 16)
+                .isBetween((DARK >> 16) + 10, (solid >> 16) - 10);
+        options.show(Layer.GHOSTS, false);
+        BufferedImage without = new OspRenderer().picture(drawing, WIDTH, HEIGHT);
+        assertThat(colour(without, -2, -2, 0)).isEqualTo(DARK);
+        assertThat(colour(without, -3, 0, 0)).isEqualTo(solid);
     }
 
     @Test

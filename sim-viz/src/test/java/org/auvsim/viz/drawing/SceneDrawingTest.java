@@ -1,14 +1,22 @@
 package org.auvsim.viz.drawing;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.field.AiryWave;
 import org.auvsim.core.field.UniformCurrent;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.core.sensor.Dvl;
+import org.auvsim.core.sensor.RangeSonar;
+import org.auvsim.core.sensor.Sampling;
+import org.auvsim.core.sensor.ScalarErrors;
+import org.auvsim.core.sensor.Sensor;
+import org.auvsim.core.sensor.VectorErrors;
 import org.auvsim.core.volume.Box;
 import org.auvsim.core.volume.Capsule;
 import org.auvsim.core.volume.Compound;
@@ -27,7 +35,9 @@ import org.junit.jupiter.api.Test;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import java.util.stream.Stream;
 
 class SceneDrawingTest {
     private final Scene scene = new Scene(new LiveClock());
@@ -143,6 +153,140 @@ class SceneDrawingTest {
         assertThat(arrows).allMatch(line -> line.matches("(tube|cone) -?0.000 .*"));
         assertThat(arrows.get(1)).startsWith("cone 0.000 1.").endsWith("ffff6f4d");
         assertThat(arrows.get(3)).startsWith("cone 0.000 0.").endsWith("ffffa43d");
+    }
+
+    /** Along x by a metre a second, for five seconds. */
+    private void ran(String name) {
+        add(1, name, new Sphere(0.5));
+        for (int t = 0; t <= 5; t++) {
+            Vec3 place = new Vec3(t, 0, 0);
+            scene.move(1, new Movement(t, place, Quat.IDENTITY, new Vec3(1, 0, 0), Vec3.ZERO));
+        }
+    }
+
+    @Test
+    void aTrailGoesThroughWhereAnObjectWasToWhereItIsAndFades() {
+        ran("Red Ball");
+        scene.jumpTo(4.5);
+        assertThat(painted(Layer.TRAILS))
+                .containsExactly(
+                        "ball 4.500 0.000 0.000 r 0.500 ffe0504a",
+                        "line 0.000 0.000 0.000 to 1.000 0.000 0.000 d4e0504a",
+                        "line 1.000 0.000 0.000 to 2.000 0.000 0.000 d8e0504a",
+                        "line 2.000 0.000 0.000 to 3.000 0.000 0.000 dbe0504a",
+                        "line 3.000 0.000 0.000 to 4.000 0.000 0.000 dee0504a",
+                        "line 4.000 0.000 0.000 to 4.500 0.000 0.000 e0e0504a");
+    }
+
+    @Test
+    void ofALargeWorldTheTrailOfWhatIsSelectedIsDrawn() {
+        ran("Red Ball");
+        for (int id = 2; id <= 101; id++) {
+            add(id, "B" + id, new Sphere(0.1));
+        }
+        scene.jumpTo(5);
+        assertThat(painted(Layer.TRAILS)).noneMatch(line -> line.startsWith("line"));
+        options.select(OptionalLong.of(1));
+        assertThat(painted()).filteredOn(line -> line.startsWith("line")).hasSize(6);
+    }
+
+    @Test
+    void aVelocityIsAnArrowToWhereTheObjectWouldBeInASecond() {
+        ran("Red Ball");
+        scene.jumpTo(5);
+        // A head of 9 times the shaft's radius before its tip at x = 6.
+        double head = 9 * 0.0016 * camera.height();
+        assertThat(painted(Layer.VELOCITIES).subList(1, 3))
+                .satisfiesExactly(
+                        tube -> assertThat(tube).startsWith("tube 5.").endsWith("ff38c7c0"),
+                        cone ->
+                                assertThat(cone)
+                                        .isEqualTo("cone %.3f 0.000 0.000 ff38c7c0", 6 - head));
+    }
+
+    private void sensing(Sensor sensor) {
+        scene.add(
+                SeenObject.of(
+                        1,
+                        WorldObjectDefinition.named("Red Robot")
+                                .mass(2)
+                                .volume(new Sphere(0.5))
+                                .orientation(Quat.ofAxisAngle(new Vec3(0, 0, 1), Math.PI / 2))
+                                .component(sensor)
+                                .build()));
+    }
+
+    @Test
+    void aSonarIsAFanAsFarAsItReaches() {
+        sensing(
+                new RangeSonar(
+                        "Sonar",
+                        new Vec3(1, 0, 0),
+                        Quat.IDENTITY,
+                        5,
+                        Math.PI / 2,
+                        0,
+                        10,
+                        ScalarErrors.NONE,
+                        new Sampling(1, 0, 0, 0)));
+        // From the bow at y = 1, 45 degrees to either side.
+        assertThat(painted(Layer.SENSORS))
+                .contains(
+                        "line 0.000 1.000 0.000 to -7.071 8.071 0.000 90b58df0",
+                        "line 0.000 1.000 0.000 to 7.071 8.071 0.000 90b58df0")
+                .hasSize(1 + 2 + 16);
+    }
+
+    @Test
+    void aVelocityLogIsAConeOfFourBeamsDown() {
+        sensing(
+                new Dvl(
+                        "Log",
+                        Vec3.ZERO,
+                        Quat.IDENTITY,
+                        Math.PI / 4,
+                        10,
+                        1,
+                        VectorErrors.NONE,
+                        ScalarErrors.NONE,
+                        new Sampling(1, 0, 0, 0)));
+        assertThat(painted(Layer.SENSORS))
+                .contains(
+                        "line 0.000 0.000 0.000 to -5.000 5.000 -7.071 90b58df0",
+                        "line 0.000 0.000 0.000 to 5.000 -5.000 -7.071 90b58df0")
+                .hasSize(1 + 4 + 24);
+    }
+
+    @Test
+    void theGridHasRoundSquaresAboutWhatIsLookedAt() {
+        camera.aim(7.4, -2.6, -5, 12);
+        assertThat(painted(Layer.GRID))
+                .contains(
+                        "line 7.000 -23.000 0.000 to 7.000 17.000 0.000 ff35505f",
+                        "line -13.000 -3.000 0.000 to 27.000 -3.000 0.000 ff35505f",
+                        "line 8.000 -23.000 0.000 to 8.000 17.000 0.000 ff35505f")
+                .hasSize(2 * 41);
+    }
+
+    /** 1 m of amplitude along x: crests and troughs in turn, and level across. */
+    @Test
+    void wavesAreLinesThroughTheWater() {
+        scene.setFields(List.of(new AiryWave(9, "Swell", 1, 8, 0, 0, OptionalDouble.empty(), 0)));
+        camera.aim(0, 0, 0, 100);
+        List<double[]> lines =
+                painted(Layer.WATER).stream()
+                        .filter(line -> line.startsWith("line"))
+                        .map(line -> line.replaceAll("line | to| [0-9a-f]{8}$", "").split(" "))
+                        .map(line -> Stream.of(line).mapToDouble(Double::parseDouble).toArray())
+                        .toList();
+        double number = 4 * Math.PI * Math.PI / 64 / 9.81;
+        assertThat(lines)
+                .hasSize(2 * 41 * 40)
+                .allSatisfy(
+                        end -> {
+                            assertThat(end[2]).isCloseTo(Math.cos(number * end[0]), within(0.01));
+                            assertThat(end[5]).isCloseTo(Math.cos(number * end[3]), within(0.01));
+                        });
     }
 
     @Test

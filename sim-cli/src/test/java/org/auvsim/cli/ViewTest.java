@@ -8,7 +8,11 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -21,6 +25,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 
 import javax.imageio.ImageIO;
 
@@ -29,6 +34,9 @@ import javax.imageio.ImageIO;
 class ViewTest {
     private static final Path TANK =
             CommandLineHarness.EXAMPLES.resolve("scenarios").resolve("tank.xml");
+
+    /** Whether there is a display Java finds out by itself. */
+    private static final String UNASKED = "-Dfile.encoding=UTF-8";
 
     @TempDir private Path folder;
     private CommandLineHarness auvsim;
@@ -164,40 +172,74 @@ class ViewTest {
                 folder.resolve("x.png"));
     }
 
+    private static String[] aimOf(boolean picture, Path recording, Path file) {
+        return picture
+                ? new String[] {recording.toString(), "--picture", file.toString()}
+                : new String[] {recording.toString()};
+    }
+
     /** In a process of its own, as this one may have a display. */
     @Test
     void withoutADisplayThereIsNoWindow() throws Exception {
         assertThat(refused(Map.of(), "-Djava.awt.headless=true", recording().toString()))
-                .contains("There is no display here")
-                .contains("'auvsim watch'");
+                .startsWith("There is no display here")
+                .satisfies(ViewTest::tellsWhatToDo);
+    }
+
+    @ParameterizedTest(name = "a picture: {0}")
+    @ValueSource(booleans = {false, true})
+    @EnabledOnOs(OS.LINUX)
+    void withoutTheVariableDisplayNothingIsPainted(boolean picture) throws Exception {
+        Path file = folder.resolve("x.png");
+        String said = refused(Map.of(), UNASKED, aimOf(picture, recording(), file));
+        assertThat(said)
+                .containsIgnoringCase("no display")
+                .contains("DISPLAY")
+                .satisfies(ViewTest::tellsWhatToDo);
+        assertThat(file).doesNotExist();
+    }
+
+    @ParameterizedTest(name = "a picture: {0}")
+    @ValueSource(booleans = {false, true})
+    @EnabledOnOs(OS.LINUX)
+    void onADisplayThatIsNotThereNothingIsPainted(boolean picture) throws Exception {
+        Path file = folder.resolve("x.png");
+        Map<String, String> nowhere = Map.of("DISPLAY", ":9999");
+        String said = refused(nowhere, UNASKED, aimOf(picture, recording(), file));
+        assertThat(said)
+                .containsIgnoringCase("no display")
+                .contains(":9999")
+                .satisfies(ViewTest::tellsWhatToDo);
+        assertThat(file).doesNotExist();
     }
 
     /** Mesa takes the version from the environment. */
-    @Test
+    @ParameterizedTest(name = "a picture: {0}")
+    @ValueSource(booleans = {false, true})
     @Tag("display")
-    void withoutOpenGlThereIsNoPicture() throws Exception {
+    void withoutOpenGlNothingIsPainted(boolean picture) throws Exception {
         Map<String, String> old =
                 Map.of(
+                        "DISPLAY",
+                        System.getenv("DISPLAY"),
                         "LIBGL_ALWAYS_SOFTWARE",
                         "1",
                         "__GLX_VENDOR_LIBRARY_NAME",
                         "mesa",
                         "MESA_GL_VERSION_OVERRIDE",
                         "2.1");
-        Path picture = folder.resolve("x.png");
-        assertThat(
-                        refused(
-                                old,
-                                "-Djava.awt.headless=false",
-                                recording().toString(),
-                                "--picture",
-                                picture.toString()))
-                .contains("no display with OpenGL 3.2")
-                .contains("--renderer osp");
-        assertThat(picture).doesNotExist();
+        Path file = folder.resolve("x.png");
+        String said = refused(old, "-Djava.awt.headless=false", aimOf(picture, recording(), file));
+        assertThat(said).contains("no display with OpenGL 3.2").satisfies(ViewTest::tellsWhatToDo);
+        assertThat(file).doesNotExist();
     }
 
-    /** What a viewer says that cannot show anything. */
+    private static void tellsWhatToDo(String said) {
+        assertThat(said).contains("'auvsim watch'").contains("--renderer osp").endsWith(".");
+        assertThat(said.lines()).hasSize(1);
+    }
+
+    /** What a viewer says that cannot show anything, but for what the virtual machine says. */
     private static String refused(
             Map<String, String> environment, String property, String... arguments)
             throws Exception {
@@ -206,17 +248,21 @@ class ViewTest {
                         List.of(
                                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                                 property,
+                                "--enable-native-access=ALL-UNNAMED",
                                 "-cp",
                                 System.getProperty("java.class.path"),
                                 Auvsim.class.getName(),
                                 "view"));
         command.addAll(List.of(arguments));
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+        builder.environment().remove("DISPLAY");
         builder.environment().putAll(environment);
         Process view = builder.start();
         String said = new String(view.getInputStream().readAllBytes(), UTF_8);
-        assertThat(view.waitFor()).isEqualTo(2);
-        return said;
+        assertThat(view.waitFor()).as(said).isEqualTo(2);
+        return said.lines()
+                .filter(line -> !line.isBlank() && !line.startsWith("WARNING: "))
+                .collect(Collectors.joining("\n"));
     }
 
     @Test

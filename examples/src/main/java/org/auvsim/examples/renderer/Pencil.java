@@ -10,7 +10,7 @@ import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 
-/** Draws lines and names where they are, a ring around each body, and no sea floor. */
+/** Draws lines and names where they are, rings for what is round or square, and no sea floor. */
 final class Pencil implements Brush {
     private final Graphics2D graphics;
     private final OrbitCamera camera;
@@ -50,12 +50,27 @@ final class Pencil implements Brush {
 
     @Override
     public void tube(Pose pose, double length, double radius, int colour) {
-        ball(pose, length / 2, colour);
+        stroke(pose, -length / 2, length / 2, colour);
     }
 
     @Override
     public void cone(Pose pose, double length, double radius, int colour) {
-        ball(pose, radius, colour);
+        stroke(pose, 0, length, colour);
+    }
+
+    /** Along a pose's x axis, from one place on it to another (m). */
+    private void stroke(Pose p, double begin, double end, int colour) {
+        double dx = 1 - 2 * (p.qy * p.qy + p.qz * p.qz);
+        double dy = 2 * (p.qx * p.qy + p.qw * p.qz);
+        double dz = 2 * (p.qx * p.qz - p.qw * p.qy);
+        line(
+                p.x + begin * dx,
+                p.y + begin * dy,
+                p.z + begin * dz,
+                p.x + end * dx,
+                p.y + end * dy,
+                p.z + end * dz,
+                colour);
     }
 
     @Override

@@ -31,6 +31,8 @@ class SketchTest implements Painter {
     @Override
     public void paint(Brush brush, long nanos) {
         brush.ball(Pose.of(new Vec3(1, 0, 0), Quat.IDENTITY), 2, RED);
+        Quat left = Quat.ofAxisAngle(new Vec3(0, 0, 1), Math.PI / 2);
+        brush.tube(Pose.of(new Vec3(-3, 0, 0), left), 2, 0.1, BLUE);
         brush.line(-4, -3, 0, 4, -3, 0, BLUE);
     }
 
@@ -65,6 +67,8 @@ class SketchTest implements Painter {
         assertThat(isNear(picture, 1, 2, RED)).isTrue();
         assertThat(isNear(picture, 1, 0, RED)).isFalse();
         assertThat(isNear(picture, -2, -3, BLUE)).isTrue();
+        assertThat(isNear(picture, -3, 0.9, BLUE)).isTrue();
+        assertThat(isNear(picture, -3, 1.2, BLUE)).isFalse();
         assertThat(isNear(picture, -2, 3, background())).isTrue();
     }
 

@@ -7,26 +7,38 @@ import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
 import java.awt.BasicStroke;
+import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.SwingConstants;
 import javax.swing.UIManager;
 
-/** A plot of one quantity or more over time. */
+/**
+ * A plot of one quantity or more over time. The title above it is the legend: each word has the
+ * colour of its line, and nothing lies over the lines.
+ */
 final class Plot {
     /** The width is at least so long (s). */
     private static final double SHORTEST = 5;
 
     private final Quantity[] quantities;
     private final XYChart chart;
-    private final XChartPanel<XYChart> panel;
+    private final JLabel title;
+    private final JPanel panel = new JPanel(new BorderLayout());
 
-    Plot(String title, Quantity... quantities) {
+    /** Of quantities with one unit. */
+    Plot(String unit, Quantity... quantities) {
         this.quantities = quantities.clone();
-        chart = new XYChartBuilder().width(260).height(140).title(title).build();
+        title = new JLabel(title(unit, quantities), SwingConstants.CENTER);
+        chart = new XYChartBuilder().width(260).height(140).build();
         for (Quantity quantity : quantities) {
             var series = chart.addSeries(quantity.word(), new double[] {0}, new double[] {0});
             series.setMarker(SeriesMarkers.NONE);
@@ -35,20 +47,31 @@ final class Plot {
             series.setLineStyle(new BasicStroke(1.6f));
         }
         XYStyler styler = chart.getStyler();
-        styler.setLegendVisible(quantities.length > 1);
-        styler.setLegendPosition(XYStyler.LegendPosition.InsideNW);
-        styler.setLegendPadding(2);
-        styler.setLegendBorderColor(new Color(0, true));
+        styler.setLegendVisible(false);
+        styler.setChartTitleVisible(false);
         styler.setChartPadding(4);
         styler.setPlotMargin(2);
         styler.setXAxisTickMarkSpacingHint(50);
         styler.setYAxisTickMarkSpacingHint(24);
         styler.setXAxisTickLabelsFormattingFunction(Plot::seconds);
         styler.setYAxisDecimalPattern("0.###");
-        panel = new XChartPanel<>(chart);
+        XChartPanel<XYChart> lines = new XChartPanel<>(chart);
         // Its keys would take those of the window's menus.
-        panel.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).clear();
+        lines.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).clear();
+        panel.add(title, BorderLayout.NORTH);
+        panel.add(lines, BorderLayout.CENTER);
         panel.setMinimumSize(new Dimension(60, 60));
+    }
+
+    private static String title(String unit, Quantity... quantities) {
+        return Stream.of(quantities)
+                .map(
+                        quantity ->
+                                "<font color='#%06x'>%s</font>"
+                                        .formatted(
+                                                quantity.colour().getRGB() & 0xffffff,
+                                                quantity.word()))
+                .collect(Collectors.joining(", ", "<html>", " (" + unit + ")"));
     }
 
     JComponent component() {
@@ -75,10 +98,8 @@ final class Plot {
         styler.setXAxisTickLabelsColor(front);
         styler.setYAxisTickLabelsColor(front);
         styler.setAxisTickMarksColor(faint);
-        styler.setLegendBackgroundColor(new Color(0, true));
-        styler.setChartTitleFont(font.deriveFont(Font.BOLD, 12f));
         styler.setAxisTickLabelsFont(font.deriveFont(10f));
-        styler.setLegendFont(font.deriveFont(10f));
+        title.setFont(font.deriveFont(Font.BOLD, 12f));
     }
 
     void draw(History history) {

@@ -23,10 +23,10 @@ final class Plots {
     private final JPanel lines = new JPanel(new GridLayout(1, 0, 4, 0));
     private final List<Plot> plots =
             List.of(
-                    new Plot("x, y (m)", Quantity.X, Quantity.Y),
-                    new Plot("Depth (m)", Quantity.DEPTH),
-                    new Plot("Speed (m/s)", Quantity.SPEED),
-                    new Plot("Yaw (\u00b0)", Quantity.YAW));
+                    new Plot("m", Quantity.X, Quantity.Y),
+                    new Plot("m", Quantity.DEPTH),
+                    new Plot("m/s", Quantity.SPEED),
+                    new Plot("\u00b0", Quantity.YAW));
     private OptionalLong shown = OptionalLong.empty();
     private double drawn = Double.NaN;
     private int turn;

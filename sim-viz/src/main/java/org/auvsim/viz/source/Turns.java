@@ -12,14 +12,17 @@ import java.util.Set;
 
 /**
  * Which objects are asked about next: what somebody does to an object, its description alone tells.
- * Few against the states that they send meanwhile, and all of them in a bounded number of turns.
+ * All of them have a turn, in bounded time.
  */
 final class Turns {
     /** So many objects have a turn at once, */
     private static final int LEAST = 20;
 
-    /** and in a larger world this part of those that can move. */
+    /** in a larger world this part of those that can move, */
     private static final int PART = 10;
+
+    /** and never more than so many: to describe them takes a simulator about 0.1 s. */
+    private static final int MOST = 100;
 
     private int drivenBefore;
     private int movingBefore;
@@ -35,7 +38,7 @@ final class Turns {
                 moving.stream()
                         .filter(o -> o.definition().filter(Turns::isDriven).isPresent())
                         .toList();
-        int most = Math.max(LEAST, moving.size() / PART);
+        int most = Math.clamp(moving.size() / PART, LEAST, MOST);
         drivenBefore = take(driven, drivenBefore, most / 2, ids);
         movingBefore = take(moving, movingBefore, most, ids);
         return ids;

@@ -41,7 +41,9 @@ public final class SceneDrawing implements Painter {
     @Override
     public void paint(Brush brush, long nanos) {
         source.bring(nanos);
-        if (picture == null || picture.brush() != brush || picture.palette() != palette()) {
+        if (picture == null
+                || !picture.brush().equals(brush)
+                || !picture.palette().equals(palette())) {
             picture = new Picture(brush, options, palette(), camera);
         }
         source.scene().look(nanos, viewer);

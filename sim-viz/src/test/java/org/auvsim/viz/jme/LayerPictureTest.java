@@ -73,11 +73,13 @@ class LayerPictureTest {
     /** Whether a thin thing of a colour is at a place, to a pixel. */
     private boolean isAt(BufferedImage picture, int colour, double x, double y, double z) {
         double[] at = pixel(x, y, z);
-        for (int i = 0; i < 9; i++) {
-            double[] beside = {at[0] + i % 3 - 1, at[1] + i / 3 - 1};
-            if (Colours.rgb(picture, beside) == colour
-                    || (colour != GRID && Colours.hasHue(picture, beside, colour))) {
-                return true;
+        for (int dx = -1; dx <= 1; dx++) {
+            for (int dy = -1; dy <= 1; dy++) {
+                double[] beside = {at[0] + dx, at[1] + dy};
+                if (Colours.rgb(picture, beside) == colour
+                        || (colour != GRID && Colours.hasHue(picture, beside, colour))) {
+                    return true;
+                }
             }
         }
         return false;

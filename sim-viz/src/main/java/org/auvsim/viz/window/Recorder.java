@@ -46,10 +46,14 @@ final class Recorder implements AutoCloseable {
         return folder.resolve(String.format(Locale.ROOT, "frame-%06d.png", number));
     }
 
-    /** What makes a film of numbered frames. */
+    /** What makes a film of numbered frames; it adds a line to a side of an odd number of them. */
     static String film(String folder, int rate) {
-        return "ffmpeg -framerate %d -i \"%s\" -pix_fmt yuv420p \"%s\""
-                .formatted(rate, folder + "/frame-%06d.png", folder + "/film.mp4");
+        return "ffmpeg -framerate %d -i \"%s\" -vf \"%s\" -pix_fmt yuv420p \"%s\""
+                .formatted(
+                        rate,
+                        folder + "/frame-%06d.png",
+                        "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                        folder + "/film.mp4");
     }
 
     /** Begins to number frames anew. */

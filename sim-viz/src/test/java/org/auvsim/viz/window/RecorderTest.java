@@ -63,7 +63,8 @@ class RecorderTest {
     void tellsHowFramesBecomeAFilm() {
         assertThat(Recorder.film("f", 25))
                 .startsWith("ffmpeg -framerate 25 -i \"")
-                .contains("frame-%06d.png");
+                .contains("frame-%06d.png")
+                .contains("pad=ceil(iw/2)*2:ceil(ih/2)*2"); // no film has an odd side
         assertThat(Recorder.frame(Path.of("f"), 12)).hasFileName("frame-000012.png");
     }
 

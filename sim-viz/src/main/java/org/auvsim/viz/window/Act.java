@@ -6,6 +6,7 @@ import java.awt.KeyboardFocusManager;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.util.Optional;
+import java.util.function.Supplier;
 
 import javax.swing.AbstractAction;
 import javax.swing.Action;
@@ -38,8 +39,17 @@ final class Act extends AbstractAction {
 
     /** Can be done by clients of a role alone; says so where it cannot. */
     Act needs(Desk desk, Role role) {
-        desk.onRefresh(() -> hinder(desk.hindrance(role)));
-        hinder(desk.hindrance(role));
+        return unless(desk, () -> desk.hindrance(role));
+    }
+
+    /** The same where something is selected. */
+    Act needsSelected(Desk desk, Role role) {
+        return unless(desk, () -> desk.hindranceAtSelected(role));
+    }
+
+    private Act unless(Desk desk, Supplier<Optional<String>> hindrance) {
+        desk.onRefresh(() -> hinder(hindrance.get()));
+        hinder(hindrance.get());
         return this;
     }
 

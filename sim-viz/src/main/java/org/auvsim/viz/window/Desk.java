@@ -37,6 +37,8 @@ final class Desk {
         this.camera = camera;
         this.screen = screen;
         this.options = options;
+        onRefresh(new Choice(source.scene(), options::selected, options::select)::refresh);
+        onRefresh(new Choice(source.scene(), options::followed, options::follow)::refresh);
     }
 
     Source source() {
@@ -134,6 +136,17 @@ final class Desk {
                                 .formatted(needed.roleName(), steering.get().role().roleName()));
     }
 
+    /** The same for what is done with the selected object. */
+    Optional<String> hindranceAtSelected(Role needed) {
+        return hindrance(needed)
+                .or(
+                        () ->
+                                options.selected().isPresent()
+                                        ? Optional.empty()
+                                        : Optional.of(
+                                                "Nothing is selected; select an object first."));
+    }
+
     /** Asks the simulator; a refusal is told. */
     void ask(Message message) {
         ask(message, answer -> {});
@@ -141,6 +154,11 @@ final class Desk {
 
     /** Asks the simulator, and goes on with its answer; a refusal is told. */
     void ask(Message message, Consumer<Message> then) {
+        ask(message, then, failure -> {});
+    }
+
+    /** Asks the simulator, and goes on with its answer or its refusal, which is told. */
+    void ask(Message message, Consumer<Message> then, Consumer<Throwable> refused) {
         if (source.steering().isEmpty()) {
             say("A recording cannot be changed; this needs a simulator.");
             return;
@@ -152,14 +170,19 @@ final class Desk {
                         .whenComplete(
                                 (answer, failure) ->
                                         SwingUtilities.invokeLater(
-                                                () -> settle(answer, failure, then)));
+                                                () -> settle(answer, failure, then, refused)));
     }
 
-    private void settle(Message answer, @Nullable Throwable failure, Consumer<Message> then) {
+    private void settle(
+            Message answer,
+            @Nullable Throwable failure,
+            Consumer<Message> then,
+            Consumer<Throwable> refused) {
         if (failure == null) {
             then.accept(answer);
         } else {
             say(sentence(failure));
+            refused.accept(failure);
         }
     }
 

@@ -10,6 +10,7 @@ import java.awt.BorderLayout;
 import java.awt.Font;
 import java.awt.Window;
 import java.nio.charset.StandardCharsets;
+import java.util.function.Consumer;
 
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -41,8 +42,8 @@ final class EffectDialog {
         add.setName("effect-add");
         add.addActionListener(
                 e -> {
-                    String problem = add(id, text.getText());
-                    words.setText(problem.isEmpty() ? "Sent." : problem);
+                    words.setText("Sent.");
+                    add(id, text.getText(), words::setText);
                 });
         JPanel below = new JPanel(new BorderLayout(8, 0));
         below.add(words);
@@ -58,8 +59,8 @@ final class EffectDialog {
         dialog.setVisible(true);
     }
 
-    /** Sends an effect; says what is wrong with its text, or nothing. */
-    String add(long id, String effect) {
+    /** Sends an effect; says what is wrong with its text, or what has become of it. */
+    void add(long id, String effect, Consumer<String> words) {
         String command =
                 "<auvsml><add-effect-command world-object-id=\"%d\">%s</add-effect-command></auvsml>"
                         .formatted(id, effect);
@@ -68,10 +69,14 @@ final class EffectDialog {
                     .decode(
                             new XmlTreeReader(Limits.MESSAGE)
                                     .read(command.getBytes(StandardCharsets.UTF_8)))
-                    .forEach(desk::ask);
-            return "";
+                    .forEach(
+                            message ->
+                                    desk.ask(
+                                            message,
+                                            answer -> words.accept("Added."),
+                                            failure -> words.accept(Desk.sentence(failure))));
         } catch (AuvsmlException e) {
-            return e.fault().problem();
+            words.accept(e.fault().problem());
         }
     }
 }

@@ -27,7 +27,7 @@ final class ObjectMenu {
                 new Act("Drive by keys and gamepad", () -> desk.drive(!desk.isDriving()))
                         .key("ctrl D")
                         .tip("W S A D Q E R F and the arrows drive the selected object")
-                        .needs(desk, Role.CONTROLLER);
+                        .needsSelected(desk, Role.CONTROLLER);
     }
 
     Action drive() {
@@ -61,15 +61,7 @@ final class ObjectMenu {
     }
 
     private Act act(String words, Role role, LongConsumer deed) {
-        return new Act(
-                        words,
-                        () -> {
-                            if (desk.options().selected().isPresent()) {
-                                deed.accept(desk.options().selected().getAsLong());
-                            } else {
-                                desk.say("Nothing is selected; select an object first.");
-                            }
-                        })
-                .needs(desk, role);
+        return new Act(words, () -> desk.options().selected().ifPresent(deed))
+                .needsSelected(desk, role);
     }
 }

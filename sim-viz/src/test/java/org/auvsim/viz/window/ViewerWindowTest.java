@@ -29,6 +29,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.awt.Component;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -308,12 +309,38 @@ class ViewerWindowTest {
                 new EffectDialog(
                         new Desk(simulator, camera, new FakeScreen(), view),
                         window.orElseThrow().frame());
+        List<String> told = new ArrayList<>();
         Clicks.inSwing(
                 () -> {
-                    assertThat(effects.add(9, "<gravity acceleration=\"5\"/>")).isEmpty();
-                    assertThat(effects.add(9, "<levity/>")).contains("levity");
+                    effects.add(9, "<gravity acceleration=\"5\"/>", told::add);
+                    effects.add(9, "<levity/>", told::add);
                 });
-        assertThat(simulator.asked).containsExactly(new AddEffectCommand(9, new Gravity(5)));
+        Clicks.inSwing(() -> simulator.refusal = Optional.of("It is not to be."));
+        Clicks.inSwing(() -> effects.add(9, "<gravity acceleration=\"6\"/>", told::add));
+        Clicks.inSwing(() -> {});
+        assertThat(told).hasSize(3).contains("Added.").endsWith("It is not to be.");
+        assertThat(told).filteredOn(words -> words.contains("levity")).hasSize(1);
+        assertThat(simulator.asked)
+                .containsExactly(
+                        new AddEffectCommand(9, new Gravity(5)),
+                        new AddEffectCommand(9, new Gravity(6)));
+    }
+
+    @Test
+    void whatHasLeftTheWorldIsSelectedNoMoreAndNothingIsDoneWithIt() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        view.select(OptionalLong.of(9));
+        open(simulator);
+        Clicks.inSwing(
+                () -> {
+                    AbstractButton effect = find("add-effect", AbstractButton.class);
+                    assertThat(effect.isEnabled()).isTrue();
+                    simulator.scene().remove(9);
+                    window.orElseThrow().turn();
+                    assertThat(view.selected()).isEmpty();
+                    assertThat(effect.isEnabled()).isFalse();
+                    assertThat(effect.getToolTipText()).contains("Nothing is selected");
+                });
     }
 
     @Test

@@ -62,11 +62,7 @@ final class DetailLines {
         if (definition.mass().isPresent()) {
             line("Mass", number(definition.mass().getAsDouble()) + " kg");
         }
-        double radius = definition.volume().boundingRadius();
-        line(
-                "Volume",
-                ElementName.of(definition.volume().getClass())
-                        + (Double.isInfinite(radius) ? "" : ", radius " + number(radius) + " m"));
+        line("Volume", VolumeWords.of(definition.volume()));
         definition.mount().ifPresent(m -> line("Mount", ElementName.of(m.getClass())));
         definition.response().ifPresent(r -> line("Collision", ElementName.of(r.getClass())));
     }

@@ -24,6 +24,12 @@ public interface Brush {
     /** A line of one pixel. */
     void line(double ax, double ay, double az, double bx, double by, double bz, int colour);
 
+    /** The same before everything that would hide it, where the renderer can paint so. */
+    default void lineBefore(
+            double ax, double ay, double az, double bx, double by, double bz, int colour) {
+        line(ax, ay, az, bx, by, bz, colour);
+    }
+
     /** The sea floor of an object, whose map seldom changes. */
     void surface(long id, HeightMap map, Pose pose, int colour);
 

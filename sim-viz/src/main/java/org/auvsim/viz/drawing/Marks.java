@@ -31,17 +31,20 @@ final class Marks implements Part {
         }
     }
 
-    /** A cross there, and a line from the object to it: that is how far the model was off. */
+    /**
+     * A cross there, and a line from the object to it: that is how far the model was off. An object
+     * that is corrected to there does not hide them.
+     */
     private void measured(ActorView actor, Picture picture) {
         double x = actor.measuredPosition(0);
         double y = actor.measuredPosition(1);
         double z = actor.measuredPosition(2);
         double arm = picture.share(CROSS);
         Brush brush = picture.brush();
-        brush.line(x - arm, y, z, x + arm, y, z, Palette.MEASURED);
-        brush.line(x, y - arm, z, x, y + arm, z, Palette.MEASURED);
-        brush.line(x, y, z - arm, x, y, z + arm, Palette.MEASURED);
-        brush.line(
+        brush.lineBefore(x - arm, y, z, x + arm, y, z, Palette.MEASURED);
+        brush.lineBefore(x, y - arm, z, x, y + arm, z, Palette.MEASURED);
+        brush.lineBefore(x, y, z - arm, x, y, z + arm, Palette.MEASURED);
+        brush.lineBefore(
                 actor.position(0), actor.position(1), actor.position(2), x, y, z, Palette.MEASURED);
         place.at(x, y, z);
         brush.ball(place.pose, picture.share(DOT), Palette.MEASURED);

@@ -39,6 +39,10 @@ final class JmeBrush implements Brush {
     private final InstanceBatch[][] cones = new InstanceBatch[SIDES.length][];
     private final InstanceBatch[] cubes;
     private final LineBatch lines;
+
+    /** Those that nothing hides. */
+    private final LineBatch linesBefore;
+
     private final Labels labels;
     private final SeaFloors seaFloors;
     private final double[] pixel = new double[3];
@@ -64,8 +68,12 @@ final class JmeBrush implements Brush {
             cones[i] = both("cones", UnitMeshes.cone(SIDES[i]), open, clearOpen);
         }
         cubes = both("cubes", UnitMeshes.cube(), solid, clear);
-        lines = new LineBatch(line);
+        Material before = line.clone();
+        before.getAdditionalRenderState().setDepthTest(false);
+        lines = new LineBatch(line, Bucket.Transparent);
+        linesBefore = new LineBatch(before, Bucket.Translucent);
         node.attachChild(lines.geometry());
+        node.attachChild(linesBefore.geometry());
         labels = new Labels(assets.loadFont("Interface/Fonts/Default.fnt"));
         seaFloors = new SeaFloors(open, node);
     }
@@ -113,6 +121,7 @@ final class JmeBrush implements Brush {
             batches.get(i).begin();
         }
         lines.begin();
+        linesBefore.begin();
         labels.begin();
         seaFloors.begin();
     }
@@ -128,6 +137,7 @@ final class JmeBrush implements Brush {
             batches.get(i).end();
         }
         lines.end();
+        linesBefore.end();
         labels.end();
         seaFloors.end();
     }
@@ -174,7 +184,25 @@ final class JmeBrush implements Brush {
 
     @Override
     public void line(double ax, double ay, double az, double bx, double by, double bz, int colour) {
-        lines.add(
+        add(lines, ax, ay, az, bx, by, bz, colour);
+    }
+
+    @Override
+    public void lineBefore(
+            double ax, double ay, double az, double bx, double by, double bz, int colour) {
+        add(linesBefore, ax, ay, az, bx, by, bz, colour);
+    }
+
+    private void add(
+            LineBatch to,
+            double ax,
+            double ay,
+            double az,
+            double bx,
+            double by,
+            double bz,
+            int colour) {
+        to.add(
                 ax - origin[0],
                 ay - origin[1],
                 az - origin[2],

@@ -10,7 +10,7 @@ import com.jme3.util.BufferUtils;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 
-/** All lines of a picture in one call to the graphics card; written anew each frame. */
+/** Lines of a picture in one call to the graphics card; written anew each frame. */
 final class LineBatch {
     private static final int FIRST = 1024;
 
@@ -21,7 +21,8 @@ final class LineBatch {
     private FloatBuffer places = BufferUtils.createFloatBuffer(6 * FIRST);
     private ByteBuffer shades = BufferUtils.createByteBuffer(8 * FIRST);
 
-    LineBatch(Material material) {
+    /** Lines that are painted when what is in a bucket is. */
+    LineBatch(Material material, Bucket bucket) {
         mesh.setMode(Mesh.Mode.Lines);
         ends.setupData(VertexBuffer.Usage.Stream, 3, VertexBuffer.Format.Float, places);
         colours.setupData(VertexBuffer.Usage.Stream, 4, VertexBuffer.Format.UnsignedByte, shades);
@@ -29,7 +30,7 @@ final class LineBatch {
         mesh.setBuffer(ends);
         mesh.setBuffer(colours);
         geometry.setMaterial(material);
-        geometry.setQueueBucket(Bucket.Transparent);
+        geometry.setQueueBucket(bucket);
         geometry.setCullHint(Geometry.CullHint.Never);
     }
 

@@ -17,6 +17,9 @@ final class Actor implements ActorView {
     /** A measurement is shown for so long (s of the world). */
     private static final double MEASURED_FOR = 2;
 
+    /** World times this near (s) are the same: they are rounded sums. */
+    private static final double ROUNDING = 1e-9;
+
     private final double[] before = new double[STATE];
     private final double[] now = new double[STATE];
     private final double[] shown = new double[STATE];
@@ -190,7 +193,7 @@ final class Actor implements ActorView {
 
     @Override
     public boolean isProjected() {
-        return timeProjected >= timeShown;
+        return timeProjected >= timeNow - ROUNDING;
     }
 
     @Override

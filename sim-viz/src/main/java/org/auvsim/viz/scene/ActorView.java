@@ -27,10 +27,10 @@ public interface ActorView {
     /** Component {@code axis} of its angular velocity (rad/s, world). */
     double angularVelocity(int axis);
 
-    /** Whether it is known where the step under way will bring it. */
+    /** Whether it is known where its last step was to bring it, or the one under way will. */
     boolean isProjected();
 
-    /** Coordinate {@code axis} of where the step under way will bring it (m, world). */
+    /** Coordinate {@code axis} of where that step was to bring it (m, world). */
     double projectedPosition(int axis);
 
     /** Component {@code k} of its orientation then, body to world. */

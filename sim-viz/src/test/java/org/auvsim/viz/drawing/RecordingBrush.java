@@ -74,6 +74,13 @@ final class RecordingBrush implements Brush {
     }
 
     @Override
+    public void lineBefore(
+            double ax, double ay, double az, double bx, double by, double bz, int colour) {
+        line(ax, ay, az, bx, by, bz, colour);
+        painted.add("before " + painted.removeLast());
+    }
+
+    @Override
     public void surface(long id, HeightMap map, Pose p, int colour) {
         painted.add(
                 String.format(

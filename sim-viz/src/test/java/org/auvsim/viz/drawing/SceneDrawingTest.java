@@ -121,7 +121,7 @@ class SceneDrawingTest {
         add(1, "Red Ball", new Sphere(0.5));
         scene.measure(1, 0, new Vec3(1, 2, 4));
         assertThat(painted(Layer.MEASUREMENTS))
-                .contains("line 1.000 2.000 3.000 to 1.000 2.000 4.000 ffff4fa3")
+                .contains("before line 1.000 2.000 3.000 to 1.000 2.000 4.000 ffff4fa3")
                 .hasSize(6);
     }
 

@@ -43,6 +43,7 @@ class JmePictureTest {
     private static final int RED = 0xe0504a;
     private static final int BLUE = 0x4b83e8;
     private static final int YELLOW = 0xe6c84f;
+    private static final int PINK = 0xff4fa3;
 
     private final TcpTransport tcp = TcpTransport.onLoopback(0);
     private final Simulator simulator =
@@ -156,6 +157,16 @@ class JmePictureTest {
         int solid = Colours.rgb(picture, pixel(-3, 0, 0));
         int ghost = Colours.rgb(picture, pixel(-2, -2, 0));
         assertThat(ghost >> 16).isBetween(0x10 + 10, (solid >> 16) - 10);
+    }
+
+    @Test
+    void aMeasuredPlaceIsSeenWithinItsObject() throws Exception {
+        options.show(Layer.MEASUREMENTS, true);
+        source.scene().measure(1, 0, new Vec3(-3, 0, 0));
+        BufferedImage picture = picture();
+        double arm = 0.01 * camera.height();
+        assertThat(Colours.hasHue(picture, pixel(-3 + arm, 0, 0), PINK)).isTrue();
+        assertThat(Colours.hasHue(picture, pixel(-3 + arm, 2 * arm, 0), RED)).isTrue();
     }
 
     @Test

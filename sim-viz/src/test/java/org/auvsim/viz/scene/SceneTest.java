@@ -121,7 +121,7 @@ class SceneTest {
     }
 
     @Test
-    void aMeasurementIsSeenForAWhileAndAProjectionUntilItsTimeHasCome() {
+    void aMeasurementIsSeenForAWhileAndAProjectionUntilTheNextStepIsKnown() {
         steps();
         scene.measure(7, 0.1, new Vec3(5, 6, 7));
         scene.project(7, at(0.2, 4, 0));
@@ -141,6 +141,24 @@ class SceneTest {
                     assertThat(look.actor(0).isMeasured()).isFalse();
                     assertThat(look.actor(0).isProjected()).isFalse();
                 });
+    }
+
+    /** World times are rounded sums, and the time shown is one between two of them. */
+    @Test
+    void theProjectionOfTheStepThatWasMadeStaysWhileTimeStands() {
+        double time = 0;
+        for (int step = 1; step <= 300; step++) {
+            time += 0.01;
+            scene.project(7, at(time, 4, 0));
+            scene.move(7, at(time, 3, 0)); // feedback has corrected it
+            scene.stepDone(time, step * MILLIS);
+            scene.look(
+                    900_000 * MILLIS,
+                    look -> {
+                        assertThat(look.actor(0).isProjected()).isTrue();
+                        assertThat(look.actor(0).projectedPosition(0)).isEqualTo(4);
+                    });
+        }
     }
 
     @Test

@@ -11,6 +11,9 @@ import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Font;
+import java.text.DecimalFormat;
+import java.text.DecimalFormatSymbols;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -28,6 +31,8 @@ import javax.swing.UIManager;
 final class Plot {
     /** The width is at least so long (s). */
     private static final double SHORTEST = 5;
+
+    private static final DecimalFormatSymbols ROOT = DecimalFormatSymbols.getInstance(Locale.ROOT);
 
     private final Quantity[] quantities;
     private final XYChart chart;
@@ -51,10 +56,14 @@ final class Plot {
         styler.setChartTitleVisible(false);
         styler.setChartPadding(4);
         styler.setPlotMargin(2);
-        styler.setXAxisTickMarkSpacingHint(50);
+        styler.setXAxisTickMarkSpacingHint(60);
         styler.setYAxisTickMarkSpacingHint(24);
-        styler.setXAxisTickLabelsFormattingFunction(Plot::seconds);
-        styler.setYAxisDecimalPattern("0.###");
+        styler.setXAxisDecimalPattern("0.### s");
+        if (isDeep()) {
+            styler.setYAxisTickLabelsFormattingFunction(Plot::depth);
+        } else {
+            styler.setYAxisDecimalPattern("0.###");
+        }
         XChartPanel<XYChart> lines = new XChartPanel<>(chart);
         // Its keys would take those of the window's menus.
         lines.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).clear();
@@ -78,8 +87,28 @@ final class Plot {
         return panel;
     }
 
-    private static String seconds(double time) {
-        return String.format(Locale.ROOT, time == Math.rint(time) ? "%.0f s" : "%.1f s", time);
+    /** What is deeper stands lower: the axis is the height, and tells the depth. */
+    private boolean isDeep() {
+        return quantities[0] == Quantity.DEPTH;
+    }
+
+    /**
+     * Values after another one. A point without a value, farther from the others than they are from
+     * one another, lets the chart put its ticks at round times: else it may put them at points.
+     */
+    private static double[] after(double first, double[] values) {
+        double[] all = new double[values.length + 1];
+        all[0] = first;
+        System.arraycopy(values, 0, all, 1, values.length);
+        return all;
+    }
+
+    private double[] upright(double[] values) {
+        return isDeep() ? Arrays.stream(values).map(depth -> 0.0 - depth).toArray() : values;
+    }
+
+    private static String depth(double height) {
+        return new DecimalFormat("0.###", ROOT).format(0.0 - height);
     }
 
     /** Takes the colours of the window. */
@@ -104,15 +133,18 @@ final class Plot {
 
     void draw(History history) {
         double[] times = history.times();
-        for (Quantity quantity : quantities) {
-            chart.updateXYSeries(quantity.word(), times, history.line(quantity), null);
-        }
         double end = times[times.length - 1];
-        double[] height = history.height(quantities);
+        double start = Math.min(times[0], end - SHORTEST);
+        double[] ticked = after(start - 2 * (end - start), times);
+        for (Quantity quantity : quantities) {
+            double[] line = after(Double.NaN, upright(history.line(quantity)));
+            chart.updateXYSeries(quantity.word(), ticked, line, null);
+        }
+        double[] height = upright(history.height(quantities));
         XYStyler styler = chart.getStyler();
-        styler.setXAxisMin(Math.min(times[0], end - SHORTEST));
+        styler.setXAxisMin(start);
         styler.setXAxisMax(end);
-        styler.setYAxisMin(height[0]);
-        styler.setYAxisMax(height[1]);
+        styler.setYAxisMin(Math.min(height[0], height[1]));
+        styler.setYAxisMax(Math.max(height[0], height[1]));
     }
 }

@@ -61,6 +61,7 @@ public final class ViewerWindow {
         driver = new Driver(desk, gamepad, frame);
         plots = new Plots(desk);
         build();
+        frame.setMinimumSize(new Dimension(840, 560));
         frame.setSize(1280, 800);
         frame.setLocationByPlatform(true);
         frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
@@ -120,13 +121,13 @@ public final class ViewerWindow {
 
     private JSplitPane middle() {
         Component picture = desk.screen().component();
-        picture.setMinimumSize(new Dimension(100, 100));
+        picture.setMinimumSize(new Dimension(180, 100));
         ScreenMouse.attach(desk);
         JTabbedPane below = new JTabbedPane();
         below.setName("below");
         below.addTab("Plots", plots.component());
         below.addTab("Log", new WordsLog(desk).component());
-        below.setMinimumSize(new Dimension(100, 60));
+        below.setMinimumSize(new Dimension(180, 140));
         below.setPreferredSize(new Dimension(600, BELOW));
         JTabbedPane right = new JTabbedPane();
         right.setName("right");

@@ -102,7 +102,7 @@ final class Exchange {
     private void refuse(String id, String why) {
         CompletableFuture<Message> answer = open.remove(id);
         if (answer != null) {
-            answer.completeExceptionally(new RefusedException(why));
+            answer.completeExceptionally(new LostException(why));
         }
     }
 

@@ -30,6 +30,7 @@ final class Desk {
     private final Outbox outbox = new Outbox(this::ask);
     private final List<Runnable> refreshers = new ArrayList<>();
     private final List<Consumer<Occurrence>> listeners = new ArrayList<>();
+    private Optional<String> refusal = Optional.empty();
     private boolean isDriving;
 
     Desk(Source source, OrbitCamera camera, Screen screen, ViewOptions options) {
@@ -115,6 +116,11 @@ final class Desk {
         refresh();
     }
 
+    /** Whether there is a simulator, and no connection to it now. */
+    boolean isLost() {
+        return !source.steering().map(Steering::isConnected).orElse(true);
+    }
+
     /** Whether there is a simulator, and it lets this role's orders through. */
     boolean may(Role needed) {
         return source.steering().map(s -> s.isConnected() && s.role().allows(needed)).orElse(false);
@@ -179,11 +185,18 @@ final class Desk {
             Consumer<Message> then,
             Consumer<Throwable> refused) {
         if (failure == null) {
+            refusal = Optional.empty();
             then.accept(answer);
         } else {
+            refusal = Optional.of(sentence(failure));
             say(sentence(failure));
             refused.accept(failure);
         }
+    }
+
+    /** The last refusal, until something succeeds. */
+    Optional<String> refusal() {
+        return refusal;
     }
 
     /** What a failure says to people. */

@@ -2,6 +2,7 @@ package org.auvsim.viz.window;
 
 import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.control.TakeControlCommand;
 import org.auvsim.viz.driving.Driving;
 import org.auvsim.viz.driving.Gamepad;
 import org.auvsim.viz.driving.Orders;
@@ -9,7 +10,7 @@ import org.auvsim.viz.driving.Sticks;
 import org.auvsim.viz.driving.Wanted;
 import org.auvsim.viz.driving.Way;
 import org.auvsim.viz.scene.SeenObject;
-import org.auvsim.viz.source.Steering;
+import org.auvsim.viz.source.LostException;
 
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
@@ -65,7 +66,7 @@ final class Driver implements KeyEventDispatcher {
         }
         // Who comes back to a simulator has let go of everything there, and asks for it again.
         Optional<SeenObject> object =
-                desk.isDriving() && isConnected() ? desk.selected() : Optional.empty();
+                desk.isDriving() && !desk.isLost() ? desk.selected() : Optional.empty();
         if (!object.map(SeenObject::id).equals(driven)) {
             stop();
             object.ifPresent(this::begin);
@@ -84,10 +85,6 @@ final class Driver implements KeyEventDispatcher {
         }
     }
 
-    private boolean isConnected() {
-        return desk.source().steering().map(Steering::isConnected).orElse(true);
-    }
-
     private void look(long id) {
         desk.scene()
                 .motion(id)
@@ -103,23 +100,48 @@ final class Driver implements KeyEventDispatcher {
             desk.say(
                     desk.hindrance(Role.CONTROLLER)
                             .orElse(object.name() + " cannot be driven: nothing moves it."));
-            driving = Optional.empty();
+            giveUp();
+        } else {
+            ask(new TakeControlCommand(object.id()));
         }
     }
 
+    /** Lets go of what was driven. */
     private void stop() {
-        if (!before.equals(Wanted.NOTHING) && isConnected()) {
+        if (!before.equals(Wanted.NOTHING) && !desk.isLost()) {
             driving.ifPresent(d -> give(d.orders(Wanted.NOTHING, wasAstern)));
         }
+        forget();
+    }
+
+    private void forget() {
         driving = Optional.empty();
         driven = Optional.empty();
         before = Wanted.NOTHING;
         orders = Orders.NONE;
     }
 
+    private void giveUp() {
+        forget();
+        desk.drive(false);
+    }
+
+    /** Asks for something; where that is refused, as somebody else has control, nobody drives. */
+    private void ask(Message message) {
+        Optional<Long> asked = driven;
+        desk.ask(
+                message,
+                answer -> {},
+                failure -> {
+                    if (asked.equals(driven) && !(failure instanceof LostException)) {
+                        giveUp();
+                    }
+                });
+    }
+
     private void give(Orders others) {
         List<Message> messages = others.since(orders, driven.orElseThrow());
         orders = others;
-        messages.forEach(desk::ask);
+        messages.forEach(this::ask);
     }
 }

@@ -6,6 +6,7 @@ import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.control.ApplyDirectForceCommand;
 import org.auvsim.auvsml.message.control.RemoveForceCommand;
 import org.auvsim.auvsml.message.control.SetControlSurfaceCommand;
+import org.auvsim.auvsml.message.control.TakeControlCommand;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
@@ -14,6 +15,7 @@ import org.auvsim.viz.drawing.ViewOptions;
 import org.auvsim.viz.driving.Sticks;
 import org.auvsim.viz.scene.Movement;
 import org.auvsim.viz.scene.Scene;
+import org.auvsim.viz.scene.SeenObject;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -34,6 +36,7 @@ import javax.swing.JTextField;
 @Tag("display")
 @Timeout(60)
 class DriverTest {
+    private static final Message TAKE = new TakeControlCommand(9);
     private static final Message AHEAD =
             new ApplyDirectForceCommand(9, "Viewer", Frame.BODY, new Vec3(20, 0, 0));
 
@@ -41,8 +44,10 @@ class DriverTest {
     private final JFrame frame = new JFrame();
     private Optional<Sticks> sticks = Optional.empty();
 
+    private Desk desk;
+
     private Driver driver(FakeSimulator simulator, long id) {
-        Desk desk = new Desk(simulator, new OrbitCamera(), new FakeScreen(), options);
+        desk = new Desk(simulator, new OrbitCamera(), new FakeScreen(), options);
         desk.select(OptionalLong.of(id));
         desk.drive(true);
         return new Driver(desk, () -> sticks, frame);
@@ -84,7 +89,8 @@ class DriverTest {
                     key(driver, KeyEvent.KEY_RELEASED, 0, KeyEvent.VK_W);
                     driver.turn();
                 });
-        assertThat(simulator.asked).containsExactly(AHEAD, new RemoveForceCommand(9, "Viewer"));
+        assertThat(simulator.asked)
+                .containsExactly(TAKE, AHEAD, new RemoveForceCommand(9, "Viewer"));
     }
 
     @Test
@@ -120,7 +126,30 @@ class DriverTest {
                     simulator.isConnected = true;
                     driver.turn();
                 });
-        assertThat(simulator.asked).containsExactly(AHEAD, AHEAD);
+        assertThat(simulator.asked).containsExactly(TAKE, AHEAD, TAKE, AHEAD);
+    }
+
+    @Test
+    void whatIsRefusedIsDrivenNoMore() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        simulator.refusal = Optional.of("REMUS controls it.");
+        Driver driver = driver(simulator, 9);
+        sticks = Optional.of(new Sticks(0, -1, 0, 0, 0, 0));
+        Clicks.inSwing(driver::turn);
+        Clicks.inSwing(driver::turn); // after the answers
+        assertThat(desk.isDriving()).isFalse();
+        assertThat(simulator.asked).containsExactly(TAKE, AHEAD);
+    }
+
+    @Test
+    void whatNothingMovesIsNotDriven() throws Exception {
+        Scene scene = Scenes.withBuoy();
+        scene.add(new SeenObject(10, "Thing", Optional.empty()));
+        FakeSimulator simulator = new FakeSimulator(scene);
+        Driver driver = driver(simulator, 10);
+        Clicks.inSwing(driver::turn);
+        assertThat(desk.isDriving()).isFalse();
+        assertThat(simulator.asked).isEmpty();
     }
 
     @Test

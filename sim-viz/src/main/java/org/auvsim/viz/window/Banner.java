@@ -1,7 +1,5 @@
 package org.auvsim.viz.window;
 
-import org.auvsim.viz.source.Steering;
-
 import java.awt.Color;
 import java.awt.Font;
 
@@ -34,7 +32,7 @@ final class Banner {
     }
 
     private void refresh() {
-        boolean isLost = !desk.source().steering().map(Steering::isConnected).orElse(true);
+        boolean isLost = desk.isLost();
         if (isLost) {
             label.setText(desk.source().status());
         }

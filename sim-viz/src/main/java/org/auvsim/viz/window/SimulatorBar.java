@@ -98,7 +98,9 @@ final class SimulatorBar {
             part.setToolTipText(hindrance.orElse(tip(part)));
         }
         pause.setIcon(isRunning() ? Signs.PAUSE : Signs.PLAY);
-        steering.state().ifPresent(this::show);
+        Optional<SimulatorStateResponse> state =
+                desk.isLost() ? Optional.empty() : steering.state();
+        state.ifPresentOrElse(this::show, () -> words.setText(" "));
     }
 
     private String tip(JComponent part) {
@@ -115,10 +117,10 @@ final class SimulatorBar {
         words.setText(
                 String.format(
                         Locale.ROOT,
-                        "%.2f s   step %d   %s   %d clients",
+                        "%.2f s   step %d   %s   %s",
                         state.time(),
                         state.step(),
                         state.running() ? "running" : "paused",
-                        state.clients()));
+                        Counted.of(state.clients(), "client")));
     }
 }

@@ -6,29 +6,44 @@ import org.auvsim.viz.source.Steering;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.util.Locale;
+import java.util.Optional;
 
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.Timer;
 
-/** The line at the bottom: what the source says, the last words, the role, the frame rate. */
+/**
+ * The line at the bottom: what the source says, or for a while what has just been said, then the
+ * role and the frame rate. Without a connection the banner alone tells.
+ */
 final class StatusBar {
+    /** Words stand for so long (ms), a refusal until something succeeds at most. */
+    private static final int WHILE = 10_000;
+
     private final Desk desk;
     private final JLabel status = new JLabel(" ");
     private final JLabel last = new JLabel(" ");
     private final JLabel rate = new JLabel(" ");
     private final JPanel panel = new JPanel(new BorderLayout(16, 0));
+    private final Timer fade = new Timer(WHILE, e -> clear());
+    private boolean isRefusal;
 
     StatusBar(Desk desk) {
         this.desk = desk;
         status.setName("status");
         last.setName("last-words");
-        last.setMinimumSize(new Dimension(0, 0));
+        rate.setName("rate-words");
+        fade.setRepeats(false);
+        JPanel words = new JPanel(new BorderLayout());
+        words.setMinimumSize(new Dimension(0, 0));
+        words.add(status, BorderLayout.WEST);
+        words.add(last, BorderLayout.CENTER);
         panel.setBorder(BorderFactory.createEmptyBorder(3, 8, 3, 8));
-        panel.add(status, BorderLayout.WEST);
-        panel.add(last, BorderLayout.CENTER);
+        panel.add(words, BorderLayout.CENTER);
         panel.add(rate, BorderLayout.EAST);
-        desk.onWords(occurrence -> last.setText(occurrence.text()));
+        clear();
+        desk.onWords(occurrence -> say(occurrence.text()));
         desk.onRefresh(this::refresh);
     }
 
@@ -36,22 +51,45 @@ final class StatusBar {
         return panel;
     }
 
+    private void say(String sentence) {
+        last.setText(sentence);
+        last.setToolTipText(sentence);
+        status.setVisible(false);
+        isRefusal = desk.refusal().equals(Optional.of(sentence));
+        fade.restart();
+    }
+
+    private void clear() {
+        last.setText(" ");
+        last.setToolTipText(null);
+        status.setVisible(true);
+        isRefusal = false;
+    }
+
     private void refresh() {
+        if (desk.isLost()) {
+            clear();
+            status.setText(" ");
+            rate.setText(" ");
+            return;
+        }
+        if (isRefusal && desk.refusal().isEmpty()) {
+            clear();
+        }
         status.setText(desk.source().status());
-        String role =
-                desk.source()
-                        .steering()
-                        .map(Steering::role)
-                        .map(Role::roleName)
-                        .orElse("recording");
+        status.setToolTipText(desk.source().status());
         rate.setText(
                 String.format(
                         Locale.ROOT,
-                        "%s%s%d objects   %s   %.0f frames/s",
-                        desk.isDriving() ? "driving   " : "",
+                        "%s%s%s   %s   %.0f frames/s",
+                        desk.isDriving() && desk.selected().isPresent() ? "driving   " : "",
                         desk.options().followed().isPresent() ? "following   " : "",
-                        desk.scene().objects().size(),
-                        role,
+                        Counted.of(desk.scene().objects().size(), "object"),
+                        role(),
                         desk.screen().frameRate()));
+    }
+
+    private String role() {
+        return desk.source().steering().map(Steering::role).map(Role::roleName).orElse("recording");
     }
 }

@@ -18,10 +18,14 @@ import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.Sphere;
 import org.auvsim.viz.camera.OrbitCamera;
 import org.auvsim.viz.drawing.Layer;
 import org.auvsim.viz.drawing.ViewOptions;
+import org.auvsim.viz.scene.Movement;
+import org.auvsim.viz.scene.Scene;
 import org.auvsim.viz.scene.SeenObject;
 import org.auvsim.viz.source.Source;
 import org.junit.jupiter.api.AfterEach;
@@ -33,6 +37,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.concurrent.atomic.AtomicBoolean;
 
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
@@ -241,12 +246,26 @@ class ViewerWindowTest {
                             .isEqualTo("It is not to be.");
                     assertThat(find("banner", JLabel.class).isVisible()).isFalse();
                 });
+        simulator.refusal = Optional.empty();
+        Clicks.inSwing(() -> find("pause", AbstractButton.class).doClick(0));
+        Clicks.inSwing(
+                () -> {
+                    window.orElseThrow().turn();
+                    assertThat(find("last-words", JLabel.class).getText()).isBlank();
+                    assertThat(find("status", JLabel.class).isShowing()).isTrue();
+                });
         simulator.isConnected = false;
         Clicks.inSwing(
                 () -> {
                     window.orElseThrow().turn();
                     assertThat(find("banner", JLabel.class).isVisible()).isTrue();
                     assertThat(find("banner", JLabel.class).getText()).contains("lost");
+                    for (String words :
+                            new String[] {
+                                "status", "last-words", "rate-words", "simulator-words"
+                            }) {
+                        assertThat(find(words, JLabel.class).getText()).as(words).isBlank();
+                    }
                 });
     }
 
@@ -290,15 +309,49 @@ class ViewerWindowTest {
     }
 
     @Test
-    void plotsShowTheLastMinuteOfWhatIsSelectedAndSayWhatToDoBefore() throws Exception {
-        open(new FakeSimulator(Scenes.withBuoy()));
+    void plotsShowTheLastMinuteOfWhatIsSelectedOrSayWhyThereIsNone() throws Exception {
+        Scene scene = Scenes.withBuoy();
+        scene.add(
+                SeenObject.of(
+                        10,
+                        WorldObjectDefinition.named("Rock").fixed().volume(new Sphere(1)).build()));
+        open(new FakeSimulator(scene));
         Clicks.inSwing(
                 () -> {
-                    assertThat(find("plots-hint", JLabel.class).isShowing()).isTrue();
-                    find("objects", JTable.class).setRowSelectionInterval(1, 1);
+                    JLabel hint = find("plots-hint", JLabel.class);
+                    assertThat(hint.isShowing()).isTrue();
+                    assertThat(hint.getText()).startsWith("Select an object");
+                    select(10);
+                    assertThat(hint.getText()).isEqualTo("Rock is fixed: it does not move");
+                    select(9);
+                    assertThat(hint.getText()).isEqualTo("Buoy: no data yet");
+                    scene.move(9, new Movement(1, Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO));
+                    scene.move(9, new Movement(2, Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO));
+                    scene.stepDone(2, 0);
+                    scene.look(Long.MAX_VALUE / 2, look -> {});
+                    select(10);
+                    select(9);
                     assertThat(find("plots", JPanel.class).isShowing()).isTrue();
-                    assertThat(find("plots-hint", JLabel.class).isShowing()).isFalse();
+                    assertThat(hint.isShowing()).isFalse();
                 });
+    }
+
+    private void select(long id) {
+        view.select(OptionalLong.of(id));
+        window.orElseThrow().turn();
+    }
+
+    @Test
+    void aSmallWindowHasFewerPlots() throws Exception {
+        open(new FakeSimulator(Scenes.withBuoy()));
+        JPanel plots = find("plots", JPanel.class);
+        ViewerWindow opened = window.orElseThrow();
+        Clicks.inSwing(() -> assertThat(plots.getComponentCount()).isEqualTo(4));
+        Clicks.inSwing(() -> opened.frame().setSize(opened.frame().getMinimumSize()));
+        AtomicBoolean isSmall = new AtomicBoolean();
+        while (!isSmall.get()) {
+            Clicks.inSwing(() -> isSmall.set(plots.getComponentCount() < 4));
+        }
     }
 
     @Test

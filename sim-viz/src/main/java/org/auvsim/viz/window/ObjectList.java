@@ -54,7 +54,7 @@ final class ObjectList {
         table.setRowSorter(new RowOrder(rows));
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         table.setFillsViewportHeight(true);
-        int[] widths = {156, 30, 44, 60};
+        int[] widths = {144, 36, 48, 62};
         DefaultTableCellRenderer toTheRight = new DefaultTableCellRenderer();
         toTheRight.setHorizontalAlignment(SwingConstants.RIGHT);
         for (int column = 0; column < widths.length; column++) {

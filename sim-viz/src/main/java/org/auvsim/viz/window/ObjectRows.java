@@ -6,12 +6,17 @@ import org.auvsim.viz.scene.Movement;
 import org.auvsim.viz.scene.Scene;
 import org.auvsim.viz.scene.SeenObject;
 
+import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.function.ToDoubleFunction;
 
+import javax.swing.RowSorter.SortKey;
+import javax.swing.SortOrder;
 import javax.swing.table.AbstractTableModel;
 
 /**
@@ -26,25 +31,32 @@ final class ObjectRows extends AbstractTableModel {
     static final int DISTANCE = 3;
     private static final List<String> COLUMNS = List.of("Name", "Id", "m/s", "Dist. m");
 
+    /** What moves is put in order again one turn of so many. */
+    private static final int EVERY = 10;
+
     private final transient Scene scene;
     private final transient OrbitCamera camera;
     private final transient Outline outline = new Outline();
     private transient List<Row> rows = List.of();
+    private transient Optional<SortKey> order = Optional.empty();
     private long revision = -1;
+    private int turn;
 
     ObjectRows(Scene scene, OrbitCamera camera) {
         this.scene = scene;
         this.camera = camera;
     }
 
-    /** What is unfolded, wanted, and in which order; {@link #build} shows a change. */
+    /** What is unfolded and wanted; {@link #build} shows a change. */
     Outline outline() {
         return outline;
     }
 
-    /** Reads the objects again if they are others now; whether they were. */
+    /** Reads the objects again if they are others now, or in another order; whether they may be. */
     boolean update() {
-        if (scene.revision() == revision) {
+        boolean isOrdered = order.filter(by -> by.getColumn() >= SPEED).isPresent();
+        turn = (turn + 1) % EVERY;
+        if (scene.revision() == revision && !(isOrdered && turn == 0)) {
             return false;
         }
         build();
@@ -54,8 +66,44 @@ final class ObjectRows extends AbstractTableModel {
     /** Reads the objects again. */
     void build() {
         revision = scene.revision();
+        outline.sort(order.map(this::comparator));
         rows = outline.rows(scene.objects());
         fireTableDataChanged();
+    }
+
+    /** Objects of each kind stand in the order of a column; empty: that of their coming. */
+    void sort(Optional<SortKey> by) {
+        order = by;
+        build();
+    }
+
+    /** By how things stand now: objects move while they are put in order. */
+    private Comparator<SeenObject> comparator(SortKey by) {
+        Comparator<SeenObject> upwards =
+                switch (by.getColumn()) {
+                    case NAME -> Comparator.comparing(SeenObject::name, NaturalOrder.OF_TEXTS);
+                    case ID -> Comparator.comparingLong(SeenObject::id);
+                    case SPEED -> comparing(ObjectRows::speed);
+                    default -> comparing(this::distance);
+                };
+        return by.getSortOrder() == SortOrder.DESCENDING ? upwards.reversed() : upwards;
+    }
+
+    private Comparator<SeenObject> comparing(ToDoubleFunction<Movement> quantity) {
+        Map<Long, Double> now = new HashMap<>();
+        for (SeenObject object : scene.objects()) {
+            scene.motion(object.id())
+                    .ifPresent(m -> now.put(object.id(), quantity.applyAsDouble(m)));
+        }
+        return Comparator.comparingDouble(object -> now.getOrDefault(object.id(), 0.0));
+    }
+
+    private static double speed(Movement motion) {
+        return motion.velocity().norm();
+    }
+
+    private double distance(Movement motion) {
+        return motion.position().distance(eye());
     }
 
     Row row(int row) {
@@ -108,8 +156,8 @@ final class ObjectRows extends AbstractTableModel {
     private Object value(SeenObject object, int column) {
         return switch (column) {
             case ID -> object.id();
-            case SPEED -> object.isFixed() ? "" : live(object, m -> m.velocity().norm());
-            default -> live(object, m -> m.position().distance(eye()));
+            case SPEED -> object.isFixed() ? "" : live(object, ObjectRows::speed);
+            default -> live(object, this::distance);
         };
     }
 
@@ -119,7 +167,9 @@ final class ObjectRows extends AbstractTableModel {
     }
 
     private static String number(double value) {
-        return String.format(Locale.ROOT, Math.abs(value) < 1000 ? "%.2f" : "%.0f", value);
+        double size = Math.abs(value);
+        return String.format(
+                Locale.ROOT, size < 10 ? "%.2f" : size < 1000 ? "%.1f" : "%.0f", value);
     }
 
     /** Where the camera is (m, world). */

@@ -1,24 +1,12 @@
 package org.auvsim.viz.window;
 
-import org.auvsim.viz.scene.SeenObject;
-
-import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 
 import javax.swing.RowSorter;
 import javax.swing.SortOrder;
 
 /** Orders objects within their branches when somebody clicks at a column's head. */
 final class RowOrder extends RowSorter<ObjectRows> {
-    private static final Map<Integer, Comparator<SeenObject>> ORDERS =
-            Map.of(
-                    ObjectRows.NAME,
-                    Comparator.comparing(SeenObject::name, String.CASE_INSENSITIVE_ORDER),
-                    ObjectRows.ID,
-                    Comparator.comparingLong(SeenObject::id));
-
     private final ObjectRows rows;
     private List<SortKey> keys = List.of();
 
@@ -29,9 +17,6 @@ final class RowOrder extends RowSorter<ObjectRows> {
     /** By a column upwards, downwards, and no more. */
     @Override
     public void toggleSortOrder(int column) {
-        if (!ORDERS.containsKey(column)) {
-            return;
-        }
         List<SortKey> up = List.of(new SortKey(column, SortOrder.ASCENDING));
         List<SortKey> down = List.of(new SortKey(column, SortOrder.DESCENDING));
         setSortKeys(keys.equals(up) ? down : keys.equals(down) ? List.of() : up);
@@ -40,14 +25,9 @@ final class RowOrder extends RowSorter<ObjectRows> {
     @Override
     public void setSortKeys(List<? extends SortKey> others) {
         keys = List.copyOf(others);
-        rows.outline().sort(keys.stream().findFirst().flatMap(RowOrder::order));
+        rows.sort(keys.stream().findFirst());
         rows.build();
         fireSortOrderChanged();
-    }
-
-    private static Optional<Comparator<SeenObject>> order(SortKey key) {
-        return Optional.ofNullable(ORDERS.get(key.getColumn()))
-                .map(by -> key.getSortOrder() == SortOrder.DESCENDING ? by.reversed() : by);
     }
 
     @Override

@@ -19,6 +19,8 @@ final class Theme {
         ToolTipManager.sharedInstance().setLightWeightPopupEnabled(false);
         // A click beside a slider's knob brings it there.
         UIManager.put("Slider.scrollOnTrackClick", false);
+        // Beside its name a column's head has no room for the arrow of its order.
+        UIManager.put("TableHeader.sortIconPosition", "top");
         if (dark) {
             FlatDarkLaf.setup();
         } else {

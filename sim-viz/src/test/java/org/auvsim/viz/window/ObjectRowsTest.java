@@ -13,6 +13,7 @@ import org.auvsim.viz.scene.SeenObject;
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -98,8 +99,53 @@ class ObjectRowsTest {
         order.toggleSortOrder(ObjectRows.NAME);
         assertThat(names().subList(3, 6)).containsExactly("C", "b", "a");
         order.toggleSortOrder(ObjectRows.NAME);
-        order.toggleSortOrder(ObjectRows.SPEED);
         assertThat(names().subList(3, 6)).containsExactly("b", "C", "a");
+    }
+
+    @Test
+    void numbersInNamesAreCounted() {
+        addRock("Rock 10", 20);
+        addRock("rock 9", 21);
+        addRock("Rock", 22);
+        addRock("Rock 9b", 23);
+        new RowOrder(rows).toggleSortOrder(ObjectRows.NAME);
+        assertThat(names().subList(3, 7)).containsExactly("Rock", "rock 9", "Rock 9b", "Rock 10");
+    }
+
+    @Test
+    void speedAndDistanceOrderObjectsAgainAsTheyMove() {
+        for (long id = 10; id < 13; id++) {
+            scene.add(SeenObject.of(id, Scenes.buoy()));
+        }
+        RowOrder order = new RowOrder(rows);
+        order.toggleSortOrder(ObjectRows.SPEED);
+        move(9, 3);
+        move(10, 2);
+        move(11, 1);
+        move(12, 12.5);
+        awaitOrder(11, 10, 9, 12);
+        assertThat(rows.getValueAt(4, ObjectRows.SPEED)).isEqualTo("12.5");
+        order.toggleSortOrder(ObjectRows.SPEED);
+        awaitOrder(12, 9, 10, 11);
+        camera.look(0, 0);
+        order.toggleSortOrder(ObjectRows.DISTANCE); // the camera is ahead, at large x
+        awaitOrder(12, 9, 10, 11);
+    }
+
+    /** An object stands at x (m) and has that speed (m/s). */
+    private void move(long id, double x) {
+        Vec3 along = new Vec3(x, 0, 0);
+        scene.jump(id, new Movement(1, along, Quat.IDENTITY, along, Vec3.ZERO));
+        scene.look(0, look -> {});
+    }
+
+    private void awaitOrder(long... ids) {
+        long[] seen = new long[ids.length];
+        for (int turn = 0; turn < 20 && !Arrays.equals(seen, ids); turn++) {
+            rows.update();
+            Arrays.setAll(seen, row -> rows.idOf(row + 1).orElse(-1));
+        }
+        assertThat(seen).containsExactly(ids);
     }
 
     @Test
@@ -107,10 +153,10 @@ class ObjectRowsTest {
         rows.update();
         camera.look(0, 0);
         camera.aim(0, 0, 0, 20);
-        assertThat(rows.getValueAt(1, ObjectRows.DISTANCE)).isEqualTo("15.00");
+        assertThat(rows.getValueAt(1, ObjectRows.DISTANCE)).isEqualTo("15.0");
         scene.jump(9, new Movement(1, Vec3.ZERO, Quat.IDENTITY, new Vec3(3, 4, 0), Vec3.ZERO));
         scene.look(0, look -> {});
         assertThat(rows.getValueAt(1, ObjectRows.SPEED)).isEqualTo("5.00");
-        assertThat(rows.getValueAt(1, ObjectRows.DISTANCE)).isEqualTo("20.00");
+        assertThat(rows.getValueAt(1, ObjectRows.DISTANCE)).isEqualTo("20.0");
     }
 }

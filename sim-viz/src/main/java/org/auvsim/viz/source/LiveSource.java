@@ -8,13 +8,17 @@ import org.auvsim.auvsml.client.ConnectionException;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.WorldObjectMessage;
+import org.auvsim.auvsml.message.command.ListedClient;
 import org.auvsim.auvsml.message.control.GetSimulatorStateRequest;
 import org.auvsim.auvsml.message.control.SimulatorStateResponse;
 import org.auvsim.auvsml.message.entity.DescribeWorldObjectRequest;
+import org.auvsim.auvsml.message.session.ClientListResponse;
+import org.auvsim.auvsml.message.session.ListClientsRequest;
 import org.auvsim.viz.scene.LiveClock;
 import org.auvsim.viz.scene.Occurrence;
 import org.auvsim.viz.scene.Scene;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -46,6 +50,7 @@ public final class LiveSource implements Source, Steering {
     private volatile Exchange exchange;
     private volatile Audience audience;
     private volatile Optional<SimulatorStateResponse> state = Optional.empty();
+    private volatile List<ListedClient> clients = List.of();
     private volatile Optional<String> trouble = Optional.empty();
     private volatile OptionalLong watched = OptionalLong.empty();
 
@@ -95,6 +100,7 @@ public final class LiveSource implements Source, Steering {
                         });
         to.close();
         state = Optional.empty();
+        clients = List.of();
         pace.forget();
         ready.completeExceptionally(new RefusedException(why));
         say(why);
@@ -106,6 +112,9 @@ public final class LiveSource implements Source, Steering {
         if (message instanceof SimulatorStateResponse now) {
             state = Optional.of(now);
             pace.hear(now, System.nanoTime());
+        }
+        if (message instanceof ClientListResponse(List<ListedClient> now)) {
+            clients = now;
         }
     }
 
@@ -150,6 +159,7 @@ public final class LiveSource implements Source, Steering {
         while (!waits(REFRESH_MILLIS)) {
             if (isConnected()) {
                 exchange.want(new GetSimulatorStateRequest());
+                exchange.want(new ListClientsRequest());
                 audience.refresh(watched);
             }
         }
@@ -252,6 +262,16 @@ public final class LiveSource implements Source, Steering {
     @Override
     public Optional<SimulatorStateResponse> state() {
         return state;
+    }
+
+    @Override
+    public List<ListedClient> clients() {
+        return clients;
+    }
+
+    @Override
+    public long session() {
+        return exchange.client().welcome().sessionId();
     }
 
     /** What was done to an object is asked for at once, so that it is seen. */

@@ -2,8 +2,10 @@ package org.auvsim.viz.source;
 
 import org.auvsim.auvsml.Role;
 import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.command.ListedClient;
 import org.auvsim.auvsml.message.control.SimulatorStateResponse;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
@@ -18,6 +20,12 @@ public interface Steering {
 
     /** How the simulator stood when it last told. */
     Optional<SimulatorStateResponse> state();
+
+    /** Who was connected when it last told, and what each controls. */
+    List<ListedClient> clients();
+
+    /** The number of this viewer's session there. */
+    long session();
 
     /**
      * Sends a message and hears what it brings: the response, or {@code CommandDoneResponse}.

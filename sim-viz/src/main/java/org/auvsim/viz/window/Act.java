@@ -42,12 +42,8 @@ final class Act extends AbstractAction {
         return unless(desk, () -> desk.hindrance(role));
     }
 
-    /** The same where something is selected. */
-    Act needsSelected(Desk desk, Role role) {
-        return unless(desk, () -> desk.hindranceAtSelected(role));
-    }
-
-    private Act unless(Desk desk, Supplier<Optional<String>> hindrance) {
+    /** Can be done unless there is a hindrance, which it tells. */
+    Act unless(Desk desk, Supplier<Optional<String>> hindrance) {
         desk.onRefresh(() -> hinder(hindrance.get()));
         hinder(hindrance.get());
         return this;

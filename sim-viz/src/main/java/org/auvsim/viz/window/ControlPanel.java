@@ -6,6 +6,7 @@ import org.auvsim.auvsml.message.control.TakeControlCommand;
 import org.auvsim.core.actuator.Fin;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.viz.scene.ActorView;
 import org.auvsim.viz.scene.SeenObject;
 
 import java.awt.Component;
@@ -13,7 +14,9 @@ import java.awt.Container;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongConsumer;
 
+import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
 import javax.swing.BoxLayout;
@@ -38,7 +41,11 @@ final class ControlPanel {
     private boolean isAllowed;
     private final List<ActuatorSlider> sliders = new ArrayList<>();
     private boolean isBuilt;
-    private Optional<JToggleButton> driveButton = Optional.empty();
+    private Optional<ForcePanel> force = Optional.empty();
+    private final JLabel holder = new JLabel();
+    private final JButton take;
+    private final JButton release;
+    private final JToggleButton drive = new JToggleButton("Drive");
 
     ControlPanel(Desk desk) {
         this.desk = desk;
@@ -47,6 +54,13 @@ final class ControlPanel {
         panel.setBorder(BorderFactory.createEmptyBorder(8, 8, 8, 8));
         pane.setBorder(BorderFactory.createEmptyBorder());
         pane.getVerticalScrollBar().setUnitIncrement(16);
+        holder.setName("control-holder");
+        take = button("take-control", "Take control", id -> desk.ask(new TakeControlCommand(id)));
+        release =
+                button("release-control", "Release", id -> desk.ask(new ReleaseControlCommand(id)));
+        drive.setName("drive-here");
+        drive.setFocusable(false);
+        drive.addActionListener(e -> desk.drive(drive.isSelected()));
         desk.onRefresh(this::refresh);
     }
 
@@ -60,16 +74,33 @@ final class ControlPanel {
         boolean isOther =
                 !now.map(SeenObject::id).equals(shown.map(SeenObject::id))
                         || !parts(now).equals(parts(shown));
-        driveButton.ifPresent(button -> button.setSelected(desk.isDriving()));
         if (isBuilt && !isOther && mayNow == isAllowed) {
             now.flatMap(SeenObject::definition)
                     .ifPresent(d -> sliders.forEach(slider -> slider.follow(d)));
+            follow();
             return;
         }
         shown = now;
         isAllowed = mayNow;
         isBuilt = true;
         build();
+        follow();
+    }
+
+    /** Brings up to date who has control, and the force. */
+    private void follow() {
+        holder.setText(desk.holder().map(Holder::words).orElse("Nobody controls it."));
+        hinder(take, desk.hindranceAtTaking());
+        hinder(release, desk.hindranceAtRelease());
+        hinder(drive, desk.hindranceAtControlled(Role.CONTROLLER));
+        drive.setSelected(desk.isDriving());
+        shown.flatMap(o -> desk.scene().lookAt(o.id(), ActorView::forces))
+                .ifPresent(forces -> force.ifPresent(panel -> panel.follow(forces)));
+    }
+
+    private static void hinder(AbstractButton button, Optional<String> why) {
+        button.setEnabled(why.isEmpty());
+        button.setToolTipText(why.orElse(null));
     }
 
     /** The names and kinds of its components: their states do not ask for other sliders. */
@@ -83,6 +114,7 @@ final class ControlPanel {
     private void build() {
         panel.removeAll();
         sliders.clear();
+        force = Optional.empty();
         if (shown.isEmpty()) {
             add(new JLabel("Select an object in the list or the picture."));
         } else {
@@ -105,32 +137,21 @@ final class ControlPanel {
         JLabel name = new JLabel(object.name());
         name.putClientProperty("FlatLaf.styleClass", "h3");
         add(name);
+        add(holder);
         JPanel buttons = new JPanel();
         buttons.setLayout(new BoxLayout(buttons, BoxLayout.X_AXIS));
-        buttons.add(
-                button(
-                        "take-control",
-                        "Take control",
-                        () -> desk.ask(new TakeControlCommand(object.id()))));
+        buttons.add(take);
         buttons.add(Box.createHorizontalStrut(4));
-        buttons.add(
-                button(
-                        "release-control",
-                        "Release",
-                        () -> desk.ask(new ReleaseControlCommand(object.id()))));
+        buttons.add(release);
         buttons.add(Box.createHorizontalStrut(4));
-        JToggleButton drive = new JToggleButton("Drive", desk.isDriving());
-        drive.setName("drive-here");
-        drive.setFocusable(false);
-        drive.setToolTipText("Drive it by keys: W S A D Q E R F and the arrows; or by gamepad");
-        drive.addActionListener(e -> desk.drive(drive.isSelected()));
-        driveButton = Optional.of(drive);
         buttons.add(drive);
         add(buttons);
         object.definition().ifPresent(definition -> actuators(object.id(), definition));
         if (!object.isFixed()) {
             add(heading("Force"));
-            add(new ForcePanel(desk, object).component());
+            ForcePanel panelOfForce = new ForcePanel(desk, object);
+            force = Optional.of(panelOfForce);
+            add(panelOfForce.component());
         }
     }
 
@@ -154,10 +175,10 @@ final class ControlPanel {
         add(slider.component());
     }
 
-    private static JButton button(String name, String words, Runnable deed) {
+    private JButton button(String name, String words, LongConsumer deed) {
         JButton button = new JButton(words);
         button.setName(name);
-        button.addActionListener(e -> deed.run());
+        button.addActionListener(e -> shown.ifPresent(object -> deed.accept(object.id())));
         return button;
     }
 

@@ -153,6 +153,35 @@ final class Desk {
                                                 "Nothing is selected; select an object first."));
     }
 
+    /** Who controls the selected object. */
+    Optional<Holder> holder() {
+        OptionalLong id = options.selected();
+        return id.isPresent()
+                ? source.steering().flatMap(s -> Holder.of(id.getAsLong(), s))
+                : Optional.empty();
+    }
+
+    /** The same for what only who controls the selected object does, or could. */
+    Optional<String> hindranceAtControlled(Role needed) {
+        return hindranceAtSelected(needed)
+                .or(() -> holder().filter(holder -> !holder.isUs()).map(Holder::words));
+    }
+
+    /** Why the selected object cannot be taken: also that this viewer controls it. */
+    Optional<String> hindranceAtTaking() {
+        return hindranceAtSelected(Role.CONTROLLER).or(() -> holder().map(Holder::words));
+    }
+
+    /** Why the selected object cannot be let go: that somebody else, or nobody, controls it. */
+    Optional<String> hindranceAtRelease() {
+        return hindranceAtControlled(Role.CONTROLLER)
+                .or(
+                        () ->
+                                holder().isPresent()
+                                        ? Optional.empty()
+                                        : Optional.of("Nobody controls it."));
+    }
+
     /** Asks the simulator; a refusal is told. */
     void ask(Message message) {
         ask(message, answer -> {});

@@ -68,7 +68,11 @@ final class Driver implements KeyEventDispatcher {
         Optional<SeenObject> object =
                 desk.isDriving() && !desk.isLost() ? desk.selected() : Optional.empty();
         if (!object.map(SeenObject::id).equals(driven)) {
+            boolean isGone = driven.isPresent() && object.isEmpty() && !desk.isLost();
             stop();
+            if (isGone) {
+                desk.drive(false);
+            }
             object.ifPresent(this::begin);
         }
         if (driving.isEmpty() || driven.isEmpty()) {

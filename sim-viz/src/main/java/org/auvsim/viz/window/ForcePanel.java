@@ -5,6 +5,7 @@ import org.auvsim.auvsml.message.control.ApplyDirectForceCommand;
 import org.auvsim.auvsml.message.control.ApplyForceCommand;
 import org.auvsim.auvsml.message.control.RemoveForceCommand;
 import org.auvsim.core.entity.Frame;
+import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.viz.driving.Driving;
 import org.auvsim.viz.scene.SeenObject;
@@ -15,7 +16,10 @@ import java.awt.GridLayout;
 import java.awt.Insets;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
 
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JButton;
@@ -26,31 +30,44 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.JSpinner;
 import javax.swing.SpinnerNumberModel;
+import javax.swing.SwingConstants;
 
 /** A force on an object, in newtons, and where it acts. */
 final class ForcePanel {
     private static final String[] AXES = {"x", "y", "z"};
+
+    /** What was sent is left alone until it has come back (ns). */
+    private static final long LEFT_ALONE = 1_500_000_000L;
 
     /** A slider goes so many steps either way. */
     private static final int PARTS = 10;
 
     private final Desk desk;
     private final long id;
+    private final double step;
     private final JSpinner[] force = new JSpinner[AXES.length];
+    private final JSlider[] push = new JSlider[AXES.length];
     private final JSpinner[] point = new JSpinner[AXES.length];
     private final JComboBox<Frame> frame = new JComboBox<>(Frame.values());
     private final JPanel panel = new JPanel(new GridLayout(0, 4, 4, 4));
 
+    /** The force that stands here, as it is in the world or is about to be. */
+    private Optional<NamedForce> shown = Optional.empty();
+
+    private boolean isFollowing;
+    private long sent = System.nanoTime() - LEFT_ALONE;
+
     ForcePanel(Desk desk, SeenObject object) {
         this.desk = desk;
         id = object.id();
-        double step =
+        step =
                 object.definition()
                         .flatMap(d -> d.mass().stream().boxed().findFirst())
                         .map(ForcePanel::round)
                         .orElse(1.0);
+        headings();
         row("Force N", "force-", force, step);
-        sliders(step);
+        sliders();
         row("Point m", "point-", point, 0.1);
         frame.setName("force-frame");
         frame.setRenderer(
@@ -69,7 +86,7 @@ final class ForcePanel {
         panel.add(frame);
         panel.add(button("apply-force", "Apply", this::apply));
         panel.add(button("remove-force", "Remove", this::remove));
-        panel.setMaximumSize(new Dimension(Integer.MAX_VALUE, 120));
+        panel.setMaximumSize(new Dimension(Integer.MAX_VALUE, 144));
     }
 
     JPanel component() {
@@ -79,6 +96,13 @@ final class ForcePanel {
     /** A power of ten near to a mass times 1 m/s^2. */
     private static double round(double mass) {
         return Math.pow(10, Math.rint(Math.log10(Math.max(mass, 1e-3))));
+    }
+
+    private void headings() {
+        panel.add(new JLabel());
+        for (String axis : AXES) {
+            panel.add(new JLabel(axis, SwingConstants.CENTER));
+        }
     }
 
     private void row(String words, String name, JSpinner[] spinners, double step) {
@@ -94,23 +118,27 @@ final class ForcePanel {
     }
 
     /** What a slider is moved to acts at once; a double click ends it. */
-    private void sliders(double step) {
-        panel.add(new JLabel("Push"));
+    private void sliders() {
+        String most = String.format(Locale.ROOT, "\u00b1%.4g N", PARTS * step);
+        JLabel label = new JLabel("Push");
+        label.setToolTipText("Acts at once, " + most);
+        panel.add(label);
         for (int axis = 0; axis < AXES.length; axis++) {
             JSpinner spinner = force[axis];
             JSlider slider = new JSlider(-PARTS, PARTS, 0);
+            push[axis] = slider;
             slider.setName("push-" + AXES[axis]);
-            slider.setToolTipText(
-                    String.format(
-                            Locale.ROOT,
-                            "%s: up to %.4g N either way, at once",
-                            AXES[axis],
-                            PARTS * step));
+            slider.setToolTipText(AXES[axis] + ": acts at once, " + most);
             slider.setPreferredSize(new Dimension(60, 22));
             slider.addChangeListener(
                     e -> {
-                        spinner.setValue(slider.getValue() * step);
-                        desk.outbox().put(this, message());
+                        if (!isFollowing) {
+                            spinner.setValue(slider.getValue() * step);
+                            NamedForce now = force();
+                            show(Optional.of(now));
+                            sent = System.nanoTime();
+                            desk.outbox().put(this, command(now));
+                        }
                     });
             slider.addMouseListener(
                     new MouseAdapter() {
@@ -123,6 +151,37 @@ final class ForcePanel {
                     });
             panel.add(slider);
         }
+    }
+
+    /** Shows the force that there is, once it is another one; what is typed in stays until then. */
+    void follow(List<NamedForce> forces) {
+        Optional<NamedForce> now =
+                forces.stream().filter(f -> f.name().equals(Driving.FORCE)).findFirst();
+        boolean isMoving = Stream.of(push).anyMatch(JSlider::getValueIsAdjusting);
+        if (!now.equals(shown) && !isMoving && System.nanoTime() - sent >= LEFT_ALONE) {
+            show(now);
+        }
+    }
+
+    private void show(Optional<NamedForce> now) {
+        isFollowing = true;
+        shown = now;
+        set(force, now.map(NamedForce::vector).orElse(Vec3.ZERO));
+        now.ifPresent(
+                there -> {
+                    set(point, there.point());
+                    frame.setSelectedItem(there.frame());
+                });
+        for (int axis = 0; axis < AXES.length; axis++) {
+            push[axis].setValue((int) Math.rint((Double) force[axis].getValue() / step));
+        }
+        isFollowing = false;
+    }
+
+    private static void set(JSpinner[] spinners, Vec3 to) {
+        spinners[0].setValue(to.x());
+        spinners[1].setValue(to.y());
+        spinners[2].setValue(to.z());
     }
 
     private static JButton button(String name, String words, Runnable deed) {
@@ -140,19 +199,30 @@ final class ForcePanel {
                 (Double) spinners[2].getValue());
     }
 
-    private Message message() {
-        Vec3 at = vector(point);
-        Frame axes = (Frame) frame.getSelectedItem();
-        return at.equals(Vec3.ZERO)
-                ? new ApplyDirectForceCommand(id, Driving.FORCE, axes, vector(force))
-                : new ApplyForceCommand(id, Driving.FORCE, axes, vector(force), at);
+    /** What the fields say. */
+    private NamedForce force() {
+        return new NamedForce(
+                Driving.FORCE, (Frame) frame.getSelectedItem(), vector(force), vector(point));
+    }
+
+    private Message command(NamedForce to) {
+        return to.point().equals(Vec3.ZERO)
+                ? new ApplyDirectForceCommand(id, to.name(), to.frame(), to.vector())
+                : new ApplyForceCommand(id, to.name(), to.frame(), to.vector(), to.point());
     }
 
     private void apply() {
-        desk.ask(message());
+        NamedForce now = force();
+        send(Optional.of(now), command(now));
     }
 
     private void remove() {
-        desk.ask(new RemoveForceCommand(id, Driving.FORCE));
+        send(Optional.empty(), new RemoveForceCommand(id, Driving.FORCE));
+    }
+
+    private void send(Optional<NamedForce> now, Message command) {
+        show(now);
+        sent = System.nanoTime();
+        desk.ask(command);
     }
 }

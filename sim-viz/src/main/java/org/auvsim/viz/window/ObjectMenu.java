@@ -7,7 +7,9 @@ import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
 import org.auvsim.viz.scene.SeenObject;
 
 import java.awt.Window;
+import java.util.Optional;
 import java.util.function.LongConsumer;
+import java.util.function.Supplier;
 
 import javax.swing.Action;
 import javax.swing.JMenu;
@@ -27,7 +29,7 @@ final class ObjectMenu {
                 new Act("Drive by keys and gamepad", () -> desk.drive(!desk.isDriving()))
                         .key("ctrl D")
                         .tip("W S A D Q E R F and the arrows drive the selected object")
-                        .needsSelected(desk, Role.CONTROLLER);
+                        .unless(desk, () -> desk.hindranceAtControlled(Role.CONTROLLER));
     }
 
     Action drive() {
@@ -39,15 +41,27 @@ final class ObjectMenu {
         menu.setName("menu-object");
         menu.setMnemonic('O');
         menu.add(drive).setName("drive");
-        menu.add(act("Take control", Role.CONTROLLER, id -> desk.ask(new TakeControlCommand(id))))
+        menu.add(act("Take control", this::take, desk::hindranceAtTaking))
                 .setName("take-control-item");
-        menu.add(act("Release", Role.CONTROLLER, id -> desk.ask(new ReleaseControlCommand(id))))
+        menu.add(act("Release", this::release, desk::hindranceAtRelease))
                 .setName("release-control-item");
         menu.addSeparator();
-        menu.add(act("Add an effect...", Role.ADMIN, effects::open)).setName("add-effect");
-        menu.add(act("Remove from the world...", Role.ADMIN, this::remove))
+        menu.add(act("Add an effect...", effects::open, this::hindrance)).setName("add-effect");
+        menu.add(act("Remove from the world...", this::remove, this::hindrance))
                 .setName("remove-entity");
         return menu;
+    }
+
+    private Optional<String> hindrance() {
+        return desk.hindranceAtSelected(Role.ADMIN);
+    }
+
+    private void take(long id) {
+        desk.ask(new TakeControlCommand(id));
+    }
+
+    private void release(long id) {
+        desk.ask(new ReleaseControlCommand(id));
     }
 
     private void remove(long id) {
@@ -60,8 +74,8 @@ final class ObjectMenu {
         }
     }
 
-    private Act act(String words, Role role, LongConsumer deed) {
+    private Act act(String words, LongConsumer deed, Supplier<Optional<String>> hindrance) {
         return new Act(words, () -> desk.options().selected().ifPresent(deed))
-                .needsSelected(desk, role);
+                .unless(desk, hindrance);
     }
 }

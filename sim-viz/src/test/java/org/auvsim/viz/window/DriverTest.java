@@ -153,6 +153,17 @@ class DriverTest {
     }
 
     @Test
+    void whatHasLeftTheWorldIsDrivenNoMore() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        Driver driver = driver(simulator, 9);
+        Clicks.inSwing(driver::turn);
+        assertThat(desk.isDriving()).isTrue();
+        simulator.scene().remove(9);
+        Clicks.inSwing(driver::turn);
+        assertThat(desk.isDriving()).isFalse();
+    }
+
+    @Test
     void finsTurnRoundWhenTheObjectGoesAstern() throws Exception {
         Scene scene = Scenes.of("remus-turn.xml");
         FakeSimulator simulator = new FakeSimulator(scene);

@@ -29,6 +29,7 @@ final class FakeSimulator implements Source, Steering {
     volatile boolean isConnected = true;
     volatile boolean isRunning = true;
     volatile Optional<String> refusal = Optional.empty();
+    volatile List<ListedClient> clients = List.of();
     volatile OptionalLong watched = OptionalLong.empty();
 
     FakeSimulator(Scene scene) {
@@ -76,6 +77,16 @@ final class FakeSimulator implements Source, Steering {
     @Override
     public Optional<SimulatorStateResponse> state() {
         return Optional.of(new SimulatorStateResponse(12.5, isRunning, "1.0", 625, 2));
+    }
+
+    @Override
+    public List<ListedClient> clients() {
+        return clients;
+    }
+
+    @Override
+    public long session() {
+        return 3;
     }
 
     @Override

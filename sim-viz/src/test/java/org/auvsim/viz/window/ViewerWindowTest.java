@@ -3,8 +3,10 @@ package org.auvsim.viz.window;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.auvsml.Role;
+import org.auvsim.auvsml.message.command.ListedClient;
 import org.auvsim.auvsml.message.control.ApplyDirectForceCommand;
 import org.auvsim.auvsml.message.control.PauseSimulatorCommand;
+import org.auvsim.auvsml.message.control.RemoveForceCommand;
 import org.auvsim.auvsml.message.control.ResetCommand;
 import org.auvsim.auvsml.message.control.RestoreSnapshotCommand;
 import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
@@ -17,6 +19,7 @@ import org.auvsim.auvsml.message.session.ListClientsRequest;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Frame;
+import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
@@ -157,6 +160,83 @@ class ViewerWindowTest {
         assertThat(simulator.asked)
                 .containsExactly(
                         new ApplyDirectForceCommand(9, "Viewer", Frame.WORLD, new Vec3(0, -30, 0)));
+    }
+
+    @Test
+    void fieldsAndSlidersStandForTheForceThatThereIs() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        view.select(OptionalLong.of(9));
+        open(simulator);
+        Clicks.inSwing(
+                () -> {
+                    find("right", JTabbedPane.class).setSelectedIndex(1);
+                    JSpinner field = find("force-x", JSpinner.class);
+                    JSlider push = find("push-x", JSlider.class);
+                    push.setValue(5);
+                    window.orElseThrow().turn();
+                    field.setValue(25.0);
+                    find("apply-force", AbstractButton.class).doClick(0);
+                    assertThat(push.getValue()).isEqualTo(2); // of 10 N each
+                    find("remove-force", AbstractButton.class).doClick(0);
+                    assertThat(field.getValue()).isEqualTo(0.0);
+                    assertThat(push.getValue()).isZero();
+                });
+        assertThat(simulator.asked).hasSize(3).last().isInstanceOf(RemoveForceCommand.class);
+    }
+
+    @Test
+    void theForceThatSomebodyElseHasSetIsShown() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        view.select(OptionalLong.of(9));
+        open(simulator);
+        Vec3 vector = new Vec3(0, 0, -40);
+        Clicks.inSwing(
+                () -> {
+                    find("right", JTabbedPane.class).setSelectedIndex(1);
+                    simulator
+                            .scene()
+                            .setForces(9, List.of(NamedForce.direct("Viewer", Frame.BODY, vector)));
+                    window.orElseThrow().turn();
+                    assertThat(find("force-z", JSpinner.class).getValue()).isEqualTo(-40.0);
+                    assertThat(find("push-z", JSlider.class).getValue()).isEqualTo(-4);
+                });
+        assertThat(simulator.asked).isEmpty();
+    }
+
+    @Test
+    void tellsWhoHasControlAndOffersWhatMakesSense() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        view.select(OptionalLong.of(9));
+        open(simulator);
+        Clicks.inSwing(() -> find("right", JTabbedPane.class).setSelectedIndex(1));
+        control("Nobody controls it.", true, false, true);
+        simulator.clients = List.of(client(3, "Viewer 3"));
+        control("This viewer controls it.", false, true, true);
+        simulator.clients = List.of(client(4, "REMUS"));
+        control("REMUS controls it.", false, false, false);
+    }
+
+    private static ListedClient client(long session, String name) {
+        List<ListedClient.ControlledObject> held = List.of(new ListedClient.ControlledObject(9));
+        return new ListedClient(session, name, "127.0.0.1:5", "controller", false, held);
+    }
+
+    private void control(String holder, boolean take, boolean release, boolean drive)
+            throws Exception {
+        Clicks.inSwing(
+                () -> {
+                    window.orElseThrow().turn();
+                    assertThat(find("control-holder", JLabel.class).getText()).isEqualTo(holder);
+                    for (String name : new String[] {"take-control", "take-control-item"}) {
+                        assertThat(find(name, AbstractButton.class).isEnabled()).isEqualTo(take);
+                    }
+                    for (String name : new String[] {"release-control", "release-control-item"}) {
+                        assertThat(find(name, AbstractButton.class).isEnabled()).isEqualTo(release);
+                    }
+                    for (String name : new String[] {"drive-here", "drive"}) {
+                        assertThat(find(name, AbstractButton.class).isEnabled()).isEqualTo(drive);
+                    }
+                });
     }
 
     @Test

@@ -74,7 +74,10 @@ final class JmeBrush implements Brush {
         linesBefore = new LineBatch(before, Bucket.Translucent);
         node.attachChild(lines.geometry());
         node.attachChild(linesBefore.geometry());
-        labels = new Labels(assets.loadFont("Interface/Fonts/Default.fnt"));
+        labels =
+                new Labels(
+                        assets.loadFont("Interface/Fonts/Default.fnt"),
+                        new Material(assets, "Common/MatDefs/Gui/Gui.j3md"));
         seaFloors = new SeaFloors(open, node);
     }
 
@@ -228,12 +231,12 @@ final class JmeBrush implements Brush {
                         && pixel[1] > 0
                         && pixel[1] < height;
         if (seen) {
-            labels.add(pixel[0], height - pixel[1], text, colour);
+            labels.add(pixel[0], height - pixel[1], text, colour, width, height);
         }
     }
 
     @Override
     public double letters() {
-        return Labels.SIZE / Math.max(1, height);
+        return Label.SIZE / Math.max(1, height);
     }
 }

@@ -1,8 +1,8 @@
 package org.auvsim.viz.jme;
 
 import com.jme3.font.BitmapFont;
-import com.jme3.font.BitmapText;
-import com.jme3.math.ColorRGBA;
+import com.jme3.material.Material;
+import com.jme3.material.RenderState.BlendMode;
 import com.jme3.scene.Node;
 import com.jme3.scene.Spatial.CullHint;
 
@@ -15,23 +15,23 @@ import java.util.List;
  * their words are the same.
  */
 final class Labels {
-    /** How high letters are (pixels). */
-    static final float SIZE = 15;
-
     /** So many labels are kept, seen or not. */
     private static final int KEPT = 64;
 
     private final BitmapFont font;
+    private final Material plate;
     private final Node node = new Node("labels");
 
     /** Those of this frame first. */
-    private final List<BitmapText> texts = new ArrayList<>();
+    private final List<Label> texts = new ArrayList<>();
 
-    private final ColorRGBA shade = new ColorRGBA();
     private int used;
 
-    Labels(BitmapFont font) {
+    /** Of the letters of a font, on plates of a material. */
+    Labels(BitmapFont font, Material plate) {
         this.font = font;
+        this.plate = plate;
+        plate.getAdditionalRenderState().setBlendMode(BlendMode.Alpha);
     }
 
     Node node() {
@@ -42,49 +42,43 @@ final class Labels {
         used = 0;
     }
 
-    /** Words whose middle stands at a pixel, counted from the left and from the bottom. */
-    void add(double x, double y, String words, int colour) {
-        BitmapText text = next(words);
-        if (!text.getText().equals(words)) {
-            text.setText(words);
+    /**
+     * Words whose middle stands at a pixel, counted from the left and from the bottom, in a picture
+     * of so many pixels.
+     */
+    void add(double x, double y, String words, int colour, int width, int height) {
+        Label text = next(words);
+        if (!text.words().equals(words)) {
+            text.write(words);
         }
-        shade.set(
-                (colour >> 16 & 0xff) / 255f,
-                (colour >> 8 & 0xff) / 255f,
-                (colour & 0xff) / 255f,
-                1);
-        if (!shade.equals(text.getColor())) {
-            text.setColor(shade.clone());
-        }
-        text.setLocalTranslation(
-                (float) Math.rint(x - text.getLineWidth() / 2), (float) Math.rint(y + SIZE), 0);
-        text.setCullHint(CullHint.Never);
+        text.colour(colour);
+        text.stand(x, y, width, height);
+        text.node().setCullHint(CullHint.Never);
     }
 
     /** One that has these words already, if there is one. */
-    private BitmapText next(String words) {
+    private Label next(String words) {
         for (int i = used; i < texts.size(); i++) {
-            if (texts.get(i).getText().equals(words)) {
+            if (texts.get(i).words().equals(words)) {
                 return take(i);
             }
         }
         if (used == texts.size() || texts.size() < KEPT) {
-            BitmapText text = new BitmapText(font);
-            text.setSize(SIZE);
+            Label text = new Label(font, plate);
             texts.add(text);
-            node.attachChild(text);
+            node.attachChild(text.node());
         }
         return take(texts.size() - 1);
     }
 
-    private BitmapText take(int i) {
+    private Label take(int i) {
         Collections.swap(texts, i, used);
         return texts.get(used++);
     }
 
     void end() {
         for (int i = used; i < texts.size(); i++) {
-            texts.get(i).setCullHint(CullHint.Always);
+            texts.get(i).node().setCullHint(CullHint.Always);
         }
     }
 }

@@ -169,6 +169,30 @@ class JmePictureTest {
         assertThat(Colours.hasHue(picture, pixel(-3 + arm, 2 * arm, 0), RED)).isTrue();
     }
 
+    /** Its middle is at the picture's left edge, and as much of it is seen as in the middle. */
+    @Test
+    void aNameAtThePicturesEdgeIsWhole() throws Exception {
+        options.show(Layer.LABELS, true);
+        source.scene().remove(2);
+        source.scene().remove(3);
+        double half = camera.height() * WIDTH / HEIGHT / 2;
+        camera.aim(-3, 0, 0, 12);
+        int whole = light(picture());
+        camera.aim(-3 + half - 0.01, 0, 0, 12);
+        assertThat(light(picture())).isEqualTo(whole);
+    }
+
+    /** How many pixels are as light as the words of a dark picture. */
+    private static int light(BufferedImage picture) {
+        int count = 0;
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                count += (picture.getRGB(x, y) & 0xff) > 0xc0 ? 1 : 0;
+            }
+        }
+        return count;
+    }
+
     @Test
     void lightAndLayersAreAsChosen() throws Exception {
         options.dark(false);

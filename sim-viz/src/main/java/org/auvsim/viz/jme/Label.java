@@ -8,7 +8,10 @@ import com.jme3.scene.Geometry;
 import com.jme3.scene.Node;
 import com.jme3.scene.shape.Quad;
 
-/** Words on a plate that lets the picture through: dark behind light words, light behind dark. */
+/**
+ * Words; behind light ones a dark plate that lets the picture through, behind dark ones a light
+ * one, and none behind colours.
+ */
 final class Label {
     /** How high letters are (pixels). */
     static final float SIZE = 15;
@@ -57,8 +60,9 @@ final class Label {
                 1);
         if (!shade.equals(text.getColor())) {
             text.setColor(shade.clone());
-            float grey = shade.r + shade.g + shade.b > 1.2f ? 0.05f : 1;
-            back.set(grey, grey, grey, PLATE);
+            float grey = shade.g > 0.5f ? 0.05f : 1;
+            boolean isGrey = Math.abs(shade.r - shade.g) + Math.abs(shade.g - shade.b) < 0.2f;
+            back.set(grey, grey, grey, isGrey ? PLATE : 0);
             plate.getMaterial().setColor("Color", back);
         }
     }

@@ -90,17 +90,20 @@ final class ControlPanel {
     /** Brings up to date who has control, and the force. */
     private void follow() {
         holder.setText(desk.holder().map(Holder::words).orElse("Nobody controls it."));
-        hinder(take, desk.hindranceAtTaking());
-        hinder(release, desk.hindranceAtRelease());
-        hinder(drive, desk.hindranceAtControlled(Role.CONTROLLER));
+        hinder(take, desk.hindranceAtTaking(), "Nobody else commands it then");
+        hinder(release, desk.hindranceAtRelease(), "Others can take it then");
+        hinder(
+                drive,
+                desk.hindranceAtControlled(Role.CONTROLLER),
+                "Drive it by keys: W S A D Q E R F and the arrows; or by gamepad");
         drive.setSelected(desk.isDriving());
         shown.flatMap(o -> desk.scene().lookAt(o.id(), ActorView::forces))
                 .ifPresent(forces -> force.ifPresent(panel -> panel.follow(forces)));
     }
 
-    private static void hinder(AbstractButton button, Optional<String> why) {
+    private static void hinder(AbstractButton button, Optional<String> why, String tip) {
         button.setEnabled(why.isEmpty());
-        button.setToolTipText(why.orElse(null));
+        button.setToolTipText(why.orElse(tip));
     }
 
     /** The names and kinds of its components: their states do not ask for other sliders. */

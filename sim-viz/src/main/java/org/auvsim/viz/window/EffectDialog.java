@@ -5,6 +5,7 @@ import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.xml.Limits;
 import org.auvsim.auvsml.xml.XmlTreeReader;
+import org.auvsim.viz.scene.SeenObject;
 
 import java.awt.BorderLayout;
 import java.awt.Font;
@@ -13,12 +14,15 @@ import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
 
 import javax.swing.BorderFactory;
+import javax.swing.Box;
+import javax.swing.BoxLayout;
 import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
+import javax.swing.WindowConstants;
 
 /** Adds an effect to an object, as a scenario states it. */
 final class EffectDialog {
@@ -31,8 +35,10 @@ final class EffectDialog {
     }
 
     void open(long id) {
-        JDialog dialog = new JDialog(window, "Add an effect to object " + id);
+        String name = desk.scene().object(id).map(SeenObject::name).orElse("#" + id);
+        JDialog dialog = new JDialog(window, "Add an effect to " + name);
         dialog.setName("effect-dialog");
+        dialog.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
         JTextArea text = new JTextArea("<gravity acceleration=\"9.81\"/>", 6, 48);
         text.setName("effect-text");
         text.setFont(new Font(Font.MONOSPACED, Font.PLAIN, text.getFont().getSize()));
@@ -47,7 +53,12 @@ final class EffectDialog {
                 });
         JPanel below = new JPanel(new BorderLayout(8, 0));
         below.add(words);
-        below.add(add, BorderLayout.EAST);
+        JPanel buttons = new JPanel();
+        buttons.setLayout(new BoxLayout(buttons, BoxLayout.X_AXIS));
+        buttons.add(add);
+        buttons.add(Box.createHorizontalStrut(4));
+        buttons.add(Closing.of(dialog));
+        below.add(buttons, BorderLayout.EAST);
         JPanel all = new JPanel(new BorderLayout(0, 6));
         all.setBorder(BorderFactory.createEmptyBorder(12, 12, 12, 12));
         all.add(new JLabel("The effect's element, as in a scenario:"), BorderLayout.NORTH);

@@ -120,7 +120,7 @@ final class ForcePanel {
     /** What a slider is moved to acts at once; a double click ends it. */
     private void sliders() {
         String most = String.format(Locale.ROOT, "\u00b1%.4g N", PARTS * step);
-        JLabel label = new JLabel("Push");
+        JLabel label = new JLabel("Push N");
         label.setToolTipText("Acts at once, " + most);
         panel.add(label);
         for (int axis = 0; axis < AXES.length; axis++) {

@@ -4,21 +4,18 @@ import java.awt.BorderLayout;
 import java.awt.FlowLayout;
 import java.awt.GridLayout;
 import java.awt.Window;
-import java.awt.event.KeyEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSpinner;
 import javax.swing.JTextField;
-import javax.swing.KeyStroke;
 import javax.swing.SpinnerNumberModel;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
@@ -80,13 +77,11 @@ final class FrameDialog {
         all.add(fast);
         all.add(new JLabel("A film of them makes:"));
         all.add(film);
-        all.add(words);
+        JPanel below = new JPanel(new BorderLayout(8, 0));
+        below.add(words);
+        below.add(Closing.of(dialog), BorderLayout.EAST);
+        all.add(below);
         dialog.add(all);
-        dialog.getRootPane()
-                .registerKeyboardAction(
-                        e -> dialog.setVisible(false),
-                        KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
-                        JComponent.WHEN_IN_FOCUSED_WINDOW);
         dialog.pack();
         dialog.setLocationRelativeTo(window);
         return dialog;

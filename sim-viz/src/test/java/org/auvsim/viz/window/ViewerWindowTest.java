@@ -36,8 +36,12 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.awt.Component;
+import java.awt.Window;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -47,6 +51,8 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JMenu;
+import javax.swing.JMenuBar;
+import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.JSpinner;
@@ -474,6 +480,51 @@ class ViewerWindowTest {
                     assertThat(effect.isEnabled()).isFalse();
                     assertThat(effect.getToolTipText()).contains("Nothing is selected");
                 });
+    }
+
+    @Test
+    void theHelpHasAllKeysOfTheMenusAndIsClosed() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        view.select(OptionalLong.of(9));
+        open(simulator);
+        for (String name : new String[] {"help-keys", "add-effect", "record-frames"}) {
+            Clicks.inSwing(() -> find(name, AbstractButton.class).doClick(0));
+            Clicks.answer("Close");
+        }
+        Clicks.inSwing(
+                () -> {
+                    assertThat(window.orElseThrow().frame().getOwnedWindows())
+                            .filteredOn(Window::isShowing)
+                            .isEmpty();
+                    String keys = HelpMenu.keys().toLowerCase(Locale.ROOT);
+                    assertThat(accelerators()).hasSizeGreaterThan(20).allMatch(keys::contains);
+                });
+    }
+
+    /** The last key of each accelerator, as the help names it. */
+    private List<String> accelerators() {
+        List<String> all = new ArrayList<>();
+        JMenuBar bar = window.orElseThrow().frame().getJMenuBar();
+        for (int menu = 0; menu < bar.getMenuCount(); menu++) {
+            for (Component item : bar.getMenu(menu).getMenuComponents()) {
+                if (item instanceof JMenuItem key && key.getAccelerator() != null) {
+                    String words =
+                            KeyEvent.getKeyText(key.getAccelerator().getKeyCode())
+                                    .toLowerCase(Locale.ROOT);
+                    int modifiers = key.getAccelerator().getModifiers();
+                    if ((modifiers & InputEvent.ALT_DOWN_MASK) != 0) {
+                        all.add(words + " ");
+                    } else if ((modifiers & InputEvent.SHIFT_DOWN_MASK) != 0) {
+                        all.add("ctrl+shift+" + words);
+                    } else if ((modifiers & InputEvent.CTRL_DOWN_MASK) != 0) {
+                        all.add("ctrl+" + words);
+                    } else if (!words.equals("f1")) {
+                        all.add(words);
+                    }
+                }
+            }
+        }
+        return all;
     }
 
     @Test

@@ -16,7 +16,7 @@ record Address(String host, int port) {
     /** Reads {@code host:port}, {@code host} or {@code :port}; IPv6 addresses in brackets. */
     static final class Converter implements ITypeConverter<Address> {
         private static final Pattern FORM =
-                Pattern.compile("(\\[[^\\]]+]|[^:\\[\\]]*)(?::([0-9]{1,5}))?");
+                Pattern.compile("(\\[[^\\]]+]|[^:\\[\\]]*)(?::([0-9]{1,9}))?");
 
         @Override
         public Address convert(String text) {
@@ -27,7 +27,9 @@ record Address(String host, int port) {
             String port = parts.group(2);
             int number = port == null ? STANDARD_PORT : Integer.parseInt(port);
             if (number < 1 || number > 65535) {
-                throw expected(text);
+                throw new TypeConversionException(
+                        "a port is a number from 1 to 65535, but is %d in '%s'"
+                                .formatted(number, text));
             }
             String host = parts.group(1);
             return new Address(host.isEmpty() ? "127.0.0.1" : host, number);

@@ -116,6 +116,8 @@ class ViewTest {
     void aFileThatIsMissingOrDamagedOrNoRecording() throws IOException {
         refuses("there is no such file", "view", folder.resolve("gone.auvsml.gz"));
         refuses("is a scenario, no recording", "view", TANK);
+        Path notes = Files.writeString(folder.resolve("notes.txt"), "# To do");
+        refuses("notes.txt:1:1: this is no recording: ", "view", notes);
         Path damaged = recording();
         byte[] bytes = Files.readAllBytes(damaged);
         bytes[bytes.length / 2] ^= 0x55;
@@ -159,7 +161,7 @@ class ViewTest {
         Path recording = recording();
         refuses("There is no renderer 'gl'; there is jme", "view", recording, "--renderer", "gl");
         refuses("--at must be within the recording", "view", recording, "--at", 99);
-        refuses("as a simulator's address it is wrong", "view", "127.0.0.1:99999");
+        refuses("a port is a number from 1 to 65535", "view", "127.0.0.1:99999");
         refuses("--at must be within the recording", "view", recording, "--at", "NaN");
         refuses("as 1280x800, but found 'big'", "view", recording, "--size", "big");
         refuses(

@@ -120,10 +120,17 @@ class WatchTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"host:port", "host:99999", "a:b:c", "[::1"})
+    @ValueSource(strings = {"host:port", "a:b:c", "[::1"})
     void anAddressThatIsNoneIsExplained(String address) {
         assertThat(auvsim.run("watch", address)).isEqualTo(2);
         assertThat(auvsim.err()).contains("expected host:port").contains(address);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"host:99999", "host:0", ":123456789"})
+    void aPortThatIsNoneIsExplained(String address) {
+        assertThat(auvsim.run("watch", address)).isEqualTo(2);
+        assertThat(auvsim.err()).contains("a port is a number from 1 to 65535").contains(address);
     }
 
     @ParameterizedTest

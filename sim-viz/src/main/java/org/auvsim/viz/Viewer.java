@@ -124,14 +124,15 @@ public final class Viewer {
     private static ScreenException noDisplay(Throwable e) {
         return new ScreenException(
                 ("There is no display here (%s): set DISPLAY, use 'auvsim watch', or --picture FILE"
-                                + " with --renderer osp, which paints without one.")
-                        .formatted(
-                                String.valueOf(e.getMessage())
-                                        .lines()
-                                        .findFirst()
-                                        .orElse("")
-                                        .strip()),
+                                + " with --renderer osp, which paints without one (docs/osp.md).")
+                        .formatted(firstLine(e)),
                 e);
+    }
+
+    /** What a failure says first, without a full stop. */
+    private static String firstLine(Throwable e) {
+        String line = String.valueOf(e.getMessage()).lines().findFirst().orElse("").strip();
+        return line.endsWith(".") ? line.substring(0, line.length() - 1) : line;
     }
 
     private void prepare(ViewStart start) throws ScreenException {

@@ -147,8 +147,8 @@ final class JmeApplication extends LegacyApplication {
                         new ScreenException(
                                 ("Three dimensions cannot be shown here, as there is no display"
                                      + " with OpenGL 3.2: %s. Install a graphics driver, use"
-                                     + " --renderer osp, which needs no OpenGL, or 'auvsim watch',"
-                                     + " which needs no display.")
+                                     + " --renderer osp, which needs no OpenGL (docs/osp.md), or"
+                                     + " 'auvsim watch', which needs no display.")
                                         .formatted(cause(what, why)),
                                 why));
         if (!never) {

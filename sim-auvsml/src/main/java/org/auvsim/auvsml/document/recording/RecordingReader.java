@@ -197,7 +197,9 @@ public final class RecordingReader implements Closeable {
             }
             return mapper.decode(Recording.class, tree);
         } catch (AuvsmlException e) {
-            throw refused(root, e);
+            throw DocumentKind.of(root.bytes()) == DocumentKind.RECORDING
+                    ? refused(root, e)
+                    : refused(root, "this is no recording", e);
         }
     }
 
@@ -228,11 +230,15 @@ public final class RecordingReader implements Closeable {
     }
 
     private DocumentException refused(RootText root, AuvsmlException e) {
+        return refused(root, "root element " + root.number(), e);
+    }
+
+    private DocumentException refused(RootText root, String what, AuvsmlException e) {
         Fault fault = e.fault();
         Fault placed =
                 new Fault(
                         fault.code(),
-                        "root element %d: %s".formatted(root.number(), fault.problem()),
+                        "%s: %s".formatted(what, fault.problem()),
                         fault.path(),
                         fault.line(),
                         fault.column());

@@ -156,6 +156,16 @@ class RecordingReaderTest {
     }
 
     @Test
+    void aTextOfAnotherKindIsNoRecordingAndSaysWhy() {
+        for (String text : List.of("# To read first\n", "x y z", "<html/>", "\u0001\u0002")) {
+            assertThatThrownBy(() -> Recordings.reader(text.getBytes(UTF_8)))
+                    .as(text)
+                    .isInstanceOf(DocumentException.class)
+                    .hasMessageMatching("run.auvsml.gz:1:[12]: this is no recording: .+");
+        }
+    }
+
+    @Test
     void aRecordingIsNoScenario(@TempDir Path folder) throws Exception {
         byte[] packed = Recordings.written(entries);
         for (byte[] bytes : List.of(packed, unpacked(packed))) {
@@ -243,7 +253,7 @@ class RecordingReaderTest {
             textBlock =
                     """
                     version="1"    | version="2" | run.auvsml.gz:1:1: root element 1: the recording has the format's version 2, but this auvsim reads version 1; replay it with the auvsim that wrote it
-                    <recording     | <recorded   | run.auvsml.gz:1:1: root element 1: expected the root element <recording>, but found <recorded> at recorded
+                    <recording     | <recorded   | run.auvsml.gz:1:1: this is no recording: expected the root element <recording>, but found <recorded> at recorded
                     <client-came   | <client-met | run.auvsml.gz:8:1: root element 3: no entry of a recording has the name 'client-met'; there are client-came, client-sent, client-sent-unreadable, client-went, happened, recording-ended, state-hash, step-failed, wait-timed-out
                     pause-sim      | pose-sim    | run.auvsml.gz:9:109: root element 4: unknown element 'pose-simulator-command'; the nearest known name is 'pause-simulator-command' at client-sent/pose-simulator-command
                     request-id="r0"| answer="r0" | run.auvsml.gz:9:93: root element 4: <client-sent> has no attribute 'answer'; the nearest known names are 'index', 'step' at client-sent@answer

@@ -8,6 +8,7 @@ import org.auvsim.viz.drawing.ViewOptions;
 import org.auvsim.viz.scene.Scene;
 import org.auvsim.viz.scene.SeenObject;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.stream.Collectors;
@@ -17,11 +18,14 @@ import java.util.stream.Collectors;
  *
  * @param dark whether light stands before dark
  * @param from the side from which the scene is seen
- * @param follow the object that the camera goes with, by its name or id
+ * @param follow the object that the camera goes with, by its name or id; by default the only one
+ *     that can move
  */
 public record ViewStart(boolean dark, StandardView from, Optional<String> follow) {
     /** So many times its own size is the camera away from what it follows. */
     private static final double AWAY = 8;
+
+    private static final int MOST_NAMED = 20;
 
     /**
      * Lets options and camera begin so.
@@ -32,7 +36,9 @@ public record ViewStart(boolean dark, StandardView from, Optional<String> follow
         options.dark(dark);
         from.apply(camera);
         Framing.fit(scene, camera);
-        if (follow.isPresent()) {
+        if (follow.isEmpty()) {
+            alone(scene).ifPresent(object -> options.follow(OptionalLong.of(object.id())));
+        } else {
             SeenObject object = named(scene, follow.get());
             options.follow(OptionalLong.of(object.id()));
             options.select(OptionalLong.of(object.id()));
@@ -48,6 +54,13 @@ public record ViewStart(boolean dark, StandardView from, Optional<String> follow
         }
     }
 
+    /** The only object that can move, if there is one: it would leave the picture. */
+    private static Optional<SeenObject> alone(Scene scene) {
+        List<SeenObject> free =
+                scene.objects().stream().filter(object -> !object.isFixed()).toList();
+        return free.size() == 1 ? Optional.of(free.getFirst()) : Optional.empty();
+    }
+
     private static SeenObject named(Scene scene, String name) throws ScreenException {
         for (SeenObject object : scene.objects()) {
             if (object.name().equals(name) || Long.toString(object.id()).equals(name)) {
@@ -55,12 +68,21 @@ public record ViewStart(boolean dark, StandardView from, Optional<String> follow
             }
         }
         throw new ScreenException(
-                "There is no object '%s' to follow; there are %s."
-                        .formatted(
-                                name,
-                                scene.objects().stream()
-                                        .limit(20)
-                                        .map(SeenObject::name)
-                                        .collect(Collectors.joining(", "))));
+                "There is no object '%s' to follow; there %s."
+                        .formatted(name, those(scene.objects())));
+    }
+
+    /** As {@code is REMUS 100}, {@code are Red, Blue}. */
+    private static String those(List<SeenObject> objects) {
+        String names =
+                objects.stream()
+                        .limit(MOST_NAMED)
+                        .map(SeenObject::name)
+                        .collect(Collectors.joining(", "));
+        return switch (objects.size()) {
+            case 0 -> "are none";
+            case 1 -> "is " + names;
+            default -> "are " + names + (objects.size() > MOST_NAMED ? " and others" : "");
+        };
     }
 }

@@ -121,6 +121,15 @@ final class SceneWriter {
         scene.jumpTo(m.timestamp());
         newest = m.timestamp();
         moved = false;
-        tell(m.timestamp(), "Time goes on from here: " + m.name());
+        tell(m.timestamp(), "Time goes on from here: " + origin(m.name()));
+    }
+
+    /** From where it goes on; the simulator's own names stand for what is no snapshot. */
+    private static String origin(String name) {
+        return switch (name) {
+            case "*BEGINNING*" -> "the beginning of the world";
+            case "*SCENARIO*" -> "another scenario";
+            default -> "the snapshot '" + name + "'";
+        };
     }
 }

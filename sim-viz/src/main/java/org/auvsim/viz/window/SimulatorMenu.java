@@ -6,6 +6,7 @@ import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.auvsml.message.command.KeptSnapshot;
+import org.auvsim.auvsml.message.command.ListedClient;
 import org.auvsim.auvsml.message.control.ListSnapshotsRequest;
 import org.auvsim.auvsml.message.control.LoadScenarioCommand;
 import org.auvsim.auvsml.message.control.ResetCommand;
@@ -134,17 +135,33 @@ final class SimulatorMenu {
                 .forEach(
                         client -> {
                             String words =
-                                    "Disconnect %s, %s at %s..."
-                                            .formatted(client.name(), client.role(), client.peer());
+                                    "Disconnect %s, %s at %s%s..."
+                                            .formatted(
+                                                    client.name(),
+                                                    client.role(),
+                                                    client.peer(),
+                                                    isUs(client) ? ": this viewer" : "");
                             String session = Long.toString(client.sessionId());
                             JMenuItem item =
                                     clients.add(
                                             new Act(
                                                     words,
-                                                    () -> disconnect(client.name(), session)));
+                                                    () ->
+                                                            disconnect(
+                                                                    isUs(client)
+                                                                            ? "this viewer"
+                                                                            : client.name(),
+                                                                    session)));
                             item.setName("disconnect-" + session);
                         });
         none(clients);
+    }
+
+    private boolean isUs(ListedClient client) {
+        return desk.source()
+                .steering()
+                .filter(simulator -> simulator.session() == client.sessionId())
+                .isPresent();
     }
 
     private static void none(JMenu menu) {

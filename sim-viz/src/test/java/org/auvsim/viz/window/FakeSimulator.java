@@ -23,6 +23,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 
 /** A simulator that remembers what it is asked for. */
 final class FakeSimulator implements Source, Steering {
+    private static final long OURS = 3;
     final List<Message> asked = new CopyOnWriteArrayList<>();
     private final Scene scene;
     volatile Role role = Role.ADMIN;
@@ -86,7 +87,7 @@ final class FakeSimulator implements Source, Steering {
 
     @Override
     public long session() {
-        return 3;
+        return OURS;
     }
 
     @Override
@@ -114,6 +115,13 @@ final class FakeSimulator implements Source, Steering {
                                             "Vehicle",
                                             "127.0.0.1:5",
                                             "controller",
+                                            false,
+                                            List.of()),
+                                    new ListedClient(
+                                            OURS,
+                                            "Viewer",
+                                            "127.0.0.1:6",
+                                            "admin",
                                             false,
                                             List.of())));
             default -> new CommandDoneResponse();

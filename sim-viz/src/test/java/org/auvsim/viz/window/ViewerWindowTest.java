@@ -363,6 +363,8 @@ class ViewerWindowTest {
         Clicks.inSwing(() -> find("menu-simulator", JMenu.class).setSelected(false));
         onlyIfMeant(find("restore-before", AbstractButton.class), "Restore");
         onlyIfMeant(find("disconnect-4", AbstractButton.class), "Disconnect");
+        assertThat(find("disconnect-3", AbstractButton.class).getText())
+                .isEqualTo("Disconnect Viewer, admin at 127.0.0.1:6: this viewer...");
         assertThat(simulator.asked)
                 .endsWith(
                         new ListClientsRequest(),

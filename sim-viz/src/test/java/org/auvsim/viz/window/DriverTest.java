@@ -44,13 +44,14 @@ class DriverTest {
     private final JFrame frame = new JFrame();
     private Optional<Sticks> sticks = Optional.empty();
 
-    private Desk desk;
+    private Optional<Desk> desk = Optional.empty();
 
     private Driver driver(FakeSimulator simulator, long id) {
-        desk = new Desk(simulator, new OrbitCamera(), new FakeScreen(), options);
-        desk.select(OptionalLong.of(id));
-        desk.drive(true);
-        return new Driver(desk, () -> sticks, frame);
+        Desk shared = new Desk(simulator, new OrbitCamera(), new FakeScreen(), options);
+        shared.select(OptionalLong.of(id));
+        shared.drive(true);
+        desk = Optional.of(shared);
+        return new Driver(shared, () -> sticks, frame);
     }
 
     @AfterEach
@@ -137,7 +138,7 @@ class DriverTest {
         sticks = Optional.of(new Sticks(0, -1, 0, 0, 0, 0));
         Clicks.inSwing(driver::turn);
         Clicks.inSwing(driver::turn); // after the answers
-        assertThat(desk.isDriving()).isFalse();
+        assertThat(desk.orElseThrow().isDriving()).isFalse();
         assertThat(simulator.asked).containsExactly(TAKE, AHEAD);
     }
 
@@ -148,7 +149,7 @@ class DriverTest {
         FakeSimulator simulator = new FakeSimulator(scene);
         Driver driver = driver(simulator, 10);
         Clicks.inSwing(driver::turn);
-        assertThat(desk.isDriving()).isFalse();
+        assertThat(desk.orElseThrow().isDriving()).isFalse();
         assertThat(simulator.asked).isEmpty();
     }
 
@@ -157,10 +158,10 @@ class DriverTest {
         FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
         Driver driver = driver(simulator, 9);
         Clicks.inSwing(driver::turn);
-        assertThat(desk.isDriving()).isTrue();
+        assertThat(desk.orElseThrow().isDriving()).isTrue();
         simulator.scene().remove(9);
         Clicks.inSwing(driver::turn);
-        assertThat(desk.isDriving()).isFalse();
+        assertThat(desk.orElseThrow().isDriving()).isFalse();
     }
 
     @Test

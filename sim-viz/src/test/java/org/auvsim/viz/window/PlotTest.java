@@ -27,19 +27,19 @@ class PlotTest {
     private static final int WIDTH = 320;
     private static final int HEIGHT = 170;
 
-    private final Plot plot = new Plot("m", Quantity.X, Quantity.Y);
+    private Plot plot = new Plot("m", Quantity.X, Quantity.Y);
 
     private Component part(String where) {
         BorderLayout layout = (BorderLayout) plot.component().getLayout();
         return layout.getLayoutComponent(where);
     }
 
-    /** X falls from the upper left to the lower right while y rises. */
+    /** X falls from the upper left to the lower right while y rises; it dives meanwhile. */
     private BufferedImage picture() throws Exception {
         Scene scene = new Scene(new LiveClock());
         scene.add(SeenObject.of(9, Scenes.buoy()));
         for (int t = 0; t <= 50; t++) {
-            Vec3 place = new Vec3(50 - t, t, 0);
+            Vec3 place = new Vec3(50 - t, t, -t);
             scene.move(9, new Movement(t, place, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO));
         }
         scene.jumpTo(50);
@@ -85,6 +85,26 @@ class PlotTest {
                 assertThat(column(picture, strip, rgb, 1)).isNotNegative();
             }
         }
+    }
+
+    @Test
+    void whatIsDeeperStandsLower() throws Exception {
+        plot = new Plot("m", Quantity.DEPTH);
+        BufferedImage picture = picture();
+        Rectangle lines = part(BorderLayout.CENTER).getBounds();
+        int rgb = Quantity.DEPTH.colour().getRGB();
+        int first = column(picture, lines, rgb, 1);
+        int last = column(picture, lines, rgb, -1);
+        assertThat(row(picture, last, rgb)).isGreaterThan(row(picture, first, rgb) + HEIGHT / 4);
+    }
+
+    /** The first row from the top that has a colour in a column. */
+    private static int row(BufferedImage picture, int x, int rgb) {
+        int y = 0;
+        while (picture.getRGB(x, y) != rgb) {
+            y++;
+        }
+        return y;
     }
 
     /** The first column, from the left (1) or the right (-1), that has a colour; -1 if none has. */

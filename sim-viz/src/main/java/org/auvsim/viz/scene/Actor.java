@@ -191,9 +191,10 @@ final class Actor implements ActorView {
         return shown[SPIN + axis];
     }
 
+    /** States and projections may come a step apart: not each of short steps is told. */
     @Override
     public boolean isProjected() {
-        return timeProjected >= timeNow - ROUNDING;
+        return timeProjected > timeBefore + ROUNDING;
     }
 
     @Override

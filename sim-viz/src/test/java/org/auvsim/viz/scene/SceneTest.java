@@ -133,6 +133,7 @@ class SceneTest {
                     assertThat(look.actor(0).isProjected()).isTrue();
                     assertThat(look.actor(0).projectedPosition(0)).isEqualTo(4);
                 });
+        scene.move(7, at(0.2, 4, 0));
         scene.move(7, at(3, 4, 0));
         scene.stepDone(3, 2_000 * MILLIS);
         scene.look(
@@ -158,6 +159,23 @@ class SceneTest {
                         assertThat(look.actor(0).isProjected()).isTrue();
                         assertThat(look.actor(0).projectedPosition(0)).isEqualTo(4);
                     });
+        }
+    }
+
+    /** Of steps of 0.02 s each second one is told, not the same ones of states and projections. */
+    @Test
+    void aProjectionStaysWhereItComesAStepApartFromTheState() {
+        for (int step = 2; step <= 100; step++) {
+            if (step % 2 == 0) {
+                scene.move(7, at(0.02 * step, 3, 0));
+            } else {
+                scene.project(7, at(0.02 * step, 4, 0));
+            }
+            scene.stepDone(0.02 * step, 20L * step * MILLIS);
+            boolean isAnnounced = step > 2;
+            scene.look(
+                    20L * step * MILLIS,
+                    look -> assertThat(look.actor(0).isProjected()).isEqualTo(isAnnounced));
         }
     }
 

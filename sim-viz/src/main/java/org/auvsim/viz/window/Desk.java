@@ -219,7 +219,7 @@ final class Desk {
         } else {
             refusal = Optional.of(sentence(failure));
             say(sentence(failure));
-            refused.accept(failure);
+            refused.accept(bare(failure));
         }
     }
 
@@ -230,10 +230,14 @@ final class Desk {
 
     /** What a failure says to people. */
     static String sentence(Throwable failure) {
-        Throwable first =
-                failure instanceof CompletionException && failure.getCause() != null
-                        ? failure.getCause()
-                        : failure;
-        return Optional.ofNullable(first.getMessage()).orElse(first.toString());
+        Throwable bare = bare(failure);
+        return Optional.ofNullable(bare.getMessage()).orElse(bare.toString());
+    }
+
+    /** The failure itself: a stage after the one that failed wraps it. */
+    private static Throwable bare(Throwable failure) {
+        return failure instanceof CompletionException && failure.getCause() != null
+                ? failure.getCause()
+                : failure;
     }
 }

@@ -131,6 +131,22 @@ class DriverTest {
     }
 
     @Test
+    void anOrderThatIsOpenWhenTheConnectionBreaksDoesNotEndDriving() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        Driver driver = driver(simulator, 9);
+        sticks = Optional.of(new Sticks(0, -1, 0, 0, 0, 0));
+        simulator.loses = AHEAD::equals;
+        Clicks.inSwing(driver::turn);
+        Clicks.inSwing(() -> simulator.isConnected = false); // after the answers
+        Clicks.inSwing(driver::turn);
+        simulator.loses = _ -> false;
+        simulator.isConnected = true;
+        Clicks.inSwing(driver::turn);
+        assertThat(desk.orElseThrow().isDriving()).isTrue();
+        assertThat(simulator.asked).containsExactly(TAKE, AHEAD, TAKE, AHEAD);
+    }
+
+    @Test
     void whatIsRefusedIsDrivenNoMore() throws Exception {
         FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
         simulator.refusal = Optional.of("REMUS controls it.");

@@ -11,6 +11,7 @@ import org.auvsim.auvsml.message.session.ClientListResponse;
 import org.auvsim.auvsml.message.session.CommandDoneResponse;
 import org.auvsim.auvsml.message.session.ListClientsRequest;
 import org.auvsim.viz.scene.Scene;
+import org.auvsim.viz.source.LostException;
 import org.auvsim.viz.source.Playback;
 import org.auvsim.viz.source.Source;
 import org.auvsim.viz.source.Steering;
@@ -20,6 +21,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Predicate;
 
 /** A simulator that remembers what it is asked for. */
 final class FakeSimulator implements Source, Steering {
@@ -30,6 +32,7 @@ final class FakeSimulator implements Source, Steering {
     volatile boolean isConnected = true;
     volatile boolean isRunning = true;
     volatile Optional<String> refusal = Optional.empty();
+    volatile Predicate<Message> loses = _ -> false;
     volatile List<ListedClient> clients = List.of();
     volatile OptionalLong watched = OptionalLong.empty();
 
@@ -90,12 +93,20 @@ final class FakeSimulator implements Source, Steering {
         return OURS;
     }
 
+    /** Fails as a live source does: by a stage after the one that failed. */
     @Override
     public CompletableFuture<Message> ask(Message message) {
         asked.add(message);
-        return refusal.<CompletableFuture<Message>>map(
-                        words -> CompletableFuture.failedFuture(new IllegalStateException(words)))
-                .orElseGet(() -> CompletableFuture.completedFuture(answer(message)));
+        return failure(message)
+                .<CompletableFuture<Message>>map(CompletableFuture::failedFuture)
+                .orElseGet(() -> CompletableFuture.completedFuture(answer(message)))
+                .whenComplete((_, _) -> {});
+    }
+
+    private Optional<Exception> failure(Message message) {
+        return loses.test(message)
+                ? Optional.of(new LostException("The connection is lost."))
+                : refusal.map(IllegalStateException::new);
     }
 
     @Override

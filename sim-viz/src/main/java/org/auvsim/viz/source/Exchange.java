@@ -26,6 +26,12 @@ final class Exchange {
     /** So many orders wait at most until they are written. */
     static final int MOST_WAITING = 256;
 
+    private static final String FULL =
+            "The simulator does not take what it is sent: %d orders wait, and this one is left out."
+                    .formatted(MOST_WAITING);
+
+    private static final String ENDED = "The connection to the simulator has ended.";
+
     private final AuvsmlClient client;
     private final MessageCatalogue catalogue;
     private final Map<String, CompletableFuture<Message>> open = new ConcurrentHashMap<>();
@@ -70,13 +76,10 @@ final class Exchange {
         try {
             by.execute(() -> write(id, message));
         } catch (RejectedExecutionException e) {
-            refuse(
-                    id,
-                    "The simulator does not take what it is sent: %d orders wait, and this one is left out."
-                            .formatted(MOST_WAITING));
+            fail(id, writer.isShutdown() ? new LostException(ENDED) : new RefusedException(FULL));
         }
         if (ended) {
-            refuse(id, "The connection to the simulator has ended.");
+            fail(id, new LostException(ENDED));
         }
         return answer;
     }
@@ -85,7 +88,7 @@ final class Exchange {
         try {
             client.request(id, message);
         } catch (ConnectionException e) {
-            refuse(id, String.valueOf(e.getMessage()));
+            fail(id, new LostException(String.valueOf(e.getMessage())));
         }
     }
 
@@ -99,10 +102,10 @@ final class Exchange {
         return open.size();
     }
 
-    private void refuse(String id, String why) {
+    private void fail(String id, RefusedException why) {
         CompletableFuture<Message> answer = open.remove(id);
         if (answer != null) {
-            answer.completeExceptionally(new LostException(why));
+            answer.completeExceptionally(why);
         }
     }
 
@@ -131,7 +134,7 @@ final class Exchange {
         }
         ended = true;
         for (String id : open.keySet()) {
-            refuse(id, why);
+            fail(id, new LostException(why));
         }
         return why;
     }

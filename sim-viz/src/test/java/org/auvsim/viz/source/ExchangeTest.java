@@ -42,6 +42,7 @@ class ExchangeTest {
                     .isCompletedExceptionally()
                     .failsWithin(Duration.ZERO)
                     .withThrowableThat()
+                    .withCauseExactlyInstanceOf(RefusedException.class) // not lost
                     .withMessageContaining("256 orders wait, and this one is left out");
             exchange.close();
             accepted.get().close();

@@ -53,6 +53,15 @@ public record Orders(Map<String, Double> levels, Map<String, Double> angles, Opt
         return messages;
     }
 
+    /** All messages of these orders, whatever was ordered before. */
+    public List<Message> all(long id) {
+        List<Message> messages = new ArrayList<>(since(NONE, id));
+        if (levels.isEmpty() && force.isEmpty()) {
+            messages.add(new RemoveForceCommand(id, Driving.FORCE));
+        }
+        return messages;
+    }
+
     private static Message push(long id, Vec3 force) {
         return new ApplyDirectForceCommand(id, Driving.FORCE, Frame.BODY, force);
     }

@@ -208,6 +208,15 @@ final class Desk {
                                                 () -> settle(answer, failure, then, refused)));
     }
 
+    /** Asks the simulator for what nobody is told of: neither its answer nor its refusal. */
+    void askQuietly(Message message) {
+        source.steering()
+                .ifPresent(
+                        steering -> {
+                            var _ = steering.ask(message);
+                        });
+    }
+
     private void settle(
             Message answer,
             @Nullable Throwable failure,

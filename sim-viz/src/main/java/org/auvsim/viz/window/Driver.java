@@ -23,6 +23,8 @@ import javax.swing.text.JTextComponent;
 
 /** Drives the selected object by keys and gamepad while driving is on. */
 final class Driver implements KeyEventDispatcher {
+    private static final Optional<Orders> NONE = Optional.of(Orders.NONE);
+
     private final Desk desk;
     private final Gamepad gamepad;
     private final Window window;
@@ -32,7 +34,9 @@ final class Driver implements KeyEventDispatcher {
     private Wanted before = Wanted.NOTHING;
     private boolean wasAstern;
     private Way way = new Way();
-    private Orders orders = Orders.NONE;
+
+    /** What it has been told to do; empty while that is not known, as an order has failed. */
+    private Optional<Orders> orders = NONE;
 
     Driver(Desk desk, Gamepad gamepad, Window window) {
         this.desk = desk;
@@ -82,7 +86,7 @@ final class Driver implements KeyEventDispatcher {
                 keys.wanted().plus(gamepad.poll().map(Sticks::wanted).orElse(Wanted.NOTHING));
         look(driven.get());
         boolean turnsRound = way.isAstern() != wasAstern && !wanted.equals(Wanted.NOTHING);
-        if (!wanted.equals(before) || turnsRound) {
+        if (!wanted.equals(before) || turnsRound || orders.isEmpty()) {
             before = wanted;
             wasAstern = way.isAstern();
             give(driving.get().orders(wanted, wasAstern));
@@ -106,7 +110,7 @@ final class Driver implements KeyEventDispatcher {
                             .orElse(object.name() + " cannot be driven: nothing moves it."));
             giveUp();
         } else {
-            ask(new TakeControlCommand(object.id()));
+            ask(new TakeControlCommand(object.id()), () -> {});
         }
     }
 
@@ -122,30 +126,40 @@ final class Driver implements KeyEventDispatcher {
         driving = Optional.empty();
         driven = Optional.empty();
         before = Wanted.NOTHING;
-        orders = Orders.NONE;
+        orders = NONE;
     }
 
+    /** Drives no more; what was not refused is not to push for ever. */
     private void giveUp() {
+        if (!orders.equals(NONE)) {
+            Orders nothing = driving.orElseThrow().orders(Wanted.NOTHING, wasAstern);
+            nothing.all(driven.orElseThrow()).forEach(desk::askQuietly);
+        }
         forget();
         desk.drive(false);
     }
 
     /** Asks for something; where that is refused, as somebody else has control, nobody drives. */
-    private void ask(Message message) {
+    private void ask(Message message, Runnable failed) {
         Optional<Long> asked = driven;
         desk.ask(
                 message,
                 answer -> {},
                 failure -> {
-                    if (asked.equals(driven) && !(failure instanceof LostException)) {
-                        giveUp();
+                    if (asked.equals(driven)) {
+                        failed.run();
+                        if (!(failure instanceof LostException)) {
+                            giveUp();
+                        }
                     }
                 });
     }
 
     private void give(Orders others) {
-        List<Message> messages = others.since(orders, driven.orElseThrow());
-        orders = others;
-        messages.forEach(this::ask);
+        long id = driven.orElseThrow();
+        List<Message> messages =
+                orders.map(known -> others.since(known, id)).orElseGet(() -> others.all(id));
+        orders = Optional.of(others);
+        messages.forEach(message -> ask(message, () -> orders = Optional.empty()));
     }
 }

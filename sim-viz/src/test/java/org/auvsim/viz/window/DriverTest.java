@@ -6,6 +6,7 @@ import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.control.ApplyDirectForceCommand;
 import org.auvsim.auvsml.message.control.RemoveForceCommand;
 import org.auvsim.auvsml.message.control.SetControlSurfaceCommand;
+import org.auvsim.auvsml.message.control.SetPropulsorCommand;
 import org.auvsim.auvsml.message.control.TakeControlCommand;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
@@ -39,6 +40,7 @@ class DriverTest {
     private static final Message TAKE = new TakeControlCommand(9);
     private static final Message AHEAD =
             new ApplyDirectForceCommand(9, "Viewer", Frame.BODY, new Vec3(20, 0, 0));
+    private static final Message STOP = new RemoveForceCommand(9, "Viewer");
 
     private final ViewOptions options = new ViewOptions();
     private final JFrame frame = new JFrame();
@@ -90,8 +92,7 @@ class DriverTest {
                     key(driver, KeyEvent.KEY_RELEASED, 0, KeyEvent.VK_W);
                     driver.turn();
                 });
-        assertThat(simulator.asked)
-                .containsExactly(TAKE, AHEAD, new RemoveForceCommand(9, "Viewer"));
+        assertThat(simulator.asked).containsExactly(TAKE, AHEAD, STOP);
     }
 
     @Test
@@ -155,7 +156,54 @@ class DriverTest {
         Clicks.inSwing(driver::turn);
         Clicks.inSwing(driver::turn); // after the answers
         assertThat(desk.orElseThrow().isDriving()).isFalse();
-        assertThat(simulator.asked).containsExactly(TAKE, AHEAD);
+        assertThat(simulator.asked).containsExactly(TAKE, AHEAD, STOP);
+        assertThat(desk.orElseThrow().refusal()).contains("REMUS controls it.");
+    }
+
+    @Test
+    void anOrderThatIsLostIsGivenAgain() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        Driver driver = driver(simulator, 9);
+        sticks = Optional.of(new Sticks(0, -1, 0, 0, 0, 0));
+        Clicks.inSwing(driver::turn);
+        sticks = Optional.empty();
+        simulator.loses = STOP::equals;
+        Clicks.inSwing(driver::turn);
+        Clicks.inSwing(() -> simulator.loses = _ -> false); // after the answers
+        Clicks.inSwing(driver::turn);
+        Clicks.inSwing(driver::turn);
+        assertThat(simulator.asked).containsExactly(TAKE, AHEAD, STOP, STOP);
+    }
+
+    @Test
+    void whatCannotBeStoppedIsToldSoOnceMore() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
+        Driver driver = driver(simulator, 9);
+        sticks = Optional.of(new Sticks(0, -1, 0, 0, 0, 0));
+        Clicks.inSwing(driver::turn);
+        sticks = Optional.empty();
+        simulator.refuses = STOP::equals;
+        Clicks.inSwing(driver::turn);
+        Clicks.inSwing(driver::turn); // after the answers
+        assertThat(desk.orElseThrow().isDriving()).isFalse();
+        assertThat(simulator.asked).containsExactly(TAKE, AHEAD, STOP, STOP);
+    }
+
+    @Test
+    void whereAnOrderIsRefusedWhatElsePushesIsStopped() throws Exception {
+        FakeSimulator simulator = new FakeSimulator(Scenes.of("remus-turn.xml"));
+        Driver driver = driver(simulator, 1);
+        sticks = Optional.of(new Sticks(0, -1, 0, 0, 0, 0));
+        simulator.refuses = SetControlSurfaceCommand.class::isInstance;
+        Clicks.inSwing(driver::turn);
+        Clicks.inSwing(driver::turn); // after the answers
+        assertThat(desk.orElseThrow().isDriving()).isFalse();
+        assertThat(simulator.asked)
+                .filteredOn(SetPropulsorCommand.class::isInstance)
+                .hasSize(2)
+                .last()
+                .isEqualTo(new SetPropulsorCommand(1, "Propeller", 0));
+        assertThat(desk.orElseThrow().refusal()).contains("Not this.");
     }
 
     @Test

@@ -33,6 +33,7 @@ final class FakeSimulator implements Source, Steering {
     volatile boolean isRunning = true;
     volatile Optional<String> refusal = Optional.empty();
     volatile Predicate<Message> loses = _ -> false;
+    volatile Predicate<Message> refuses = _ -> false;
     volatile List<ListedClient> clients = List.of();
     volatile OptionalLong watched = OptionalLong.empty();
 
@@ -104,8 +105,11 @@ final class FakeSimulator implements Source, Steering {
     }
 
     private Optional<Exception> failure(Message message) {
-        return loses.test(message)
-                ? Optional.of(new LostException("The connection is lost."))
+        if (loses.test(message)) {
+            return Optional.of(new LostException("The connection is lost."));
+        }
+        return refuses.test(message)
+                ? Optional.of(new IllegalStateException("Not this."))
                 : refusal.map(IllegalStateException::new);
     }
 

@@ -2,10 +2,13 @@ package org.auvsim.viz.window;
 
 import com.formdev.flatlaf.FlatClientProperties;
 
+import org.auvsim.viz.scene.SeenObject;
+
 import java.awt.BorderLayout;
 import java.awt.event.ActionEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.Optional;
 import java.util.OptionalLong;
 
 import javax.swing.AbstractAction;
@@ -28,6 +31,10 @@ final class ObjectList {
     private final JTextField filter = new JTextField();
     private final JPanel panel = new JPanel(new BorderLayout(0, 4));
     private OptionalLong shown = OptionalLong.empty();
+
+    /** The row that mouse or keyboard were on last, which need not be an object's. */
+    private Optional<Row> current = Optional.empty();
+
     private boolean isUpdating;
 
     ObjectList(Desk desk) {
@@ -51,7 +58,9 @@ final class ObjectList {
     }
 
     private void arrangeTable() {
-        table.setRowSorter(new RowOrder(rows));
+        RowOrder order = new RowOrder(rows);
+        order.addRowSorterListener(e -> restore());
+        table.setRowSorter(order);
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         table.setFillsViewportHeight(true);
         int[] widths = {144, 36, 48, 62};
@@ -112,31 +121,32 @@ final class ObjectList {
     private void open(int at, boolean on) {
         rows.outline().open(rows.row(at), on);
         rebuild();
-        if (at < table.getRowCount()) {
-            select(at);
-        }
     }
 
     private void selected(ListSelectionEvent e) {
-        if (!isUpdating && !e.getValueIsAdjusting() && table.getSelectedRow() >= 0) {
-            OptionalLong id = rows.idOf(table.getSelectedRow());
-            if (id.isPresent()) {
-                shown = id;
-                desk.select(id);
-            }
+        int at = table.getSelectedRow();
+        if (isUpdating || at < 0) {
+            return;
+        }
+        current = Optional.of(rows.row(at));
+        OptionalLong id = rows.idOf(at);
+        if (id.isPresent() && !e.getValueIsAdjusting()) {
+            shown = id;
+            desk.select(id);
         }
     }
 
     private void filter() {
         rows.outline().filter(filter.getText());
         rebuild();
-        showSelected();
+        scroll();
     }
 
     private void rebuild() {
         isUpdating = true;
         rows.build();
         isUpdating = false;
+        restore();
     }
 
     private void refresh() {
@@ -146,31 +156,43 @@ final class ObjectList {
         OptionalLong id = desk.options().selected();
         if (!id.equals(shown)) {
             shown = id;
-            boolean wasFolded =
-                    desk.selected().map(object -> rows.outline().reveal(object)).orElse(false);
-            if (wasFolded) {
-                rebuild();
-            }
-            showSelected();
+            show(desk.selected());
         } else if (isOther) {
-            showSelected();
+            restore();
         }
         table.repaint();
     }
 
-    private void showSelected() {
-        int row = shown.isPresent() ? rows.rowOf(shown.getAsLong()) : -1;
-        if (row < 0) {
-            table.clearSelection();
+    /** Goes to what has been selected elsewhere. */
+    private void show(Optional<SeenObject> object) {
+        current = object.map(Row.Item::new);
+        if (object.map(rows.outline()::reveal).orElse(false)) {
+            rebuild();
         } else {
-            select(row);
-            table.scrollRectToVisible(table.getCellRect(row, 0, true));
+            restore();
         }
+        scroll();
     }
 
-    private void select(int row) {
+    /**
+     * Rows that were read again are selected as they were; the list stays where it was scrolled.
+     */
+    private void restore() {
+        int same = current.map(rows::indexOf).orElse(-1);
+        int at = same < 0 && shown.isPresent() ? rows.rowOf(shown.getAsLong()) : same;
         isUpdating = true;
-        table.setRowSelectionInterval(row, row);
+        if (at < 0) {
+            table.clearSelection();
+        } else {
+            table.setRowSelectionInterval(at, at);
+        }
         isUpdating = false;
+    }
+
+    private void scroll() {
+        int at = table.getSelectedRow();
+        if (at >= 0) {
+            table.scrollRectToVisible(table.getCellRect(at, 0, true));
+        }
     }
 }

@@ -119,6 +119,11 @@ final class ObjectRows extends AbstractTableModel {
         };
     }
 
+    /** Where a row stands now, -1 if it is there no more. */
+    int indexOf(Row row) {
+        return rows.stream().map(Row::key).toList().indexOf(row.key());
+    }
+
     /** The row of an object, -1 if it has none. */
     int rowOf(long id) {
         for (int row = 0; row < rows.size(); row++) {

@@ -4,6 +4,8 @@ import org.auvsim.core.description.ElementName;
 import org.auvsim.core.entity.Component;
 import org.auvsim.viz.scene.SeenObject;
 
+import java.util.List;
+
 /** A row of the tree of objects. */
 sealed interface Row {
     /** What it is called. */
@@ -20,6 +22,9 @@ sealed interface Row {
     /** How far it is indented. */
     int depth();
 
+    /** The same for a row and for what it has become when objects are read again. */
+    Object key();
+
     /** All objects of a kind. */
     record Group(Kind kind, int count) implements Row {
         @Override
@@ -35,6 +40,11 @@ sealed interface Row {
         @Override
         public int depth() {
             return 0;
+        }
+
+        @Override
+        public Object key() {
+            return kind;
         }
     }
 
@@ -53,6 +63,11 @@ sealed interface Row {
         @Override
         public int depth() {
             return 1;
+        }
+
+        @Override
+        public Object key() {
+            return object.id();
         }
     }
 
@@ -76,6 +91,11 @@ sealed interface Row {
         @Override
         public int depth() {
             return 2;
+        }
+
+        @Override
+        public Object key() {
+            return List.of(owner.id(), words());
         }
     }
 }

@@ -26,7 +26,6 @@ final class RowOrder extends RowSorter<ObjectRows> {
     public void setSortKeys(List<? extends SortKey> others) {
         keys = List.copyOf(others);
         rows.sort(keys.stream().findFirst());
-        rows.build();
         fireSortOrderChanged();
     }
 

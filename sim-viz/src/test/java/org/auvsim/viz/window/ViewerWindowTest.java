@@ -36,6 +36,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.awt.Component;
+import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -130,6 +131,52 @@ class ViewerWindowTest {
                     assertThat(objects.getRowCount()).isEqualTo(2);
                     assertThat(objects.getSelectedRow()).isEqualTo(1);
                 });
+    }
+
+    @Test
+    void aListInOrderOfDistanceStaysWhereItIsScrolledAndKeepsItsRow() throws Exception {
+        Scene scene = Scenes.withBuoy();
+        WorldObjectDefinition rock =
+                WorldObjectDefinition.named("Rock").fixed().volume(new Sphere(1)).build();
+        for (long id = 10; id < 200; id++) {
+            scene.add(SeenObject.of(id, rock));
+        }
+        open(new FakeSimulator(scene));
+        Clicks.inSwing(
+                () -> {
+                    JTable objects = find("objects", JTable.class);
+                    select(9);
+                    objects.getRowSorter().toggleSortOrder(ObjectRows.DISTANCE);
+                    assertThat(objects.getValueAt(objects.getSelectedRow(), 0)).isEqualTo("Buoy");
+                    int last = objects.getRowCount() - 1;
+                    objects.scrollRectToVisible(objects.getCellRect(last, 0, true));
+                    Rectangle seen = objects.getVisibleRect();
+                    assertThat(seen.y).isPositive();
+                    turnOften();
+                    assertThat(objects.getVisibleRect()).isEqualTo(seen);
+                    assertThat(objects.getValueAt(objects.getSelectedRow(), 0)).isEqualTo("Buoy");
+                });
+    }
+
+    @Test
+    void aListInOrderKeepsTheRowTheKeyboardIsOnThoughNothingIsSelected() throws Exception {
+        open(new FakeSimulator(Scenes.withBuoy()));
+        Clicks.inSwing(
+                () -> {
+                    JTable objects = find("objects", JTable.class);
+                    objects.getRowSorter().toggleSortOrder(ObjectRows.SPEED);
+                    objects.setRowSelectionInterval(0, 0);
+                    turnOften();
+                    assertThat(view.selected()).isEmpty();
+                    assertThat(objects.getSelectedRow()).isZero();
+                });
+    }
+
+    /** So often that what moves is put in order again. */
+    private void turnOften() {
+        for (int turn = 0; turn < 20; turn++) {
+            window.orElseThrow().turn();
+        }
     }
 
     @Test

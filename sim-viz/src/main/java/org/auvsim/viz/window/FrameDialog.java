@@ -5,6 +5,7 @@ import java.awt.FlowLayout;
 import java.awt.GridLayout;
 import java.awt.Window;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Optional;
 
@@ -33,6 +34,7 @@ final class FrameDialog {
     private final JButton start = new JButton("Start");
     private final Timer timer = new Timer(40, e -> frame());
     private Optional<JDialog> opened = Optional.empty();
+    private Path into = Path.of("");
 
     FrameDialog(Desk desk, Window window, Recorder recorder) {
         this.desk = desk;
@@ -43,6 +45,7 @@ final class FrameDialog {
         start.setName("frames-start");
         film.setName("frames-film");
         film.setEditable(false);
+        words.setName("frames-words");
         folder.getDocument().addDocumentListener(Typing.calls(this::tell));
         rate.addChangeListener(e -> tell());
         start.addActionListener(e -> toggle());
@@ -106,7 +109,13 @@ final class FrameDialog {
             stop();
             return;
         }
-        if (Files.exists(Recorder.frame(Path.of(folder.getText()), 1))) {
+        try {
+            into = Path.of(folder.getText());
+        } catch (InvalidPathException e) {
+            words.setText("No folder can have this name: %s.".formatted(e.getReason()));
+            return;
+        }
+        if (Files.exists(Recorder.frame(into, 1))) {
             words.setText("There are frames in this folder: choose another.");
             return;
         }
@@ -121,13 +130,11 @@ final class FrameDialog {
         timer.stop();
         start.setText("Start");
         folder.setEditable(true);
-        desk.say(recorder.frames() + " frames are in " + folder.getText() + ".");
+        desk.say(recorder.frames() + " frames are in " + into + ".");
     }
 
     private void frame() {
-        recorder.record(
-                Path.of(folder.getText()),
-                failure -> SwingUtilities.invokeLater(() -> fail(failure)));
+        recorder.record(into, failure -> SwingUtilities.invokeLater(() -> fail(failure)));
         words.setText(recorder.frames() + " frames");
     }
 

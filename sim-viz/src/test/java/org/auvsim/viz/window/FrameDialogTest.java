@@ -20,6 +20,7 @@ import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
+import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 
@@ -77,6 +78,21 @@ class FrameDialogTest {
                     // What is there is not written over.
                     start.doClick(0);
                     assertThat(start.getText()).isEqualTo("Start");
+                });
+    }
+
+    @Test
+    void aNameThatNoFolderCanHaveIsToldInWords() throws Exception {
+        Clicks.inSwing(
+                () -> {
+                    frames.open();
+                    Clicks.find(dialog(), "frames-folder", JTextField.class).setText("a\0b");
+                    AbstractButton start =
+                            Clicks.find(dialog(), "frames-start", AbstractButton.class);
+                    start.doClick(0);
+                    assertThat(start.getText()).isEqualTo("Start");
+                    assertThat(Clicks.find(dialog(), "frames-words", JLabel.class).getText())
+                            .startsWith("No folder can have this name: ");
                 });
     }
 

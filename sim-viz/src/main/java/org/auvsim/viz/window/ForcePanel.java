@@ -36,7 +36,10 @@ import javax.swing.SwingConstants;
 final class ForcePanel {
     private static final String[] AXES = {"x", "y", "z"};
 
-    /** What was sent is left alone until it has come back (ns). */
+    /**
+     * What was sent is left alone for so long (ns): the simulator is asked for forces now and then,
+     * and what it told last may be older than its answer to what was sent.
+     */
     private static final long LEFT_ALONE = 1_500_000_000L;
 
     /** A slider goes so many steps either way. */

@@ -14,8 +14,8 @@ import javax.swing.JPanel;
 import javax.swing.Timer;
 
 /**
- * The line at the bottom: what the source says, or for a while what has just been said, then the
- * role and the frame rate. Without a connection the banner alone tells.
+ * The line at the bottom: what the source says, for a while what has just been said, then the role
+ * and the frame rate. Of a lost connection the banner alone tells.
  */
 final class StatusBar {
     /** Words stand for so long (ms), a refusal until something succeeds at most. */
@@ -35,7 +35,7 @@ final class StatusBar {
         last.setName("last-words");
         rate.setName("rate-words");
         fade.setRepeats(false);
-        JPanel words = new JPanel(new BorderLayout());
+        JPanel words = new JPanel(new BorderLayout(16, 0));
         words.setMinimumSize(new Dimension(0, 0));
         words.add(status, BorderLayout.WEST);
         words.add(last, BorderLayout.CENTER);
@@ -52,24 +52,33 @@ final class StatusBar {
     }
 
     private void say(String sentence) {
+        if (isInBanner(sentence)) {
+            return;
+        }
         last.setText(sentence);
         last.setToolTipText(sentence);
-        status.setVisible(false);
         isRefusal = desk.refusal().equals(Optional.of(sentence));
         fade.restart();
+    }
+
+    /** Whether that is what the banner tells already. */
+    private boolean isInBanner(String sentence) {
+        return desk.isLost() && desk.source().status().startsWith(sentence);
     }
 
     private void clear() {
         last.setText(" ");
         last.setToolTipText(null);
-        status.setVisible(true);
         isRefusal = false;
     }
 
     private void refresh() {
         if (desk.isLost()) {
-            clear();
+            if (isInBanner(last.getText())) {
+                clear();
+            }
             status.setText(" ");
+            status.setToolTipText(null);
             rate.setText(" ");
             return;
         }

@@ -28,6 +28,7 @@ import org.auvsim.viz.camera.OrbitCamera;
 import org.auvsim.viz.drawing.Layer;
 import org.auvsim.viz.drawing.ViewOptions;
 import org.auvsim.viz.scene.Movement;
+import org.auvsim.viz.scene.Occurrence;
 import org.auvsim.viz.scene.Scene;
 import org.auvsim.viz.scene.SeenObject;
 import org.auvsim.viz.source.Source;
@@ -46,6 +47,8 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
@@ -262,15 +265,35 @@ class ViewerWindowTest {
         view.select(OptionalLong.of(9));
         open(simulator);
         Clicks.inSwing(() -> find("right", JTabbedPane.class).setSelectedIndex(1));
+        control(" ", true, false, true);
+        simulator.clients = List.of(client(3, "Viewer 3", 10));
         control("Nobody controls it.", true, false, true);
-        simulator.clients = List.of(client(3, "Viewer 3"));
+        simulator.clients = List.of(client(3, "Viewer 3", 9));
         control("This viewer controls it.", false, true, true);
-        simulator.clients = List.of(client(4, "REMUS"));
+        simulator.clients = List.of(client(4, "REMUS", 9));
         control("REMUS controls it.", false, false, false);
+        simulator.isConnected = false;
+        control(" ", false, false, false);
+        assertThat(find("control-holder", JLabel.class).isEnabled()).isFalse();
+        simulator.isConnected = true;
+        control("REMUS controls it.", false, false, false);
+        assertThat(find("control-holder", JLabel.class).isEnabled()).isTrue();
+        assertThat(find("control-holder", JLabel.class).getToolTipText()).isNull();
     }
 
-    private static ListedClient client(long session, String name) {
-        List<ListedClient.ControlledObject> held = List.of(new ListedClient.ControlledObject(9));
+    @Test
+    void aRecordingDoesNotTellWhoHasControl() throws Exception {
+        view.select(OptionalLong.of(9));
+        open(new FakeRecording(Scenes.withBuoy()));
+        Clicks.inSwing(
+                () -> {
+                    find("right", JTabbedPane.class).setSelectedIndex(1);
+                    assertThat(find("control-holder", JLabel.class).getText()).isBlank();
+                });
+    }
+
+    private static ListedClient client(long session, String name, long object) {
+        var held = List.of(new ListedClient.ControlledObject(object));
         return new ListedClient(session, name, "127.0.0.1:5", "controller", false, held);
     }
 
@@ -377,6 +400,7 @@ class ViewerWindowTest {
                             .endsWith("It is not to be.");
                     assertThat(find("last-words", JLabel.class).getText())
                             .isEqualTo("It is not to be.");
+                    assertThat(find("status", JLabel.class).isShowing()).isTrue();
                     assertThat(find("banner", JLabel.class).isVisible()).isFalse();
                 });
         simulator.refusal = Optional.empty();
@@ -399,7 +423,17 @@ class ViewerWindowTest {
                             }) {
                         assertThat(find(words, JLabel.class).getText()).as(words).isBlank();
                     }
+                    said(simulator, "The connection to 127.0.0.1:40001 is lost");
+                    assertThat(find("last-words", JLabel.class).getText()).isBlank();
+                    said(simulator, "The picture is saved.");
+                    assertThat(find("last-words", JLabel.class).getText())
+                            .isEqualTo("The picture is saved.");
                 });
+    }
+
+    private void said(FakeSimulator simulator, String sentence) {
+        simulator.scene().tell(new Occurrence(1, sentence));
+        window.orElseThrow().turn();
     }
 
     @Test
@@ -545,12 +579,28 @@ class ViewerWindowTest {
                     assertThat(window.orElseThrow().frame().getOwnedWindows())
                             .filteredOn(Window::isShowing)
                             .isEmpty();
-                    String keys = HelpMenu.keys().toLowerCase(Locale.ROOT);
-                    assertThat(accelerators()).hasSizeGreaterThan(20).allMatch(keys::contains);
+                    assertThat(accelerators()).hasSizeGreaterThan(20);
+                    assertThat(helpedKeys()).containsAll(accelerators());
                 });
     }
 
-    /** The last key of each accelerator, as the help names it. */
+    /** The keys in the help's left cells above those that drive, and the letters of the layers. */
+    private static List<String> helpedKeys() {
+        String page = HelpMenu.keys().toLowerCase(Locale.ROOT);
+        List<String> all = new ArrayList<>();
+        String above = page.substring(0, page.indexOf("drives the selected"));
+        Matcher cells = Pattern.compile("<td><b>(.+?)</b>").matcher(above);
+        while (cells.find()) {
+            all.addAll(List.of(cells.group(1).split(",? ", -1)));
+        }
+        Matcher layers = Pattern.compile("[:,] (.) ").matcher(page);
+        while (layers.find()) {
+            all.add("alt+shift+" + layers.group(1));
+        }
+        return all;
+    }
+
+    /** The accelerators, as the help names them. */
     private List<String> accelerators() {
         List<String> all = new ArrayList<>();
         JMenuBar bar = window.orElseThrow().frame().getJMenuBar();
@@ -562,7 +612,7 @@ class ViewerWindowTest {
                                     .toLowerCase(Locale.ROOT);
                     int modifiers = key.getAccelerator().getModifiers();
                     if ((modifiers & InputEvent.ALT_DOWN_MASK) != 0) {
-                        all.add(words + " ");
+                        all.add("alt+shift+" + words);
                     } else if ((modifiers & InputEvent.SHIFT_DOWN_MASK) != 0) {
                         all.add("ctrl+shift+" + words);
                     } else if ((modifiers & InputEvent.CTRL_DOWN_MASK) != 0) {

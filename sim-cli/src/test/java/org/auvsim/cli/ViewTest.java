@@ -25,6 +25,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 import javax.imageio.ImageIO;
@@ -120,9 +122,13 @@ class ViewTest {
         refuses("notes.txt:1:1: this is no recording: ", "view", notes);
         Path damaged = recording();
         byte[] bytes = Files.readAllBytes(damaged);
-        bytes[bytes.length / 2] ^= 0x55;
+        int changed = bytes.length / 2;
+        bytes[changed] ^= 0x55;
         Files.write(damaged, bytes);
-        refuses("run.auvsml.gz", "view", damaged);
+        refuses("run.auvsml.gz: the recording is damaged", "view", damaged);
+        Matcher told = Pattern.compile("from byte (\\d+) on").matcher(auvsim.err());
+        assertThat(told.find()).as(auvsim.err()).isTrue();
+        assertThat(Integer.parseInt(told.group(1))).isBetween(1, changed);
     }
 
     @Test

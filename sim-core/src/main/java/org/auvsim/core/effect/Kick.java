@@ -41,6 +41,11 @@ public record Kick(
         return OneByOne.mild(bySlot, (effect, b, i) -> ((Kick) effect).add(b, i));
     }
 
+    @Override
+    public boolean isAbrupt() {
+        return true;
+    }
+
     private void add(Block b, int i) {
         double slope = Rise.slope(b.time, at, duration);
         b.fx[i] += slope * impulse.x();

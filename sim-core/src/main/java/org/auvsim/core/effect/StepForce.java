@@ -42,6 +42,11 @@ public record StepForce(
         return OneByOne.mild(bySlot, (effect, b, i) -> ((StepForce) effect).add(b, i));
     }
 
+    @Override
+    public boolean isAbrupt() {
+        return true;
+    }
+
     private void add(Block b, int i) {
         double share = Rise.share(b.time, from, rise);
         b.fx[i] += share * force.x();

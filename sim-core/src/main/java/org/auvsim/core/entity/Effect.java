@@ -25,4 +25,12 @@ public interface Effect {
     default boolean dependsOnPlace() {
         return false;
     }
+
+    /**
+     * Whether what it exerts comes or goes within moments, as a blow: who compares motions in
+     * longer steps than the world's would miss it.
+     */
+    default boolean isAbrupt() {
+        return false;
+    }
 }

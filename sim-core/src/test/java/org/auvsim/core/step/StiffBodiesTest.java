@@ -37,7 +37,11 @@ import java.util.stream.IntStream;
  */
 class StiffBodiesTest {
     private static WorldObjectDefinition.Builder remus() {
-        return WorldObjectDefinition.named("REMUS")
+        return remus("REMUS");
+    }
+
+    private static WorldObjectDefinition.Builder remus(String name) {
+        return WorldObjectDefinition.named(name)
                 .volume(new Box(new Vec3(1.33, 0.19, 0.19)))
                 .mass(30.48)
                 .inertia(new Inertia(0.177, 3.45, 3.45, 0, 0, 0))
@@ -260,6 +264,39 @@ class StiffBodiesTest {
         assertThat(one.statistics()).isEqualTo(four.statistics());
         assertThat(one.statistics().subSteps()).isGreaterThan(100);
         assertThat(one.statistics().collisions()).isGreaterThan(100);
+    }
+
+    /** They are cut together, each until it is fine itself. */
+    @ParameterizedTest
+    @MethodSource("steppers")
+    void aStiffBodyMovesAmongOthersAsAlone(Stepper stepper) {
+        List<WorldObjectDefinition.Builder> bodies = new ArrayList<>();
+        for (int k = 0; k < 5; k++) {
+            Vec3 thick = new Vec3(20 * k * k, 60 * k, 10);
+            bodies.add(
+                    remus("REMUS " + k)
+                            .position(0, 40 * k, 0)
+                            .velocity(1.5, 0.7 * k, -0.3)
+                            .angularVelocity(0.1, 0.6 * k, 0.5)
+                            .effect(new Damping(thick, Vec3.ZERO, thick, Vec3.ZERO)));
+        }
+        World all = world(stepper, 0.05, bodies.toArray(WorldObjectDefinition.Builder[]::new));
+        List<World> each = bodies.stream().map(body -> world(stepper, 0.05, body)).toList();
+        for (int step = 0; step < 20; step++) {
+            all.advanceTimestep();
+            for (int k = 0; k < 5; k++) {
+                each.get(k).advanceTimestep();
+                WorldObject among = all.object("REMUS " + k);
+                WorldObject alone = each.get(k).object("REMUS " + k);
+                assertThat(among.position()).isEqualTo(alone.position());
+                assertThat(among.orientation()).isEqualTo(alone.orientation());
+                assertThat(among.velocity()).isEqualTo(alone.velocity());
+                assertThat(among.angularVelocity()).isEqualTo(alone.angularVelocity());
+            }
+        }
+        assertThat(all.statistics().subSteps())
+                .isEqualTo(each.stream().mapToLong(w -> w.statistics().subSteps()).sum())
+                .isGreaterThan(50);
     }
 
     @Test

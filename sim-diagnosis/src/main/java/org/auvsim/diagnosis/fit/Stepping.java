@@ -1,7 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
-import org.auvsim.core.effect.Kick;
-import org.auvsim.core.effect.StepForce;
+import org.auvsim.core.entity.Effect;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
 
@@ -31,10 +30,7 @@ record Stepping(BelievedModel model, BelievedModel rough) {
 
     /** The same for a variant: longer steps would miss what acts on it for a few of the others. */
     Stepping of(Variant variant) {
-        boolean isAbrupt =
-                variant.body().effect().stream()
-                        .anyMatch(effect -> effect instanceof Kick || effect instanceof StepForce);
-        return isAbrupt ? exact(model) : this;
+        return variant.body().effect().stream().anyMatch(Effect::isAbrupt) ? exact(model) : this;
     }
 
     /** The body as it is believed. */

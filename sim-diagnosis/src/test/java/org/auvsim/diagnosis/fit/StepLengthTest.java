@@ -1,0 +1,135 @@
+package org.auvsim.diagnosis.fit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.core.effect.Damping;
+import org.auvsim.core.effect.Kick;
+import org.auvsim.core.entity.Effect;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Guess;
+import org.auvsim.diagnosis.cause.Library;
+import org.auvsim.diagnosis.cause.Parameter;
+import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+
+/** Steps are as long as the data allows, and those of differences longer where they can be. */
+class StepLengthTest {
+    /** Of a column's size. */
+    private static final double SHARE = 0.03;
+
+    /** Of that by the moment from which on a thruster fails: it falls anywhere within a step. */
+    private static final double SHARE_OF_MOMENT = 0.15;
+
+    private static final double SMALL = 1e-4;
+
+    private static Fit following(BelievedModel model, MeasuredRun run) {
+        Noise noise = Noise.of(List.of(run));
+        List<Misses> data = Misses.of(List.of(run), noise);
+        return Following.of(Stepping.exact(model), Hypothesis.NONE, data, noise);
+    }
+
+    private static double step(BelievedModel model) {
+        return model.scenario().timeStep().delta();
+    }
+
+    @Test
+    void aSmoothMotionIsDifferentiatedInLongerSteps() throws Exception {
+        BelievedModel model = MeasuredVehicle.model(0.025);
+
+        Stepping stepping = StepLength.converged(following(model, MeasuredVehicle.run(model)));
+
+        assertThat(stepping.model()).isEqualTo(model);
+        assertThat(step(stepping.rough())).isGreaterThan(0.049);
+    }
+
+    @Test
+    void stepsAreHalvedUntilThatMakesNoDifference() throws Exception {
+        BelievedModel coarse = MeasuredVehicle.model(0.05);
+        BelievedModel fine = MeasuredVehicle.model(0.005);
+        MeasuredRun tumbling = MeasuredVehicle.run(fine, new Vec3(9, -2, 14));
+
+        Stepping stepping = StepLength.converged(following(coarse, tumbling));
+
+        assertThat(step(stepping.model())).isBetween(0.003, 0.026);
+    }
+
+    @Test
+    void whatTheEngineMustCutAnywayIsNotMadeLonger() throws Exception {
+        BelievedModel stiff = thick(MeasuredVehicle.model(0.025), 1500);
+
+        Stepping stepping = StepLength.converged(following(stiff, MeasuredVehicle.run(stiff)));
+
+        assertThat(step(stepping.rough())).isLessThan(0.026);
+    }
+
+    private static BelievedModel thick(BelievedModel model, double damping) {
+        Vec3 all = new Vec3(damping, damping, damping);
+        Effect water = new Damping(all, Vec3.ZERO, Vec3.ZERO, Vec3.ZERO);
+        Variant thick = model.variant().with(body -> body.effect(water));
+        return new BelievedModel(model.extended(thick), model.body());
+    }
+
+    @Test
+    void whatComesAndGoesWithinMomentsIsDifferentiatedInThePredictionsSteps() throws Exception {
+        BelievedModel model = MeasuredVehicle.model(0.025);
+        Stepping longer = Stepping.longer(model).getFirst();
+        Variant kicked = model.variant().with(body -> body.effect(new Kick(Vec3.ZERO, 1, 0.075)));
+
+        assertThat(longer.of(model.variant())).isEqualTo(longer);
+        assertThat(longer.of(kicked)).isEqualTo(Stepping.exact(model));
+    }
+
+    /** At where a search begins: one step of a guess away from it. */
+    @Test
+    void derivativesInLongerStepsAreThoseOfShortOnesForEveryCause() throws Exception {
+        BelievedModel model = MeasuredVehicle.model(0.025);
+        Fit fit = following(model, MeasuredVehicle.run(model));
+        Stepping longer = StepLength.converged(fit);
+        Misses data = fit.data().getFirst();
+        Window window = fit.windows().getFirst().getFirst();
+        for (Cause cause : Library.of(model, List.of(data.run()))) {
+            Hypothesis begun = begun(cause, cause.guesses(List.of(data.run())).getFirst());
+            Moves moves = begun.moves(model.variant());
+            Variant variant = begun.in(model.variant());
+            double[][] exact = columns(Stepping.exact(model), variant, data, window, moves);
+            double[][] rough = columns(longer, variant, data, window, moves);
+            for (int p = 0; p < exact.length; p++) {
+                double size = distance(exact[p], new double[exact[p].length]);
+                assertThat(distance(exact[p], rough[p]))
+                        .as("%s, parameter %d", cause.name(), p)
+                        .isLessThan(share(cause.parameters().get(p)) * size + SMALL);
+            }
+        }
+    }
+
+    private static double share(Parameter parameter) {
+        return parameter.name().equals("from") ? SHARE_OF_MOMENT : SHARE;
+    }
+
+    private static Hypothesis begun(Cause cause, Guess guess) {
+        double[] theta = guess.theta().stream().mapToDouble(Double::doubleValue).toArray();
+        for (int c = 0; c < guess.columns().size(); c++) {
+            theta[guess.columns().get(c)] += guess.steps().get(c);
+        }
+        return Hypothesis.NONE.and(cause, theta);
+    }
+
+    private static double[][] columns(
+            Stepping stepping, Variant variant, Misses data, Window window, Moves moves) {
+        return new Shooting(stepping, variant, data).derivatives(window, 1, moves).byParameter;
+    }
+
+    private static double distance(double[] a, double[] b) {
+        double sum = 0;
+        for (int i = 0; i < a.length; i++) {
+            sum += (a[i] - b[i]) * (a[i] - b[i]);
+        }
+        return Math.sqrt(sum);
+    }
+}

@@ -119,8 +119,14 @@ final class Search {
         }
         best = isByChance(none, best) ? none : best;
         List<Cause> plain = library.stream().filter(c -> !hasManyGuesses(c)).toList();
-        Traces traces = traces(best, plain);
+        Screen beside = screen(best.fit().hypothesis(), plain);
+        for (Judged more = completed(best, beside); !more.equals(best); ) {
+            best = more;
+            beside = screen(best.fit().hypothesis(), plain);
+            more = completed(best, beside);
+        }
         Judged first = best;
+        Traces traces = beside.traces();
         best = amongAliases(first, traces);
         List<Judged> sorted = eachSetOnce();
         List<Judged> near = best.isNone() ? List.of() : Alternatives.competitors(best, sorted);
@@ -130,13 +136,36 @@ final class Search {
                 decided,
                 sorted,
                 decided.equals(best) ? near : Alternatives.competitors(decided, sorted),
-                decided.equals(first) ? traces : traces(decided, plain),
+                decided.equals(first) ? traces : screen(decided.fit().hypothesis(), plain).traces(),
                 noise);
     }
 
-    /** What causes leave in the data beside those of a fit. */
-    private Traces traces(Judged beside, List<Cause> causes) {
-        return screen(beside.fit().hypothesis(), causes).traces();
+    /**
+     * With what is surely missed still, though all that is left together passes for noise: the test
+     * of one cause sees more than that of any memory.
+     */
+    private Judged completed(Judged best, Screen beside) {
+        int causes = best.fit().hypothesis().causes().size();
+        boolean isOpen = !best.isNone() && causes < MOST_CAUSES && isWhite(best);
+        List<Screen.Start> missed =
+                !isOpen || contest.isPresent() || !course.goesOn()
+                        ? List.of()
+                        : mostPromising(beside).stream()
+                                .filter(start -> start.promise() > DOUBTFUL)
+                                .filter(start -> isEachOnce(start.causes()))
+                                .toList();
+        return missed.isEmpty() ? best : pruned(tournament(missed, best, 0.8, 0.85));
+    }
+
+    private static boolean isEachOnce(List<Cause> causes) {
+        return new HashSet<>(causes).size() == causes.size();
+    }
+
+    private static List<Screen.Start> mostPromising(Screen screen) {
+        return screen.starts(1).stream()
+                .sorted(Comparator.comparingDouble(Screen.Start::promise).reversed())
+                .limit(FORWARD)
+                .toList();
     }
 
     private Screen screen(Hypothesis beside, List<Cause> causes) {
@@ -187,15 +216,24 @@ final class Search {
                 .toList();
     }
 
-    /** What has many places to begin is begun at the best of them, alone. */
+    /** What has many places to begin is begun at the best of them: alone, then beside another. */
     private Judged rescued(Judged best, List<Cause> causes) {
-        Screen screen =
-                new Screen(
-                        base,
-                        causes.stream().filter(this::hasManyGuesses).toList(),
-                        guesses,
-                        best.outcome().count());
+        List<Cause> many = causes.stream().filter(this::hasManyGuesses).toList();
+        Judged alone = rescued(best, new Screen(base, many, guesses, count()));
+        return isWhite(alone) ? alone : rescued(alone, screen(strongest(), many));
+    }
+
+    private Judged rescued(Judged best, Screen screen) {
         return pruned(tournament(screen.startsOfEach(), best, 0.8, 0.9));
+    }
+
+    /** The best cause alone. */
+    private Hypothesis strongest() {
+        return judged.stream()
+                .filter(j -> j.fit().hypothesis().causes().size() == 1)
+                .min(Comparator.comparingDouble(Judged::score))
+                .map(j -> j.fit().hypothesis())
+                .orElse(Hypothesis.NONE);
     }
 
     /**
@@ -208,14 +246,13 @@ final class Search {
         Hypothesis of = found.fit().hypothesis();
         for (int c = 0; c < of.causes().size() && contest.isEmpty(); c++) {
             Hypothesis others = of.without(c);
-            boolean isGeneric = of.causes().get(c).isGeneric();
             List<Cause> aliases =
                     traces.alike(of.causes().get(c)).stream()
                             .filter(alias -> !isJudged(others.and(alias, new double[0]).causes()))
                             .toList();
             if (!aliases.isEmpty() && course.goesOn()) {
                 Judged other = tournament(screen(others, aliases).starts(1), best, 0.8, 0.9);
-                best = isGeneric || !other.fit().hypothesis().isGeneric() ? other : best;
+                best = of.isGeneric() || !other.fit().hypothesis().isGeneric() ? other : best;
             }
         }
         return best;
@@ -324,12 +361,7 @@ final class Search {
                         others,
                         guesses,
                         best.outcome().count());
-        List<Screen.Start> starts =
-                screen.starts(1).stream()
-                        .sorted(Comparator.comparingDouble(Screen.Start::promise).reversed())
-                        .limit(FORWARD)
-                        .toList();
-        return tournament(starts, best, 0.7, 0.8);
+        return tournament(mostPromising(screen), best, 0.7, 0.8);
     }
 
     /** Whether what is missed of each run is noise. */

@@ -12,6 +12,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 
 /**
@@ -93,9 +94,13 @@ final class Screen {
         return singles(gram).stream().mapToDouble(Promise::score).findFirst().orElse(0);
     }
 
-    /** Sets of so many causes (1 or 2), from each level, where they promise most. */
-    List<Start> starts(int size) {
-        return starts(gram -> size == 1 ? bestSingles(gram) : bestPairs(gram));
+    /**
+     * Sets of so many causes (1 or 2), from each level, where they promise most.
+     *
+     * @param isNew those of which each set has one at least
+     */
+    List<Start> starts(int size, Predicate<Cause> isNew) {
+        return starts(gram -> size == 1 ? bestSingles(gram, isNew) : bestPairs(gram, isNew));
     }
 
     /** Several starts of each cause alone, from each level. */
@@ -159,8 +164,12 @@ final class Screen {
         return new Start(fit, Math.min(2 * perBlock, base.longest()), promise.score());
     }
 
-    private List<Promise> bestSingles(Gram gram) {
-        return firstOfEach(singles(gram), STARTS_OF_ONE, KEPT);
+    private List<Promise> bestSingles(Gram gram, Predicate<Cause> isNew) {
+        List<Promise> promises =
+                singles(gram).stream()
+                        .filter(promise -> isNew.test(promise.set().getFirst().cause()))
+                        .toList();
+        return firstOfEach(promises, STARTS_OF_ONE, KEPT);
     }
 
     private List<Promise> singles(Gram gram) {
@@ -172,22 +181,24 @@ final class Screen {
                 .toList();
     }
 
-    private List<Promise> bestPairs(Gram gram) {
+    private List<Promise> bestPairs(Gram gram, Predicate<Cause> isNew) {
         double without = dropOf(gram, new int[0]);
         List<Promise> promises =
                 IntStream.range(0, seeds.size())
                         .parallel()
-                        .mapToObj(i -> bestPairsOf(gram, i, without))
+                        .mapToObj(i -> bestPairsOf(gram, i, without, isNew))
                         .flatMap(List::stream)
                         .sorted(Comparator.comparingDouble(Promise::score).reversed())
                         .toList();
         return firstOfEach(promises, 1, KEPT);
     }
 
-    private List<Promise> bestPairsOf(Gram gram, int i, double without) {
+    private List<Promise> bestPairsOf(Gram gram, int i, double without, Predicate<Cause> isNew) {
         List<Promise> promises = new ArrayList<>();
         for (int j = i + 1; j < seeds.size(); j++) {
-            if (!seeds.get(i).cause().equals(seeds.get(j).cause())) {
+            Cause one = seeds.get(i).cause();
+            Cause other = seeds.get(j).cause();
+            if (!one.equals(other) && (isNew.test(one) || isNew.test(other))) {
                 Promise promise = promise(gram, List.of(seeds.get(i), seeds.get(j)), without);
                 if (promise.score() > 0) {
                     promises.add(promise);

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Predicate;
 
 /** Looks for the causes that explain what a model misses of measured runs. */
 final class Search {
@@ -109,13 +110,13 @@ final class Search {
         Judged none = Refinement.converge(Refinement.approach(base, 1), NONE_STEPS);
         judged.add(none);
         List<Cause> specific = library.stream().filter(c -> !c.isGeneric()).toList();
-        Judged best = searched(none, specific);
+        Judged best = searched(none, specific, cause -> true);
+        if (!isWhite(best) && specific.size() < library.size() && course.goesOn()) {
+            Judged generic = searched(none, library, Cause::isGeneric);
+            best = generic.score() < best.score() ? generic : best;
+        }
         if (!isWhite(best) && contest.isEmpty() && course.goesOn()) {
             best = rescued(best, specific);
-        }
-        if (!isWhite(best) && specific.size() < library.size() && course.goesOn()) {
-            Judged generic = searched(none, library);
-            best = generic.score() < best.score() ? generic : best;
         }
         best = isByChance(none, best) ? none : best;
         List<Cause> plain = library.stream().filter(c -> !hasManyGuesses(c)).toList();
@@ -162,7 +163,7 @@ final class Search {
     }
 
     private static List<Screen.Start> mostPromising(Screen screen) {
-        return screen.starts(1).stream()
+        return screen.starts(1, cause -> true).stream()
                 .sorted(Comparator.comparingDouble(Screen.Start::promise).reversed())
                 .limit(FORWARD)
                 .toList();
@@ -187,20 +188,26 @@ final class Search {
         return gain < screen.chance().exceededBy(FALSE_ALARMS);
     }
 
-    private Judged searched(Judged none, List<Cause> causes) {
+    /**
+     * The best set of up to three causes.
+     *
+     * @param isNew those of which a set must have one
+     */
+    private Judged searched(Judged none, List<Cause> causes, Predicate<Cause> isNew) {
         if (contest.isPresent()) {
             return pruned(tournament(competing(contest.get(), causes), none, 0.4, 0.7));
         }
         course.at("screening causes", 0.2);
-        Screen screen = new Screen(base, causes, guesses, none.outcome().count());
-        Judged best = tournament(screen.starts(1), none, 0.3, 0.5);
+        Screen screen = new Screen(base, causes, guesses, count());
+        Judged best = tournament(screen.starts(1, isNew), none, 0.3, 0.5);
         if (!isWhite(best)) {
-            best = pruned(tournament(screen.starts(2), best, 0.5, 0.7));
+            best = pruned(tournament(screen.starts(2, isNew), best, 0.5, 0.7));
         }
         while (best.fit().hypothesis().causes().size() < MOST_CAUSES
                 && !isWhite(best)
                 && course.goesOn()) {
-            Judged more = pruned(forward(best, causes));
+            boolean hasNew = best.fit().hypothesis().causes().stream().anyMatch(isNew);
+            Judged more = pruned(forward(best, causes, hasNew ? cause -> true : isNew));
             if (more.score() >= best.score()) {
                 break;
             }
@@ -251,7 +258,9 @@ final class Search {
                             .filter(alias -> !isJudged(others.and(alias, new double[0]).causes()))
                             .toList();
             if (!aliases.isEmpty() && course.goesOn()) {
-                Judged other = tournament(screen(others, aliases).starts(1), best, 0.8, 0.9);
+                Judged other =
+                        tournament(
+                                screen(others, aliases).starts(1, cause -> true), best, 0.8, 0.9);
                 best = of.isGeneric() || !other.fit().hypothesis().isGeneric() ? other : best;
             }
         }
@@ -352,9 +361,12 @@ final class Search {
     }
 
     /** With the one more cause that helps most. */
-    private Judged forward(Judged best, List<Cause> causes) {
+    private Judged forward(Judged best, List<Cause> causes, Predicate<Cause> isNew) {
         List<Cause> others =
-                causes.stream().filter(c -> !best.fit().hypothesis().causes().contains(c)).toList();
+                causes.stream()
+                        .filter(isNew)
+                        .filter(c -> !best.fit().hypothesis().causes().contains(c))
+                        .toList();
         Screen screen =
                 new Screen(
                         following(best.fit().hypothesis()),

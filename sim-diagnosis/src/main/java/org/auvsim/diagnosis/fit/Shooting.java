@@ -53,7 +53,9 @@ record Shooting(Stepping stepping, Variant variant, Misses of) {
         List<Entrant> entrants = entrants(window.start(), moves);
         Knots knots = knots(window);
         RigidMotion[][] rough =
-                Ensemble.simulate(stepping.rough(), of.run(), knots.samples(), entrants);
+                motion[0].equals(Ensemble.LOST)
+                        ? Ensemble.lost(entrants.size(), knots.samples().length)
+                        : Ensemble.simulate(stepping.rough(), of.run(), knots.samples(), entrants);
         double[] missed = misses(window, entrants.getFirst(), motion, group);
         RigidMotion end = motion[window.length()];
         double[][] slopes = new double[rough.length - 1][];

@@ -36,6 +36,15 @@ public final class Ensemble {
     /** Steps of those that part may be longer than the model's by this factor. */
     private static final double LONGER = 4;
 
+    /**
+     * Motions whose steps the engine cuts into more parts on average are as good as lost: no model
+     * that is near the truth moves like that.
+     */
+    private static final long MOST_PARTS = 32;
+
+    /** So many steps of a body may be cut more. */
+    private static final int A_MOMENT = 50;
+
     private static final Vec3 NOWHERE = new Vec3(Double.NaN, Double.NaN, Double.NaN);
 
     /** A motion of which nothing can be said: all NaN. */
@@ -68,6 +77,7 @@ public final class Ensemble {
     private final List<WorldObject> bodies = new ArrayList<>();
     private final double longestStep;
     private final Ground ground;
+    private long made;
 
     private Ensemble(
             BelievedModel model,
@@ -157,7 +167,7 @@ public final class Ensemble {
             return new Ensemble(model, run, samples[0], entrants, step).simulate(samples);
         } catch (StepException e) {
             return entrants.size() == 1
-                    ? lost(samples.length)
+                    ? lost(1, samples.length)
                     : halves(model, run, samples, entrants);
         }
     }
@@ -207,10 +217,13 @@ public final class Ensemble {
         }
     }
 
-    private static RigidMotion[][] lost(int samples) {
+    /** So many motions that got lost, at so many samples. */
+    public static RigidMotion[][] lost(int motions, int samples) {
         RigidMotion[] motion = new RigidMotion[samples];
         Arrays.fill(motion, LOST);
-        return new RigidMotion[][] {motion};
+        RigidMotion[][] lost = new RigidMotion[motions][];
+        Arrays.fill(lost, motion);
+        return lost;
     }
 
     /** In two worlds: one that cannot be simulated takes none of the others with it. */
@@ -325,6 +338,11 @@ public final class Ensemble {
         int steps = Math.max(1, (int) Math.ceil(span / longestStep - ROUNDING));
         for (int s = steps; s > 0; s--) {
             world.advanceTimestep((until - world.time()) / s);
+            made += bodies.size();
+        }
+        if (world.statistics().subSteps() > MOST_PARTS * (made + A_MOMENT)) {
+            throw new StepException(
+                    "steps of %s s are cut into far too many parts".formatted(longestStep));
         }
     }
 }

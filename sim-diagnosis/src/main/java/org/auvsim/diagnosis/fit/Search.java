@@ -115,19 +115,19 @@ final class Search {
             Judged generic = searched(none, library, Cause::isGeneric);
             best = generic.score() < best.score() ? generic : best;
         }
+        if (contest.isEmpty()) {
+            best = extended(best);
+        }
         if (!isWhite(best) && contest.isEmpty() && course.goesOn()) {
             best = rescued(best, specific);
         }
         best = isByChance(none, best) ? none : best;
         List<Cause> plain = library.stream().filter(c -> !hasManyGuesses(c)).toList();
-        Screen beside = screen(best.fit().hypothesis(), plain);
-        for (Judged more = completed(best, beside); !more.equals(best); ) {
+        for (Judged more = completed(best); !more.equals(best); more = completed(best)) {
             best = more;
-            beside = screen(best.fit().hypothesis(), plain);
-            more = completed(best, beside);
         }
         Judged first = best;
-        Traces traces = beside.traces();
+        Traces traces = screen(first.fit().hypothesis(), plain).traces();
         best = amongAliases(first, traces);
         List<Judged> sorted = eachSetOnce();
         List<Judged> near = best.isNone() ? List.of() : Alternatives.competitors(best, sorted);
@@ -145,25 +145,25 @@ final class Search {
      * With what is surely missed still, though all that is left together passes for noise: the test
      * of one cause sees more than that of any memory.
      */
-    private Judged completed(Judged best, Screen beside) {
-        int causes = best.fit().hypothesis().causes().size();
-        boolean isOpen = !best.isNone() && causes < MOST_CAUSES && isWhite(best);
+    private Judged completed(Judged best) {
+        boolean isOpen = !best.isNone() && hasRoom(best) && isWhite(best) && course.goesOn();
+        if (!isOpen || contest.isPresent()) {
+            return best;
+        }
         List<Screen.Start> missed =
-                !isOpen || contest.isPresent() || !course.goesOn()
-                        ? List.of()
-                        : mostPromising(beside).stream()
-                                .filter(start -> start.promise() > DOUBTFUL)
-                                .filter(start -> isEachOnce(start.causes()))
-                                .toList();
+                more(best).stream().filter(start -> start.promise() > DOUBTFUL).toList();
         return missed.isEmpty() ? best : pruned(tournament(missed, best, 0.8, 0.85));
     }
 
-    private static boolean isEachOnce(List<Cause> causes) {
-        return new HashSet<>(causes).size() == causes.size();
+    private static boolean hasRoom(Judged best) {
+        return best.fit().hypothesis().causes().size() < MOST_CAUSES;
     }
 
-    private static List<Screen.Start> mostPromising(Screen screen) {
-        return screen.starts(1, cause -> true).stream()
+    /** With one more cause each, the most promising ones. */
+    private List<Screen.Start> more(Judged best) {
+        Hypothesis of = best.fit().hypothesis();
+        List<Cause> others = library.stream().filter(c -> !of.causes().contains(c)).toList();
+        return screen(of, others).starts(1, cause -> true).stream()
                 .sorted(Comparator.comparingDouble(Screen.Start::promise).reversed())
                 .limit(FORWARD)
                 .toList();
@@ -189,7 +189,7 @@ final class Search {
     }
 
     /**
-     * The best set of up to three causes.
+     * The best set of one or two causes.
      *
      * @param isNew those of which a set must have one
      */
@@ -203,11 +203,14 @@ final class Search {
         if (!isWhite(best)) {
             best = pruned(tournament(screen.starts(2, isNew), best, 0.5, 0.7));
         }
-        while (best.fit().hypothesis().causes().size() < MOST_CAUSES
-                && !isWhite(best)
-                && course.goesOn()) {
-            boolean hasNew = best.fit().hypothesis().causes().stream().anyMatch(isNew);
-            Judged more = pruned(forward(best, causes, hasNew ? cause -> true : isNew));
+        return best;
+    }
+
+    /** With more causes, one by one, while something is missed. */
+    private Judged extended(Judged found) {
+        Judged best = found;
+        while (hasRoom(best) && !isWhite(best) && course.goesOn()) {
+            Judged more = pruned(tournament(more(best), best, 0.7, 0.8));
             if (more.score() >= best.score()) {
                 break;
             }
@@ -246,7 +249,7 @@ final class Search {
     /**
      * The same with each of its causes exchanged for those that leave nearly the same trace: which
      * of two it is that the data cannot tell apart is not to depend on which was tried. A specific
-     * cause stays before a generic one, which is told beside it.
+     * cause stays before a generic one that fits about as well, which is told beside it.
      */
     private Judged amongAliases(Judged found, Traces traces) {
         Judged best = found;
@@ -261,7 +264,9 @@ final class Search {
                 Judged other =
                         tournament(
                                 screen(others, aliases).starts(1, cause -> true), best, 0.8, 0.9);
-                best = of.isGeneric() || !other.fit().hypothesis().isGeneric() ? other : best;
+                boolean isAsGood = of.isGeneric() || !other.fit().hypothesis().isGeneric();
+                boolean isClear = best.score() - other.score() > DOUBTFUL;
+                best = !other.equals(best) && (isAsGood || isClear) ? pruned(other) : best;
             }
         }
         return best;
@@ -358,22 +363,6 @@ final class Search {
             }
         }
         return best;
-    }
-
-    /** With the one more cause that helps most. */
-    private Judged forward(Judged best, List<Cause> causes, Predicate<Cause> isNew) {
-        List<Cause> others =
-                causes.stream()
-                        .filter(isNew)
-                        .filter(c -> !best.fit().hypothesis().causes().contains(c))
-                        .toList();
-        Screen screen =
-                new Screen(
-                        following(best.fit().hypothesis()),
-                        others,
-                        guesses,
-                        best.outcome().count());
-        return tournament(mostPromising(screen), best, 0.7, 0.8);
     }
 
     /** Whether what is missed of each run is noise. */

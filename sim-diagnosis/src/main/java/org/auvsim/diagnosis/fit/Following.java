@@ -96,6 +96,11 @@ final class Following {
             return motion[window.length()];
         }
 
+        /** Whether its motion got out of all bounds. */
+        boolean isLost() {
+            return !Double.isFinite(cost);
+        }
+
         /** Whether it misses far more than noise. */
         boolean isFarOff() {
             return !(Outcome.squares(misses) < FAR_OFF * misses.length);
@@ -148,7 +153,7 @@ final class Following {
             RigidMotion guess =
                     w == 0
                             ? run.start().map(KnownStart::motion).orElseGet(() -> measured(0, to))
-                            : fitted.getLast().end();
+                            : endOf(fitted.getLast(), to);
             Fitted one = fit(from, to, guess);
             if (one.isFarOff()) {
                 Fitted other = fit(from, to, measured(from, to));
@@ -157,6 +162,11 @@ final class Following {
             fitted.add(one);
         }
         return fitted;
+    }
+
+    /** Where a window has led; if it got lost, what was measured there. */
+    private RigidMotion endOf(Fitted before, int to) {
+        return before.isLost() ? measured(before.window().to(), to) : before.end();
     }
 
     private RigidMotion measured(int from, int to) {
@@ -222,6 +232,9 @@ final class Following {
     }
 
     private Fitted better(Fitted from, KnownStart known) {
+        if (from.isLost()) {
+            return from; // nothing says where it would be better
+        }
         WindowDerivatives derivatives =
                 shooting.derivatives(from.window(), from.motion, 1, Moves.NONE);
         WindowBlock block =

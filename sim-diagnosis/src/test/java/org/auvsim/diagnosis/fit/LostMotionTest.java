@@ -1,0 +1,49 @@
+package org.auvsim.diagnosis.fit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.core.effect.Damping;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Parameter;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+
+/** A hypothesis whose motions cannot be simulated is a bad one, and nothing worse. */
+class LostMotionTest {
+    /** Drag that is too stiff for any step. */
+    private record Stuck() implements Cause {
+        @Override
+        public String id() {
+            return "stuck";
+        }
+
+        @Override
+        public List<Parameter> parameters() {
+            return List.of();
+        }
+
+        @Override
+        public Variant in(Variant model, double[] theta) {
+            Vec3 all = new Vec3(1e9, 1e9, 1e9);
+            return model.with(b -> b.effect(new Damping(all, Vec3.ZERO, Vec3.ZERO, Vec3.ZERO)));
+        }
+    }
+
+    @Test
+    void windowsFollowNothingAndCostWithoutEnd() throws Exception {
+        BelievedModel model = MeasuredVehicle.model(0.025);
+        List<MeasuredRun> runs = List.of(MeasuredVehicle.run(model));
+        Noise noise = Noise.of(runs);
+        Hypothesis stuck = Hypothesis.NONE.and(new Stuck(), new double[0]);
+
+        Fit fit = Following.of(Stepping.exact(model), stuck, Misses.of(runs, noise), noise);
+
+        assertThat(fit.windows().getFirst()).isNotEmpty();
+        assertThat(Refinement.approach(fit, 1).cost()).isInfinite();
+    }
+}

@@ -131,7 +131,9 @@ final class Search {
         best = amongAliases(first, traces);
         List<Judged> sorted = eachSetOnce();
         List<Judged> near = best.isNone() ? List.of() : Alternatives.competitors(best, sorted);
-        Judged decided = course.goesOn() ? Arbitration.decided(best, near) : best;
+        Judged chosen = specific(best, near);
+        Judged decided =
+                course.goesOn() && chosen.equals(best) ? Arbitration.decided(best, near) : chosen;
         return new Found(
                 none,
                 decided,
@@ -270,6 +272,15 @@ final class Search {
             }
         }
         return best;
+    }
+
+    /** In place of a set that can imitate others, the best of those that explain as much. */
+    private static Judged specific(Judged best, List<Judged> near) {
+        return near.stream()
+                .filter(other -> best.fit().hypothesis().isGeneric())
+                .filter(other -> !other.isNone() && !other.fit().hypothesis().isGeneric())
+                .findFirst()
+                .orElse(best);
     }
 
     private boolean isJudged(List<Cause> causes) {

@@ -41,4 +41,9 @@ final class Scenes {
                 .position(5, 0, 0)
                 .build();
     }
+
+    /** A fixed ball of 1 m at the origin. */
+    static WorldObjectDefinition rock() {
+        return WorldObjectDefinition.named("Rock").fixed().volume(new Sphere(1)).build();
+    }
 }

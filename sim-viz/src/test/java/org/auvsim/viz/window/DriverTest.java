@@ -56,6 +56,12 @@ class DriverTest {
         return new Driver(shared, () -> sticks, frame);
     }
 
+    /** One that a stick pushes the buoy ahead by. */
+    private Driver pushing(FakeSimulator simulator) {
+        sticks = Optional.of(new Sticks(0, -1, 0, 0, 0, 0));
+        return driver(simulator, 9);
+    }
+
     @AfterEach
     void close() throws Exception {
         Clicks.inSwing(frame::dispose);
@@ -118,8 +124,7 @@ class DriverTest {
     @Test
     void afterAReconnectionWhatIsHeldIsAskedForAgain() throws Exception {
         FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
-        Driver driver = driver(simulator, 9);
-        sticks = Optional.of(new Sticks(0, -1, 0, 0, 0, 0));
+        Driver driver = pushing(simulator);
         Clicks.inSwing(
                 () -> {
                     driver.turn();
@@ -134,8 +139,7 @@ class DriverTest {
     @Test
     void anOrderThatIsOpenWhenTheConnectionBreaksDoesNotEndDriving() throws Exception {
         FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
-        Driver driver = driver(simulator, 9);
-        sticks = Optional.of(new Sticks(0, -1, 0, 0, 0, 0));
+        Driver driver = pushing(simulator);
         simulator.loses = AHEAD::equals;
         Clicks.inSwing(driver::turn);
         Clicks.inSwing(() -> simulator.isConnected = false); // after the answers
@@ -151,8 +155,7 @@ class DriverTest {
     void whatIsRefusedIsDrivenNoMore() throws Exception {
         FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
         simulator.refusal = Optional.of("REMUS controls it.");
-        Driver driver = driver(simulator, 9);
-        sticks = Optional.of(new Sticks(0, -1, 0, 0, 0, 0));
+        Driver driver = pushing(simulator);
         Clicks.inSwing(driver::turn);
         Clicks.inSwing(driver::turn); // after the answers
         assertThat(desk.orElseThrow().isDriving()).isFalse();
@@ -163,12 +166,9 @@ class DriverTest {
     @Test
     void anOrderThatIsLostIsGivenAgain() throws Exception {
         FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
-        Driver driver = driver(simulator, 9);
-        sticks = Optional.of(new Sticks(0, -1, 0, 0, 0, 0));
-        Clicks.inSwing(driver::turn);
-        sticks = Optional.empty();
+        Driver driver = pushing(simulator);
         simulator.loses = STOP::equals;
-        Clicks.inSwing(driver::turn);
+        letGo(driver);
         Clicks.inSwing(() -> simulator.loses = _ -> false); // after the answers
         Clicks.inSwing(driver::turn);
         Clicks.inSwing(driver::turn);
@@ -178,15 +178,19 @@ class DriverTest {
     @Test
     void whatCannotBeStoppedIsToldSoOnceMore() throws Exception {
         FakeSimulator simulator = new FakeSimulator(Scenes.withBuoy());
-        Driver driver = driver(simulator, 9);
-        sticks = Optional.of(new Sticks(0, -1, 0, 0, 0, 0));
-        Clicks.inSwing(driver::turn);
-        sticks = Optional.empty();
+        Driver driver = pushing(simulator);
         simulator.refuses = STOP::equals;
-        Clicks.inSwing(driver::turn);
+        letGo(driver);
         Clicks.inSwing(driver::turn); // after the answers
         assertThat(desk.orElseThrow().isDriving()).isFalse();
         assertThat(simulator.asked).containsExactly(TAKE, AHEAD, STOP, STOP);
+    }
+
+    /** The stick is in its middle again after a turn. */
+    private void letGo(Driver driver) throws Exception {
+        Clicks.inSwing(driver::turn);
+        sticks = Optional.empty();
+        Clicks.inSwing(driver::turn);
     }
 
     @Test

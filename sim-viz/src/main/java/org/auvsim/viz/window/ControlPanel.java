@@ -89,7 +89,7 @@ final class ControlPanel {
 
     /** Brings up to date who has control, and the force. */
     private void follow() {
-        holder.setText(holderWords());
+        holder.setText(desk.knowsHolders() ? desk.holderWords() : " ");
         holder.setEnabled(isAllowed);
         holder.setToolTipText(desk.hindrance(Role.CONTROLLER).orElse(null));
         hinder(take, desk.hindranceAtTaking(), "Nobody else commands it then");
@@ -101,16 +101,6 @@ final class ControlPanel {
         drive.setSelected(desk.isDriving());
         shown.flatMap(o -> desk.scene().lookAt(o.id(), ActorView::forces))
                 .ifPresent(forces -> force.ifPresent(panel -> panel.follow(forces)));
-    }
-
-    /** Who controls it; blank where nobody has told who is there. */
-    private String holderWords() {
-        boolean isKnown =
-                desk.source()
-                        .steering()
-                        .filter(s -> s.isConnected() && !s.clients().isEmpty())
-                        .isPresent();
-        return isKnown ? desk.holder().map(Holder::words).orElse("Nobody controls it.") : " ";
     }
 
     private static void hinder(AbstractButton button, Optional<String> why, String tip) {

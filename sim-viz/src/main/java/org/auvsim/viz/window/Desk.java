@@ -161,6 +161,20 @@ final class Desk {
                 : Optional.empty();
     }
 
+    /** Whether the simulator has told who is there, and so who controls what. */
+    boolean knowsHolders() {
+        return source.steering().filter(s -> s.isConnected() && !s.clients().isEmpty()).isPresent();
+    }
+
+    /** Who controls the selected object, or that nobody does; once that is known. */
+    String holderWords() {
+        return holder().map(Holder::words)
+                .orElse(
+                        knowsHolders()
+                                ? "Nobody controls it."
+                                : "Who controls it is not known yet.");
+    }
+
     /** The same for what only who controls the selected object does, or could. */
     Optional<String> hindranceAtControlled(Role needed) {
         return hindranceAtSelected(needed)
@@ -172,14 +186,10 @@ final class Desk {
         return hindranceAtSelected(Role.CONTROLLER).or(() -> holder().map(Holder::words));
     }
 
-    /** Why the selected object cannot be let go: that somebody else, or nobody, controls it. */
+    /** Why the selected object cannot be let go: that this viewer is not known to control it. */
     Optional<String> hindranceAtRelease() {
         return hindranceAtControlled(Role.CONTROLLER)
-                .or(
-                        () ->
-                                holder().isPresent()
-                                        ? Optional.empty()
-                                        : Optional.of("Nobody controls it."));
+                .or(() -> holder().isPresent() ? Optional.empty() : Optional.of(holderWords()));
     }
 
     /** Asks the simulator; a refusal is told. */

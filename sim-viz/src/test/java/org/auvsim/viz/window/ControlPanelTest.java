@@ -143,8 +143,10 @@ class ControlPanelTest {
     void tellsWhoHasControlAndOffersWhatMakesSense() throws Exception {
         window.openAtControl(simulator, 9);
         control(" ", true, false, true);
+        assertThat(hindranceAtRelease()).isEqualTo("Who controls it is not known yet.");
         simulator.clients = List.of(client(3, "Viewer 3", 10));
         control("Nobody controls it.", true, false, true);
+        assertThat(hindranceAtRelease()).isEqualTo("Nobody controls it.");
         simulator.clients = List.of(client(3, "Viewer 3", 9));
         control("This viewer controls it.", false, true, true);
         simulator.clients = List.of(client(4, "REMUS", 9));
@@ -166,6 +168,10 @@ class ControlPanelTest {
 
     private JLabel holder() {
         return window.find("control-holder", JLabel.class);
+    }
+
+    private String hindranceAtRelease() {
+        return window.button("release-control").getToolTipText();
     }
 
     private static ListedClient client(long session, String name, long object) {

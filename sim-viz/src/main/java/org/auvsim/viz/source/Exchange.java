@@ -11,6 +11,7 @@ import org.auvsim.auvsml.message.session.ErrorResponse;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
@@ -23,8 +24,11 @@ import java.util.function.Consumer;
 
 /** One connection: questions out, answers and news in. */
 final class Exchange {
-    /** So many orders wait at most until they are written. */
+    /** So many orders wait at most until they are written, */
     static final int MOST_WAITING = 256;
+
+    /** and so many more that stop something: what is left out of them would push for ever. */
+    private static final int MORE_STOPS = 256;
 
     private static final String FULL =
             "The simulator does not take what it is sent: %d orders wait, and this one is left out."
@@ -36,13 +40,15 @@ final class Exchange {
     private final MessageCatalogue catalogue;
     private final Map<String, CompletableFuture<Message>> open = new ConcurrentHashMap<>();
     private final AtomicLong asked = new AtomicLong();
+    private final BlockingQueue<Runnable> waiting =
+            new ArrayBlockingQueue<>(MOST_WAITING + MORE_STOPS);
     private final ExecutorService writer =
             new ThreadPoolExecutor(
                     1,
                     1,
                     0,
                     TimeUnit.SECONDS,
-                    new ArrayBlockingQueue<>(MOST_WAITING),
+                    waiting,
                     Thread.ofVirtual().name("viewer writes").factory());
     private volatile boolean ended;
 
@@ -63,10 +69,10 @@ final class Exchange {
 
     /**
      * Sends a question in turn with others, on a thread of this connection's: a simulator that does
-     * not read lets nobody wait.
+     * not read lets nobody wait. Of too many orders those are left out that stop nothing.
      */
     CompletableFuture<Message> post(Message message) {
-        return ask(message, writer);
+        return ask(message, Stops.is(message) ? writer : this::queue);
     }
 
     private CompletableFuture<Message> ask(Message message, Executor by) {
@@ -82,6 +88,13 @@ final class Exchange {
             fail(id, new LostException(ENDED));
         }
         return answer;
+    }
+
+    private void queue(Runnable order) {
+        if (waiting.size() >= MOST_WAITING) {
+            throw new RejectedExecutionException(FULL);
+        }
+        writer.execute(order);
     }
 
     private void write(String id, Message message) {

@@ -7,6 +7,7 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.Message;
+import org.auvsim.auvsml.message.control.SetPropulsorCommand;
 import org.auvsim.auvsml.message.control.TakeSnapshotCommand;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -16,6 +17,7 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.time.Duration;
+import java.util.Scanner;
 import java.util.concurrent.CompletableFuture;
 
 /** Over real sockets. */
@@ -25,18 +27,16 @@ class ExchangeTest {
             "<auvsml><welcome-message protocol-version=\"1\" server=\"x\" session-id=\"1\""
                     + " role=\"admin\"/></auvsml>";
 
+    private static final Message LARGE = new TakeSnapshotCommand("s".repeat(200_000));
+
     @Test
     void aSimulatorThatDoesNotReadHoldsUpNobodyAndThatIsSaid() throws Exception {
-        Message large = new TakeSnapshotCommand("s".repeat(200_000));
         try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             CompletableFuture<Socket> accepted = CompletableFuture.supplyAsync(() -> greet(server));
-            Exchange exchange =
-                    new Exchange(
-                            AuvsmlClient.connect("127.0.0.1", server.getLocalPort()),
-                            MessageCatalogue.load(getClass().getClassLoader()));
-            CompletableFuture<Message> last = exchange.post(large);
+            Exchange exchange = connected(server);
+            CompletableFuture<Message> last = exchange.post(LARGE);
             while (!last.isDone()) {
-                last = exchange.post(large);
+                last = exchange.post(LARGE);
             }
             assertThat(last)
                     .isCompletedExceptionally()
@@ -47,6 +47,38 @@ class ExchangeTest {
             exchange.close();
             accepted.get().close();
         }
+    }
+
+    @Test
+    void whereOrdersAreLeftOutThoseThatStopAreNot() throws Exception {
+        try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            CompletableFuture<Socket> accepted = CompletableFuture.supplyAsync(() -> greet(server));
+            Exchange exchange = connected(server);
+            while (!exchange.post(LARGE).isDone()) {
+                Thread.onSpinWait();
+            }
+            assertThat(exchange.post(new SetPropulsorCommand(1, "Propeller", 0.5)))
+                    .isCompletedExceptionally();
+            CompletableFuture<Message> stop =
+                    exchange.post(new SetPropulsorCommand(1, "Propeller", 0));
+            assertThat(stop).isNotDone();
+            try (Socket simulator = accepted.get();
+                    Scanner words = new Scanner(simulator.getInputStream(), UTF_8)) {
+                words.useDelimiter(">");
+                String order = words.next();
+                while (!order.contains("set-propulsor-command")) {
+                    order = words.next();
+                }
+                assertThat(order).contains("level=\"0.0\"");
+            }
+            exchange.close();
+        }
+    }
+
+    private Exchange connected(ServerSocket server) throws Exception {
+        return new Exchange(
+                AuvsmlClient.connect("127.0.0.1", server.getLocalPort()),
+                MessageCatalogue.load(getClass().getClassLoader()));
     }
 
     private static Socket greet(ServerSocket server) {

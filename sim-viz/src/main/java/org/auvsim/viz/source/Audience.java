@@ -82,11 +82,18 @@ final class Audience {
         boolean fits = count <= MOST_PROJECTED;
         if (fits != isProjected) {
             isProjected = fits;
-            tell(
-                    "There are %d objects: their projected states are %s"
-                            .formatted(count, fits ? "shown again" : "left out"));
+            tell(projectedWords(count));
             exchange.want(registration(fits, List.of(EventType.PROJECTED_MOVEMENT)));
         }
+    }
+
+    /** What becomes of projected states in a world of so many objects. */
+    static String projectedWords(int count) {
+        if (count == 1) {
+            return "There is 1 object: its projected state is shown again";
+        }
+        return "There are %d objects: their projected states are %s"
+                .formatted(count, count <= MOST_PROJECTED ? "shown again" : "left out");
     }
 
     /** Asks what there is. */

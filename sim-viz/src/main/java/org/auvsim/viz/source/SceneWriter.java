@@ -53,9 +53,7 @@ final class SceneWriter {
             case RadioMessage m ->
                     tell(m.timestamp(), name(m.worldObjectId()) + "hears \"" + m.text() + "\"");
             case LaggingNotification m ->
-                    tell(
-                            newest(),
-                            "Too slow: %d movements or steps left out".formatted(m.skipped()));
+                    tell(newest(), "Too slow; movements or steps left out: " + m.skipped());
             case RecordingEndedNotification m -> tell(newest(), m.reason());
             case LockstepTimeoutNotification m ->
                     tell(newest(), "Step %d waits for members".formatted(m.step()));

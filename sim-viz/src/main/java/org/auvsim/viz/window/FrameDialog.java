@@ -130,12 +130,12 @@ final class FrameDialog {
         timer.stop();
         start.setText("Start");
         folder.setEditable(true);
-        desk.say(recorder.frames() + " frames are in " + into + ".");
+        desk.say("Wrote %s into %s.".formatted(Counted.of(recorder.frames(), "frame"), into));
     }
 
     private void frame() {
         recorder.record(into, failure -> SwingUtilities.invokeLater(() -> fail(failure)));
-        words.setText(recorder.frames() + " frames");
+        words.setText(Counted.of(recorder.frames(), "frame"));
     }
 
     private void fail(Throwable failure) {

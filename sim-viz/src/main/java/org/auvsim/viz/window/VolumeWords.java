@@ -26,7 +26,7 @@ final class VolumeWords {
                             ", radius %s m, length %s m"
                                     .formatted(length(capsule.radius()), length(capsule.length()));
                     case Box box -> " " + sides(box.size()) + " m";
-                    case Compound compound -> " of %d parts".formatted(compound.part().size());
+                    case Compound compound -> " of " + Counted.of(compound.part().size(), "part");
                     case HeightMap map ->
                             " of %d by %d heights, %s m apart"
                                     .formatted(

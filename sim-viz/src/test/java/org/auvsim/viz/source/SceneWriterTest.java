@@ -3,6 +3,8 @@ package org.auvsim.viz.source;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.auvsml.message.control.SnapshotRestoredNotification;
+import org.auvsim.auvsml.message.session.LaggingNotification;
+import org.auvsim.auvsml.message.session.LaggingSide;
 import org.auvsim.viz.scene.LiveClock;
 import org.auvsim.viz.scene.Occurrence;
 import org.auvsim.viz.scene.Scene;
@@ -11,6 +13,13 @@ import org.junit.jupiter.api.Test;
 class SceneWriterTest {
     private final Scene scene = new Scene(new LiveClock());
     private final SceneWriter writer = new SceneWriter(scene);
+
+    @Test
+    void oneThatIsLeftOutIsToldOfAsOne() {
+        writer.write(new LaggingNotification(LaggingSide.CLIENT, 1));
+        assertThat(scene.drainOccurrences())
+                .containsExactly(new Occurrence(0, "Too slow; movements or steps left out: 1"));
+    }
 
     @Test
     void fromWhereTimeGoesOnIsSaidInWords() {

@@ -15,6 +15,8 @@ import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.stream.Stream;
 
 import javax.swing.AbstractButton;
@@ -32,15 +34,13 @@ class FrameDialogTest {
     private final FakeScreen screen = new FakeScreen();
     private final Recorder recorder = new Recorder(screen);
     private final JFrame frame = new JFrame();
-    private final FrameDialog frames =
-            new FrameDialog(
-                    new Desk(
-                            new FakeRecording(Scenes.withBuoy()),
-                            new OrbitCamera(),
-                            screen,
-                            new ViewOptions()),
-                    frame,
-                    recorder);
+    private final Desk desk =
+            new Desk(
+                    new FakeRecording(Scenes.withBuoy()),
+                    new OrbitCamera(),
+                    screen,
+                    new ViewOptions());
+    private final FrameDialog frames = new FrameDialog(desk, frame, recorder);
 
     @AfterEach
     void close() throws Exception {
@@ -68,6 +68,8 @@ class FrameDialogTest {
         while (!Files.exists(Recorder.frame(folder, 2))) {
             Thread.onSpinWait();
         }
+        List<String> told = new ArrayList<>();
+        desk.onWords(words -> told.add(words.text()));
         Clicks.inSwing(
                 () -> {
                     AbstractButton start =
@@ -75,6 +77,8 @@ class FrameDialogTest {
                     assertThat(start.getText()).isEqualTo("Stop");
                     start.doClick(0);
                     assertThat(start.getText()).isEqualTo("Start");
+                    String count = Counted.of(recorder.frames(), "frame");
+                    assertThat(told).containsExactly("Wrote " + count + " into " + folder + ".");
                     // What is there is not written over.
                     start.doClick(0);
                     assertThat(start.getText()).isEqualTo("Start");

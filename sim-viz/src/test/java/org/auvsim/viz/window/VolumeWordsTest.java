@@ -25,5 +25,6 @@ class VolumeWordsTest {
         Part part = new Part(new Sphere(1), Vec3.ZERO, Quat.IDENTITY);
         assertThat(VolumeWords.of(new Compound(List.of(part, part))))
                 .isEqualTo("compound of 2 parts");
+        assertThat(VolumeWords.of(new Compound(List.of(part)))).isEqualTo("compound of 1 part");
     }
 }

@@ -7,6 +7,7 @@
 set -eu
 
 pictures=$(cd "$(dirname "$0")" && pwd)
+osp=${1:+$(realpath "$1")}
 cd "$pictures/../../.."
 
 work=$(mktemp -d)
@@ -67,8 +68,8 @@ window
 record remus-survey 40
 ./auvsim view "$work/remus-survey.auvsml.gz" --picture "$pictures/remus.png" --size 1200x700 --at 38 \
     --follow "REMUS 100"
-if [ $# -gt 0 ]; then
-    cp "$1" sim-osp/target/extensions
+if [ -n "$osp" ]; then
+    cp "$osp" sim-osp/target/extensions
     record tank 20
     env -u DISPLAY ./auvsim view "$work/tank.auvsml.gz" --renderer osp --picture "$pictures/osp.png" \
         --size 640x400 --at 18 --extensions sim-osp/target/extensions

@@ -9,16 +9,19 @@ import java.util.List;
 import java.util.ServiceLoader;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** The causes that are known. */
 public final class Library {
-    /** In the order in which they are told. */
-    private static final List<Function<Setting, List<Cause>>> FAMILIES =
+    /** Those of the trim, a small difference of large forces, which changes from run to run. */
+    private static final List<Function<Setting, List<Cause>>> TRIM =
+            List.of(WeightCauses::of, InertiaCauses::of);
+
+    private static final List<Function<Setting, List<Cause>>> FLOW =
+            List.of(DragCauses::of, CurrentCauses::of);
+
+    private static final List<Function<Setting, List<Cause>>> OTHERS =
             List.of(
-                    DragCauses::of,
-                    InertiaCauses::of,
-                    CurrentCauses::of,
-                    WeightCauses::of,
                     ThrusterCauses::of,
                     FinCauses::of,
                     HullCauses::of,
@@ -33,7 +36,8 @@ public final class Library {
     /**
      * Those that make sense for a model's body and what was measured of it: those of this library,
      * effects of scenarios that none of them covers, and those of {@link CauseFamily}s that
-     * provider files name in the thread's context.
+     * provider files name in the thread's context. What is common comes first, and is believed
+     * before the others where the data cannot tell.
      *
      * @param runs that are to be explained, one or more
      */
@@ -45,7 +49,9 @@ public final class Library {
     public static List<Cause> of(BelievedModel model, List<MeasuredRun> runs, ClassLoader loader) {
         Setting setting = Setting.of(model, runs);
         List<Cause> causes = new ArrayList<>();
-        FAMILIES.forEach(family -> causes.addAll(family.apply(setting)));
+        Stream.of(setting.floats() ? TRIM : FLOW, setting.floats() ? FLOW : TRIM, OTHERS)
+                .flatMap(List::stream)
+                .forEach(family -> causes.addAll(family.apply(setting)));
         causes.addAll(EffectCauses.of(setting, loader));
         for (CauseFamily family : ServiceLoader.load(CauseFamily.class, loader)) {
             causes.addAll(family.of(model, runs));

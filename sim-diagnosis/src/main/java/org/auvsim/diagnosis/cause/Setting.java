@@ -1,6 +1,8 @@
 package org.auvsim.diagnosis.cause;
 
 import org.auvsim.core.actuator.Propulsor;
+import org.auvsim.core.effect.Buoyancy;
+import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Actuator;
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Component;
@@ -37,6 +39,15 @@ record Setting(BelievedModel model, List<MeasuredRun> runs, Path path, double ra
 
     boolean measures(Channel channel) {
         return runs.stream().anyMatch(run -> run.measures(channel));
+    }
+
+    /** Whether the body is believed to float: it has buoyancy, or nothing pulls it down. */
+    boolean floats() {
+        return has(body(), Buoyancy.class) || !has(body(), Gravity.class);
+    }
+
+    static boolean has(WorldObjectDefinition body, Class<?> effect) {
+        return body.effect().stream().anyMatch(effect::isInstance);
     }
 
     /** Whether the body's turning shows, in what is measured of it or in where it goes. */

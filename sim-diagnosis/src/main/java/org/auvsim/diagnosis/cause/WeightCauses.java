@@ -1,7 +1,6 @@
 package org.auvsim.diagnosis.cause;
 
 import org.auvsim.core.effect.Buoyancy;
-import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
@@ -31,15 +30,10 @@ final class WeightCauses {
                                                                 name(v.body(), "found buoyancy"),
                                                                 Frame.WORLD,
                                                                 new Vec3(0, 0, t[0]))))));
-        boolean floats = has(s.body(), Buoyancy.class);
-        if (s.turnsMatter() && (floats || !has(s.body(), Gravity.class))) {
+        if (s.turnsMatter() && s.floats()) {
             causes.add(offset(s));
         }
         return causes;
-    }
-
-    private static boolean has(WorldObjectDefinition body, Class<?> effect) {
-        return body.effect().stream().anyMatch(effect::isInstance);
     }
 
     private static String name(WorldObjectDefinition body, String name) {
@@ -59,7 +53,7 @@ final class WeightCauses {
 
     private static WorldObjectDefinition.Builder shifted(
             WorldObjectDefinition.Builder b, WorldObjectDefinition body, Vec3 offset) {
-        if (has(body, Buoyancy.class)) {
+        if (Setting.has(body, Buoyancy.class)) {
             return b.effects(body.effect().stream().map(e -> shifted(e, offset)).toList());
         }
         Vec3 weight = new Vec3(0, 0, -GRAVITY * body.mass().orElseThrow());

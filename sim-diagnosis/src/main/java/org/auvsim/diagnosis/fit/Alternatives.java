@@ -5,6 +5,7 @@ import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.result.Alternative;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /** Other sets of causes that explain the runs about as well as the best. */
@@ -14,6 +15,10 @@ final class Alternatives {
 
     private static final double MARGIN = 12;
     private static final int MOST = 6;
+
+    /** Twice the logarithm of odds from which evidence is strong (Kass and Raftery 1995). */
+    private static final double STRONG = 6;
+
     private static final String FACTOR = "factor";
 
     private Alternatives() {}
@@ -45,6 +50,40 @@ final class Alternatives {
     /** One that has all causes of the best, and more, is no alternative to it. */
     private static boolean contains(List<Cause> causes, Judged best) {
         return causes.containsAll(best.fit().hypothesis().causes());
+    }
+
+    /**
+     * Of what the data cannot tell apart from the best, with no more numbers, that whose causes
+     * stand first in the library, where the common ones do.
+     */
+    static Judged commonest(Judged best, List<Judged> competitors, List<Cause> library) {
+        Judged first = best;
+        for (Judged other : competitors) {
+            boolean isTied = other.score() - best.score() < STRONG && areSame(best, other);
+            if (isTied && isAsPlain(other, best) && isBefore(other, first, library)) {
+                first = other;
+            }
+        }
+        return first;
+    }
+
+    private static boolean isAsPlain(Judged other, Judged best) {
+        Hypothesis of = other.fit().hypothesis();
+        return of.size() <= best.fit().hypothesis().size()
+                && of.causes().size() == best.fit().hypothesis().causes().size()
+                && (!of.isGeneric() || best.fit().hypothesis().isGeneric());
+    }
+
+    private static boolean isBefore(Judged a, Judged b, List<Cause> library) {
+        return Arrays.compare(places(a, library), places(b, library)) < 0;
+    }
+
+    /** Where its causes stand in the library, the first of them first. */
+    private static int[] places(Judged of, List<Cause> library) {
+        return of.fit().hypothesis().causes().stream()
+                .mapToInt(library::indexOf)
+                .sorted()
+                .toArray();
     }
 
     static Alternative alternative(Judged best, Judged other) {

@@ -29,11 +29,11 @@ final class Arbitration {
         return decided;
     }
 
-    /** The deviance of all runs, each by what the others make of the model. */
+    /** The deviance of all runs, each by what the others make of the model, whatever its start. */
     private static double leftOut(Judged judged) {
         double sum = judged.fit().hypothesis().price(); // a cause more has to be worth it here, too
         for (Judged prediction : LeaveOneOut.predictions(judged)) {
-            sum += prediction.outcome().deviance();
+            sum += prediction.outcome().deviance() + Starts.fineness(prediction.fit());
         }
         return sum;
     }

@@ -17,6 +17,11 @@ record Judged(Fit fit, Outcome outcome, double score) {
         return hypothesis.size() * Math.log(outcome.count()) + hypothesis.price();
     }
 
+    /** The same at another price. */
+    Judged dearer(double by) {
+        return new Judged(fit, outcome, score + by);
+    }
+
     /** By how much the deviance must fall for its causes to be believed. */
     double price() {
         return price(fit.hypothesis(), outcome);

@@ -129,17 +129,14 @@ final class Search {
         Judged first = best;
         Traces traces = screen(first.fit().hypothesis(), plain).traces();
         best = amongAliases(first, traces);
-        List<Judged> sorted = eachSetOnce();
-        List<Judged> near = best.isNone() ? List.of() : Alternatives.competitors(best, sorted);
-        Judged chosen = specific(best, near);
-        Judged decided =
-                course.goesOn() && chosen.equals(best) ? Arbitration.decided(best, near) : chosen;
+        Choice choice = Choice.near(best, eachSetOnce(), library);
+        best = choice.instead(best, course);
         return new Found(
                 none,
-                decided,
-                sorted,
-                decided.equals(best) ? near : Alternatives.competitors(decided, sorted),
-                decided.equals(first) ? traces : screen(decided.fit().hypothesis(), plain).traces(),
+                best,
+                choice.judged(),
+                choice.competitors(best),
+                best.equals(first) ? traces : screen(best.fit().hypothesis(), plain).traces(),
                 noise);
     }
 
@@ -272,15 +269,6 @@ final class Search {
             }
         }
         return best;
-    }
-
-    /** In place of a set that can imitate others, the best of those that explain as much. */
-    private static Judged specific(Judged best, List<Judged> near) {
-        return near.stream()
-                .filter(other -> best.fit().hypothesis().isGeneric())
-                .filter(other -> !other.isNone() && !other.fit().hypothesis().isGeneric())
-                .findFirst()
-                .orElse(best);
     }
 
     private boolean isJudged(List<Cause> causes) {

@@ -169,6 +169,15 @@ final class WindowBlock {
         }
     }
 
+    /** Logarithm of the determinant of what is known of the start, parameters given. */
+    double fineness() {
+        double sum = 0;
+        for (int i = 0; i < START; i++) {
+            sum += 2 * StrictMath.log(Math.abs(rows[i][i]));
+        }
+        return sum;
+    }
+
     /** The starts projected out: row by row the parameters' numbers, then the misses. */
     double[][] projectedRows() {
         double[][] projected = new double[rows[0].length - START][columns - START];

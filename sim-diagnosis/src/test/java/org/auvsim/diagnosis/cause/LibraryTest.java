@@ -52,6 +52,12 @@ class LibraryTest {
     }
 
     @Test
+    void trimComesFirstOfWhatFloatsAndDragOfWhatFalls() {
+        assertThat(library(VEHICLE).getFirst().id()).isEqualTo("buoyancy_weight");
+        assertThat(library(PENDULUM).getFirst().id()).isEqualTo("linear_drag");
+    }
+
+    @Test
     void aVehicleMayLackAllThatIsListed() {
         assertThat(library(VEHICLE).stream().map(Cause::id).distinct())
                 .contains(

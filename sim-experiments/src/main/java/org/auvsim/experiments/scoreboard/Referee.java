@@ -12,7 +12,6 @@ import org.auvsim.experiments.hidden.Twins;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 
 /** Compares a diagnosis with what is hidden. */
 final class Referee {
@@ -72,7 +71,7 @@ final class Referee {
                 .orElse(AliasTold.NONE);
     }
 
-    /** What was selected, and what is told as what could not be told apart from it, has both. */
+    /** One is selected, and the other one told as what could not be told apart from it. */
     private static boolean isTold(Twins twins, Diagnosis diagnosis) {
         List<String> selected = diagnosis.selected().stream().map(Finding::cause).toList();
         List<String> others =
@@ -80,9 +79,8 @@ final class Referee {
                         .filter(Alternative::isIndistinguishable)
                         .flatMap(a -> a.causes().stream())
                         .toList();
-        boolean areBothSelected = among(twins.first(), selected) && among(twins.second(), selected);
-        List<String> all = Stream.concat(selected.stream(), others.stream()).toList();
-        return !areBothSelected && among(twins.first(), all) && among(twins.second(), all);
+        return (among(twins.first(), selected) && among(twins.second(), others))
+                || (among(twins.second(), selected) && among(twins.first(), others));
     }
 
     /** Names begin with the cause's id. */

@@ -53,13 +53,13 @@ final class Alternatives {
     }
 
     /**
-     * Of what the data cannot tell apart from the best, with no more numbers, that whose causes
-     * stand first in the library, where the common ones do.
+     * Of what the data cannot tell apart from the best, with one number more at most, that whose
+     * causes stand first in the library, where the common ones do.
      */
     static Judged commonest(Judged best, List<Judged> competitors, List<Cause> library) {
         Judged first = best;
         for (Judged other : competitors) {
-            boolean isTied = other.score() - best.score() < STRONG && areSame(best, other);
+            boolean isTied = misfit(other) - misfit(best) < STRONG && areSame(best, other);
             if (isTied && isAsPlain(other, best) && isBefore(other, first, library)) {
                 first = other;
             }
@@ -67,9 +67,13 @@ final class Alternatives {
         return first;
     }
 
+    private static double misfit(Judged judged) {
+        return judged.score() - judged.price();
+    }
+
     private static boolean isAsPlain(Judged other, Judged best) {
         Hypothesis of = other.fit().hypothesis();
-        return of.size() <= best.fit().hypothesis().size()
+        return of.size() <= best.fit().hypothesis().size() + 1
                 && of.causes().size() == best.fit().hypothesis().causes().size()
                 && (!of.isGeneric() || best.fit().hypothesis().isGeneric());
     }

@@ -39,6 +39,9 @@ final class Choice {
 
     private void keep(long id) {
         Optional<SeenObject> there = scene.object(id);
+        if (isLost) {
+            known = Optional.empty(); // somebody has chosen anew, maybe another one of the same id
+        }
         isLost =
                 there.isEmpty() || known.filter(before -> isOther(before, there.get())).isPresent();
         if (isLost) {

@@ -54,6 +54,19 @@ class ChoiceTest {
     }
 
     @Test
+    void anotherObjectOfTheSameIdCanBeChosen() {
+        scene.remove(9);
+        choice.refresh();
+        scene.clear();
+        scene.add(new SeenObject(9, "Whale", Optional.empty()));
+        choice.refresh();
+        options.select(OptionalLong.of(9));
+        choice.refresh();
+        choice.refresh();
+        assertThat(options.selected()).hasValue(9);
+    }
+
+    @Test
     void whatSomebodyHasLetGoOfStaysSo() {
         options.select(OptionalLong.empty());
         choice.refresh();

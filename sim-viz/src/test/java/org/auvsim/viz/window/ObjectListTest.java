@@ -10,6 +10,7 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 
 import java.awt.Component;
 import java.awt.Rectangle;
+import java.util.Optional;
 import java.util.OptionalLong;
 
 import javax.swing.JTable;
@@ -95,6 +96,26 @@ class ObjectListTest {
                     turnOften();
                     assertThat(window.view().selected()).isEmpty();
                     assertThat(objects.getSelectedRow()).isZero();
+                });
+    }
+
+    @Test
+    void inAnotherWorldAnObjectWithTheIdOfOneThatHasGoneCanBeSelected() throws Exception {
+        Scene scene = Scenes.withBuoy();
+        window.open(new FakeSimulator(scene));
+        Clicks.inSwing(
+                () -> {
+                    objects().setRowSelectionInterval(1, 1);
+                    scene.remove(9);
+                    window.turn();
+                    assertThat(window.view().selected()).isEmpty();
+                    scene.clear();
+                    scene.add(new SeenObject(9, "Whale", Optional.empty()));
+                    window.turn();
+                    objects().setRowSelectionInterval(1, 1);
+                    window.turn();
+                    assertThat(window.view().selected()).hasValue(9);
+                    assertThat(selectedIn(objects())).isEqualTo("Whale");
                 });
     }
 

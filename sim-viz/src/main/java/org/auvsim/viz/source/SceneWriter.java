@@ -52,8 +52,7 @@ final class SceneWriter {
                     tell(m.timestamp(), name(m.worldObjectId()) + m.modelCorrection().sentence());
             case RadioMessage m ->
                     tell(m.timestamp(), name(m.worldObjectId()) + "hears \"" + m.text() + "\"");
-            case LaggingNotification m ->
-                    tell(newest(), "Too slow; movements or steps left out: " + m.skipped());
+            case LaggingNotification m -> tell(newest(), words(m));
             case RecordingEndedNotification m -> tell(newest(), m.reason());
             case LockstepTimeoutNotification m ->
                     tell(newest(), "Step %d waits for members".formatted(m.step()));
@@ -120,6 +119,23 @@ final class SceneWriter {
         newest = m.timestamp();
         moved = false;
         tell(m.timestamp(), "Time goes on from here: " + origin(m.name()));
+    }
+
+    private static String words(LaggingNotification m) {
+        return switch (m.side()) {
+            case CLIENT ->
+                    ("This viewer is too slow: it was not told of %s, which newer ones replaced;"
+                                    + " the world is right.")
+                            .formatted(counted(m.skipped(), "movement"));
+            case SIMULATOR ->
+                    ("The simulator is too slow for its rate: the world's time has fallen behind"
+                                    + " by %s more; every step is made.")
+                            .formatted(counted(m.skipped(), "step"));
+        };
+    }
+
+    private static String counted(long count, String what) {
+        return count == 1 ? "1 " + what : count + " " + what + "s";
     }
 
     /** From where it goes on; the simulator's own names stand for what is no snapshot. */

@@ -15,10 +15,19 @@ class SceneWriterTest {
     private final SceneWriter writer = new SceneWriter(scene);
 
     @Test
-    void oneThatIsLeftOutIsToldOfAsOne() {
-        writer.write(new LaggingNotification(LaggingSide.CLIENT, 1));
+    void whoIsTooSlowAndWhatThatMeansIsSaid() {
+        writer.write(new LaggingNotification(LaggingSide.CLIENT, 7));
+        writer.write(new LaggingNotification(LaggingSide.SIMULATOR, 1));
+        writer.write(new LaggingNotification(LaggingSide.SIMULATOR, 3));
         assertThat(scene.drainOccurrences())
-                .containsExactly(new Occurrence(0, "Too slow; movements or steps left out: 1"));
+                .extracting(Occurrence::text)
+                .containsExactly(
+                        "This viewer is too slow: it was not told of 7 movements, which newer ones"
+                                + " replaced; the world is right.",
+                        "The simulator is too slow for its rate: the world's time has fallen behind"
+                                + " by 1 step more; every step is made.",
+                        "The simulator is too slow for its rate: the world's time has fallen behind"
+                                + " by 3 steps more; every step is made.");
     }
 
     @Test

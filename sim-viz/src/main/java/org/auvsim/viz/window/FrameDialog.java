@@ -1,5 +1,7 @@
 package org.auvsim.viz.window;
 
+import org.jspecify.annotations.Nullable;
+
 import java.awt.BorderLayout;
 import java.awt.FlowLayout;
 import java.awt.GridLayout;
@@ -119,30 +121,44 @@ final class FrameDialog {
             words.setText("There are frames in this folder: choose another.");
             return;
         }
-        recorder.begin();
-        timer.setDelay(1000 / (Integer) rate.getValue());
+        int framesASecond = (Integer) rate.getValue();
+        recorder.begin(framesASecond);
+        timer.setDelay(1000 / (2 * framesASecond)); // often enough that a late call misses none
         timer.start();
         start.setText("Stop");
         folder.setEditable(false);
+        rate.setEnabled(false);
     }
 
     private void stop() {
         timer.stop();
         start.setText("Start");
         folder.setEditable(true);
+        rate.setEnabled(true);
+        var _ = recorder.end(into).whenComplete((done, failure) -> tell(failure));
         desk.say("Wrote %s into %s.".formatted(Counted.of(recorder.frames(), "frame"), into));
     }
 
     private void frame() {
-        recorder.record(into, failure -> SwingUtilities.invokeLater(() -> fail(failure)));
+        recorder.record(into, this::tell);
         words.setText(Counted.of(recorder.frames(), "frame"));
+    }
+
+    /** Tells of a failure, if it is one. */
+    private void tell(@Nullable Throwable failure) {
+        if (failure != null) {
+            SwingUtilities.invokeLater(() -> fail(failure));
+        }
     }
 
     private void fail(Throwable failure) {
         if (timer.isRunning()) {
             stop();
         }
-        words.setText(Desk.sentence(failure));
-        desk.say(Desk.sentence(failure));
+        String sentence = Desk.sentence(failure);
+        if (!sentence.equals(words.getText())) {
+            words.setText(sentence);
+            desk.say(sentence);
+        }
     }
 }

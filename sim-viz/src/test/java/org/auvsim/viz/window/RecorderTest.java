@@ -9,13 +9,16 @@ import org.junit.jupiter.api.io.TempDir;
 
 import java.awt.Component;
 import java.awt.image.BufferedImage;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 
 import javax.imageio.ImageIO;
 
@@ -23,14 +26,33 @@ class RecorderTest {
     @TempDir private Path folder;
 
     @Test
-    void aFrameThatComesTooSoonIsLeftOut() throws Exception {
+    void framesThatWereMissedAreTheOneBeforeAgain() throws Exception {
         SlowScreen screen = new SlowScreen();
-        try (Recorder recorder = new Recorder(screen)) {
+        AtomicLong millis = new AtomicLong(7000);
+        try (Recorder recorder = new Recorder(screen, () -> millis.get() * 1_000_000)) {
+            recorder.begin(25);
             recorder.record(folder, failure -> {});
+            millis.addAndGet(20);
+            screen.completes(1);
+            recorder.end(folder).get(30, TimeUnit.SECONDS);
+            recorder.record(folder, failure -> {}); // none is due
+            millis.addAndGet(100);
             recorder.record(folder, failure -> {});
-            assertThat(recorder.frames()).isEqualTo(1);
+            recorder.record(folder, failure -> {}); // one is under way
+            assertThat(recorder.frames()).isEqualTo(4);
             assertThat(screen.asked).hasSize(1);
+            screen.completes(2);
+            millis.addAndGet(80);
+            recorder.end(folder).get(30, TimeUnit.SECONDS);
+            assertThat(recorder.frames()).isEqualTo(5); // 0.2 s
+            assertThat(List.of(width(1), width(2), width(3), width(4), width(5)))
+                    .containsExactly(1, 1, 1, 2, 2);
+            assertThat(Recorder.frame(folder, 6)).doesNotExist();
         }
+    }
+
+    private int width(int frame) throws IOException {
+        return ImageIO.read(Recorder.frame(folder, frame).toFile()).getWidth();
     }
 
     @Test
@@ -70,6 +92,10 @@ class RecorderTest {
 
     private static final class SlowScreen implements Screen {
         private final Deque<CompletableFuture<BufferedImage>> asked = new ArrayDeque<>();
+
+        void completes(int width) {
+            asked.remove().complete(new BufferedImage(width, 1, BufferedImage.TYPE_INT_ARGB));
+        }
 
         @Override
         public Component component() {

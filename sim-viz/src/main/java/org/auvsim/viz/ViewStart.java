@@ -2,7 +2,7 @@ package org.auvsim.viz;
 
 import org.auvsim.viz.camera.OrbitCamera;
 import org.auvsim.viz.camera.StandardView;
-import org.auvsim.viz.drawing.Framing;
+import org.auvsim.viz.drawing.FirstLook;
 import org.auvsim.viz.drawing.ScreenException;
 import org.auvsim.viz.drawing.ViewOptions;
 import org.auvsim.viz.scene.Scene;
@@ -35,10 +35,8 @@ public record ViewStart(boolean dark, StandardView from, Optional<String> follow
     void apply(Scene scene, ViewOptions options, OrbitCamera camera) throws ScreenException {
         options.dark(dark);
         from.apply(camera);
-        Framing.fit(scene, camera);
-        if (follow.isEmpty()) {
-            alone(scene).ifPresent(object -> options.follow(OptionalLong.of(object.id())));
-        } else {
+        FirstLook.take(scene, options, camera);
+        if (follow.isPresent()) {
             SeenObject object = named(scene, follow.get());
             options.follow(OptionalLong.of(object.id()));
             options.select(OptionalLong.of(object.id()));
@@ -52,13 +50,6 @@ public record ViewStart(boolean dark, StandardView from, Optional<String> follow
                                             m.position().z(),
                                             AWAY * radius));
         }
-    }
-
-    /** The only object that can move, if there is one: it would leave the picture. */
-    private static Optional<SeenObject> alone(Scene scene) {
-        List<SeenObject> free =
-                scene.objects().stream().filter(object -> !object.isFixed()).toList();
-        return free.size() == 1 ? Optional.of(free.getFirst()) : Optional.empty();
     }
 
     private static SeenObject named(Scene scene, String name) throws ScreenException {

@@ -35,6 +35,7 @@ public final class Scene {
     private final List<Actor> actors = new ArrayList<>();
     private final List<Meeting> meetings = new ArrayList<>();
     private final Deque<Occurrence> occurrences = new ArrayDeque<>();
+    private final Worlds worlds = new Worlds();
     private final Look look = new Look();
     private List<Field<?>> fields = List.of();
     private Water water = Water.STILL;
@@ -81,12 +82,28 @@ public final class Scene {
 
     /** Everything has gone. */
     public synchronized void clear() {
+        worlds.leave(objects());
         byId.clear();
         actors.clear();
         meetings.clear();
         fields = List.of();
         water = Water.STILL;
         revision++;
+    }
+
+    /** What is there may be another world by now, and will be told anew. */
+    public synchronized void leaveWorld() {
+        worlds.leave(objects());
+    }
+
+    /** All that there is has been told. */
+    public synchronized void enterWorld() {
+        worlds.enter(objects());
+    }
+
+    /** Counts up when another world has been told, of which nothing that can move was there. */
+    public synchronized long worlds() {
+        return worlds.count();
     }
 
     /** An object has moved on; nothing happens if it is not known. */

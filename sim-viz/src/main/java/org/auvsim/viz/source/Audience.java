@@ -111,6 +111,7 @@ final class Audience {
                                 .toArray(CompletableFuture[]::new))
                 .join();
         fields.handle((_, refusal) -> told(refusal)).join();
+        scene.enterWorld();
     }
 
     private void tell(String sentence) {
@@ -160,7 +161,10 @@ final class Audience {
                             });
             case EntityRemovedMessage _ ->
                     Thread.startVirtualThread(() -> exchange.want(new GetFieldListRequest()));
-            case SnapshotRestoredNotification _ -> Thread.startVirtualThread(this::surveyAgain);
+            case SnapshotRestoredNotification _ -> {
+                scene.leaveWorld();
+                Thread.startVirtualThread(this::surveyAgain);
+            }
             default -> {}
         }
     }

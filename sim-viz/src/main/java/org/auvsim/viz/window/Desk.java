@@ -38,6 +38,7 @@ final class Desk {
         this.camera = camera;
         this.screen = screen;
         this.options = options;
+        onRefresh(new NewWorld(source.scene(), options, camera)::refresh);
         onRefresh(new Choice(source.scene(), options::selected, options::select)::refresh);
         onRefresh(new Choice(source.scene(), options::followed, options::follow)::refresh);
     }

@@ -169,6 +169,7 @@ class LiveSourceTest {
         TcpTransport tcp = TcpTransport.onLoopback(0);
         try (Simulator _ = serving(tcp, Role.ADMIN);
                 LiveSource source = connected(tcp.port())) {
+            long worlds = source.scene().worlds();
             source.ask(new LoadScenarioCommand(Scenario.of(other))).get();
             while (!source.scene().objects().stream()
                     .map(SeenObject::name)
@@ -177,6 +178,9 @@ class LiveSourceTest {
                 source.ask(new GetSimulatorStateRequest()).get();
             }
             while (hasFields(source.scene())) {
+                source.ask(new GetSimulatorStateRequest()).get();
+            }
+            while (source.scene().worlds() == worlds) {
                 source.ask(new GetSimulatorStateRequest()).get();
             }
             assertThat(x(source.scene(), 10)).isEqualTo(-7);

@@ -13,6 +13,7 @@ import java.util.OptionalLong;
 
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
@@ -29,6 +30,7 @@ final class ObjectList {
     private final ObjectRows rows;
     private final JTable table;
     private final JTextField filter = new JTextField();
+    private final JLabel nothing = new JLabel("Nothing matches.");
     private final JPanel panel = new JPanel(new BorderLayout(0, 4));
     private OptionalLong shown = OptionalLong.empty();
 
@@ -48,7 +50,12 @@ final class ObjectList {
         filter.putClientProperty(FlatClientProperties.TEXT_FIELD_SHOW_CLEAR_BUTTON, true);
         filter.getDocument().addDocumentListener(Typing.calls(this::filter));
         panel.setBorder(BorderFactory.createEmptyBorder(6, 6, 6, 0));
-        panel.add(filter, BorderLayout.NORTH);
+        nothing.setName("nothing");
+        nothing.setVisible(false);
+        JPanel top = new JPanel(new BorderLayout(0, 4));
+        top.add(filter, BorderLayout.CENTER);
+        top.add(nothing, BorderLayout.SOUTH);
+        panel.add(top, BorderLayout.NORTH);
         panel.add(new JScrollPane(table), BorderLayout.CENTER);
         desk.onRefresh(this::refresh);
     }
@@ -178,6 +185,7 @@ final class ObjectList {
      * Rows that were read again are selected as they were; the list stays where it was scrolled.
      */
     private void restore() {
+        nothing.setVisible(rows.getRowCount() == 0 && !filter.getText().isBlank());
         int same = current.map(rows::indexOf).orElse(-1);
         int at = same < 0 && shown.isPresent() ? rows.rowOf(shown.getAsLong()) : same;
         isUpdating = true;

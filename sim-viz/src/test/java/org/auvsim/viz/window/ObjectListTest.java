@@ -13,6 +13,7 @@ import java.awt.Rectangle;
 import java.util.Optional;
 import java.util.OptionalLong;
 
+import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.JTextField;
 
@@ -39,7 +40,12 @@ class ObjectListTest {
                     assertThat(objects().getRowCount()).isEqualTo(2);
                     objects().setRowSelectionInterval(1, 1);
                     assertThat(window.view().selected()).isEqualTo(OptionalLong.of(1));
+                    JLabel nothing = window.find("nothing", JLabel.class);
+                    assertThat(nothing.isVisible()).isFalse();
+                    filter.setText("Nemo");
+                    assertThat(nothing.isVisible()).isTrue();
                     filter.setText("");
+                    assertThat(nothing.isVisible()).isFalse();
                     window.camera().aim(5, 0, 0, 20);
                     Component screen = window.find("screen", Component.class);
                     Clicks.click(screen, screen.getWidth() / 2, screen.getHeight() / 2);

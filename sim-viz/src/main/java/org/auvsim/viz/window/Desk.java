@@ -27,6 +27,7 @@ final class Desk {
     private final OrbitCamera camera;
     private final Screen screen;
     private final ViewOptions options;
+    private final Folder folder = new Folder();
     private final Outbox outbox = new Outbox(this::ask);
     private final List<Runnable> refreshers = new ArrayList<>();
     private final List<Consumer<Occurrence>> listeners = new ArrayList<>();
@@ -61,6 +62,11 @@ final class Desk {
 
     ViewOptions options() {
         return options;
+    }
+
+    /** Where files are chosen. */
+    Folder folder() {
+        return folder;
     }
 
     Outbox outbox() {

@@ -13,7 +13,6 @@ import javax.swing.Action;
 import javax.swing.JFileChooser;
 import javax.swing.JMenu;
 import javax.swing.SwingUtilities;
-import javax.swing.filechooser.FileNameExtensionFilter;
 
 /** Pictures, films and the end. */
 final class FileMenu {
@@ -60,12 +59,9 @@ final class FileMenu {
     }
 
     private void choose() {
-        JFileChooser chooser = new JFileChooser();
-        chooser.setFileFilter(new FileNameExtensionFilter("PNG pictures", "png"));
+        JFileChooser chooser = desk.folder().chooser("PNG pictures", "png");
         chooser.setSelectedFile(new File(chooser.getCurrentDirectory(), pictureName()));
-        if (chooser.showSaveDialog(window) == JFileChooser.APPROVE_OPTION) {
-            saveAs(chooser.getSelectedFile().toPath());
-        }
+        desk.folder().toSave(chooser, window).ifPresent(this::saveAs);
     }
 
     /** Saves as a file that somebody has named; one that is there only if they say so. */

@@ -2,7 +2,6 @@ package org.auvsim.viz.window;
 
 import org.auvsim.auvsml.Role;
 
-import java.awt.KeyboardFocusManager;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.util.Optional;
@@ -11,7 +10,6 @@ import java.util.function.Supplier;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.KeyStroke;
-import javax.swing.text.JTextComponent;
 
 /** Something that a menu, a button or a key does. */
 final class Act extends AbstractAction {
@@ -56,15 +54,12 @@ final class Act extends AbstractAction {
 
     @Override
     public void actionPerformed(ActionEvent e) {
-        boolean isTyping =
-                KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner()
-                        instanceof JTextComponent;
         boolean isPlain =
                 getValue(Action.ACCELERATOR_KEY) instanceof KeyStroke stroke
                         && stroke.getModifiers() == 0
                         && !stroke.isOnKeyRelease()
                         && stroke.getKeyCode() < KeyEvent.VK_F1;
-        boolean byKey = e.getModifiers() == 0 && isPlain && isTyping;
+        boolean byKey = e.getModifiers() == 0 && isPlain && Typing.isUnderWay();
         if (!byKey) {
             deed.run();
         }

@@ -13,13 +13,10 @@ import org.auvsim.viz.scene.SeenObject;
 import org.auvsim.viz.source.LostException;
 
 import java.awt.KeyEventDispatcher;
-import java.awt.KeyboardFocusManager;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Optional;
-
-import javax.swing.text.JTextComponent;
 
 /** Drives the selected object by keys and gamepad while driving is on. */
 final class Driver implements KeyEventDispatcher {
@@ -46,14 +43,13 @@ final class Driver implements KeyEventDispatcher {
 
     @Override
     public boolean dispatchKeyEvent(KeyEvent e) {
-        KeyboardFocusManager focus = KeyboardFocusManager.getCurrentKeyboardFocusManager();
         boolean isOurs =
                 desk.isDriving()
                         && HeldKeys.drives(e.getKeyCode())
                         && !e.isControlDown()
                         && !e.isAltDown()
                         && window.isFocused()
-                        && !(focus.getFocusOwner() instanceof JTextComponent);
+                        && !Typing.isUnderWay();
         if (e.getID() == KeyEvent.KEY_RELEASED) {
             keys.release(e.getKeyCode());
         } else if (isOurs && e.getID() == KeyEvent.KEY_PRESSED) {

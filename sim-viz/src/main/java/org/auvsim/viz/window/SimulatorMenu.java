@@ -24,13 +24,11 @@ import java.util.Locale;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 
-import javax.swing.JFileChooser;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.SwingUtilities;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
-import javax.swing.filechooser.FileNameExtensionFilter;
 
 /** What an administrator does with the simulator. */
 final class SimulatorMenu {
@@ -178,11 +176,8 @@ final class SimulatorMenu {
     }
 
     private void load() {
-        JFileChooser chooser = new JFileChooser();
-        chooser.setFileFilter(new FileNameExtensionFilter("Scenarios", "xml"));
-        if (chooser.showOpenDialog(window) == JFileChooser.APPROVE_OPTION) {
-            load(chooser.getSelectedFile().toPath());
-        }
+        Folder folder = desk.folder();
+        folder.toOpen(folder.chooser("Scenarios", "xml"), window).ifPresent(this::load);
     }
 
     /** Reads a scenario aside and sends it, if that is meant. */
@@ -197,6 +192,7 @@ final class SimulatorMenu {
                                                         load(file, scenario);
                                                     } else {
                                                         desk.say(Desk.sentence(failure));
+                                                        notLoaded(failure);
                                                     }
                                                 }));
     }
@@ -214,8 +210,13 @@ final class SimulatorMenu {
                 "Put %s in the place of the world for all clients, and lose how it is now?"
                         .formatted(file.getFileName());
         if (Question.confirms(window, question, "Load")) {
-            desk.ask(new LoadScenarioCommand(scenario));
+            desk.ask(new LoadScenarioCommand(scenario), answer -> {}, this::notLoaded);
         }
+    }
+
+    /** A sentence about a scenario has a place in it and is long: the line below shows its head. */
+    private void notLoaded(Throwable failure) {
+        Notice.show(window, "The scenario was not loaded", Desk.sentence(failure));
     }
 
     private void restore(KeptSnapshot kept) {

@@ -1,7 +1,10 @@
 package org.auvsim.viz.window;
 
+import java.awt.KeyboardFocusManager;
+
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
+import javax.swing.text.JTextComponent;
 
 /** Hears of each change of a text. */
 final class Typing implements DocumentListener {
@@ -13,6 +16,13 @@ final class Typing implements DocumentListener {
 
     static DocumentListener calls(Runnable then) {
         return new Typing(then);
+    }
+
+    /** Whether keys go into a text that can be changed. */
+    static boolean isUnderWay() {
+        return KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner()
+                        instanceof JTextComponent text
+                && text.isEditable();
     }
 
     @Override

@@ -4,21 +4,26 @@ import org.auvsim.viz.scene.Occurrence;
 
 import java.util.Locale;
 
-import javax.swing.DefaultListModel;
-import javax.swing.JList;
+import javax.swing.BoundedRangeModel;
 import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import javax.swing.SwingUtilities;
+import javax.swing.text.DefaultCaret;
 
-/** The list of what happened, the newest at the end. */
+/** The list of what happened, the newest at the end; long lines are wrapped. */
 final class WordsLog {
     /** So many lines are kept. */
     private static final int MOST = 500;
 
-    private final DefaultListModel<String> lines = new DefaultListModel<>();
-    private final JList<String> list = new JList<>(lines);
-    private final JScrollPane pane = new JScrollPane(list);
+    private final JTextArea lines = new JTextArea();
+    private final JScrollPane pane = new JScrollPane(lines);
 
     WordsLog(Desk desk) {
-        list.setName("log");
+        lines.setName("log");
+        lines.setEditable(false);
+        lines.setLineWrap(true);
+        lines.setWrapStyleWord(true);
+        ((DefaultCaret) lines.getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
         desk.onWords(this::add);
         desk.onRefresh(() -> desk.scene().drainOccurrences().forEach(desk::tell));
     }
@@ -28,14 +33,16 @@ final class WordsLog {
     }
 
     private void add(Occurrence occurrence) {
-        boolean isAtEnd = list.getLastVisibleIndex() >= lines.size() - 2;
-        lines.addElement(
-                String.format(Locale.ROOT, "%10.2f s   %s", occurrence.time(), occurrence.text()));
-        if (lines.size() > MOST) {
-            lines.remove(0);
+        BoundedRangeModel scrolled = pane.getVerticalScrollBar().getModel();
+        boolean isAtEnd = scrolled.getValue() + scrolled.getExtent() >= scrolled.getMaximum();
+        lines.append(
+                String.format(
+                        Locale.ROOT, "%10.2f s   %s\n", occurrence.time(), occurrence.text()));
+        if (lines.getLineCount() > MOST + 1) {
+            lines.replaceRange("", 0, lines.getText().indexOf('\n') + 1);
         }
         if (isAtEnd) {
-            list.ensureIndexIsVisible(lines.size() - 1);
+            SwingUtilities.invokeLater(() -> scrolled.setValue(scrolled.getMaximum()));
         }
     }
 }

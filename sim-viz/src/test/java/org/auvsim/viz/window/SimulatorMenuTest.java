@@ -11,13 +11,19 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
+import java.awt.Window;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.Stream;
 
+import javax.swing.JDialog;
 import javax.swing.JFrame;
+import javax.swing.JTextArea;
 
 /** An administrator loads scenarios; needs a display for the window. */
 @Tag("display")
@@ -58,7 +64,42 @@ class SimulatorMenuTest {
         desk.onWords(occurrence -> words.add(occurrence.text()));
         Path file = Files.writeString(folder.resolve("no.xml"), "<scenario><tank/></scenario>");
         Clicks.inSwing(() -> menu.load(file));
-        assertThat(words.poll(30, TimeUnit.SECONDS)).contains("no.xml").contains("tank");
+        String sentence = words.poll(30, TimeUnit.SECONDS);
+        assertThat(sentence).contains("no.xml").contains("tank");
         assertThat(simulator.asked).isEmpty();
+        assertThat(notice()).isEqualTo(sentence);
+        Clicks.answer("OK");
+    }
+
+    @Test
+    void whyASimulatorDoesNotTakeAScenarioIsShownAsAWhole() throws Exception {
+        simulator.refusal = Optional.of("The scenario is not for me.");
+        Path file = Path.of("..", "examples", "scenarios", "tank.xml");
+        Clicks.inSwing(() -> menu.load(file));
+        Clicks.answer("Load");
+        assertThat(notice()).isEqualTo("The scenario is not for me.");
+        Clicks.answer("OK");
+    }
+
+    /** The words of the notice that comes. */
+    private static String notice() throws Exception {
+        AtomicReference<String> words = new AtomicReference<>("");
+        while (words.get().isEmpty()) {
+            Clicks.inSwing(
+                    () ->
+                            Stream.of(Window.getWindows())
+                                    .filter(Window::isShowing)
+                                    .filter(JDialog.class::isInstance)
+                                    .map(JDialog.class::cast)
+                                    .forEach(
+                                            dialog ->
+                                                    words.set(
+                                                            Clicks.find(
+                                                                            dialog,
+                                                                            "notice",
+                                                                            JTextArea.class)
+                                                                    .getText())));
+        }
+        return words.get();
     }
 }

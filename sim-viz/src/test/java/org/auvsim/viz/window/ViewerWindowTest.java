@@ -17,8 +17,8 @@ import java.util.OptionalLong;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
-import javax.swing.JList;
 import javax.swing.JSlider;
+import javax.swing.JTextArea;
 
 /** Somebody watches a simulator or a recording through the window; needs a display. */
 @Tag("display")
@@ -84,9 +84,9 @@ class ViewerWindowTest {
         window.click("pause");
         Clicks.inSwing(
                 () -> {
-                    JList<?> log = window.find("log", JList.class);
-                    assertThat(log.getModel().getElementAt(0).toString())
-                            .endsWith("It is not to be.");
+                    JTextArea log = window.find("log", JTextArea.class);
+                    assertThat(log.getText()).endsWith("It is not to be.\n");
+                    assertThat(log.getLineWrap()).isTrue();
                     assertThat(words("last-words")).isEqualTo("It is not to be.");
                     assertThat(window.find("status", JLabel.class).isShowing()).isTrue();
                     assertThat(window.find("banner", JLabel.class).isVisible()).isFalse();

@@ -12,6 +12,7 @@ import org.auvsim.viz.Renderers;
 import org.auvsim.viz.ViewStart;
 import org.auvsim.viz.Viewer;
 import org.auvsim.viz.camera.StandardView;
+import org.auvsim.viz.drawing.Renderer;
 import org.auvsim.viz.drawing.ScreenException;
 import org.auvsim.viz.source.LiveSource;
 import org.auvsim.viz.source.Playback;
@@ -29,7 +30,9 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 
@@ -104,19 +107,49 @@ final class View implements Callable<Integer> {
 
     @Override
     public Integer call() throws DocumentException, ConnectionException {
+        try {
+            show(painter());
+        } catch (ScreenException e) {
+            throw new UserError(String.valueOf(e.getMessage()), e);
+        }
+        return 0;
+    }
+
+    /** What is wrong with the options is found before a recording is read, which may take long. */
+    private Renderer painter() throws ScreenException {
+        Renderer painter = Renderers.named(renderer, ContextClasses.loader());
+        if (picture.isPresent()) {
+            requirePng(picture.get());
+        } else if (isFile()) {
+            Viewer.requireDisplay();
+        }
+        return painter;
+    }
+
+    private static void requirePng(Path file) {
+        String name = String.valueOf(file.getFileName());
+        if (!name.toLowerCase(Locale.ROOT).endsWith(".png")) {
+            throw new UserError(
+                    "--picture is a PNG file, but %s has another name: name it %s.png."
+                            .formatted(file, name.replaceFirst("(?<=.)\\.[^.]*$", "")));
+        }
+        if (!Files.isDirectory(file.toAbsolutePath().getParent())) {
+            throw FileTrouble.writing(file, new NoSuchFileException(file.toString()));
+        }
+    }
+
+    private void show(Renderer painter)
+            throws DocumentException, ConnectionException, ScreenException {
         try (Source source = source()) {
             at.ifPresent(time -> seek(source, time));
-            Viewer viewer = new Viewer(source, Renderers.named(renderer, ContextClasses.loader()));
+            Viewer viewer = new Viewer(source, painter);
             ViewStart start = new ViewStart(!light, look, follow);
             if (picture.isPresent()) {
                 write(viewer.picture(start, size.width(), size.height()), picture.get());
             } else {
                 viewer.show(start);
             }
-        } catch (ScreenException e) {
-            throw new UserError(String.valueOf(e.getMessage()), e);
         }
-        return 0;
     }
 
     private Source source() throws DocumentException, ConnectionException {

@@ -54,6 +54,14 @@ class ViewTest {
         assertThat(auvsim.err().lines().filter(line -> line.contains("\tat "))).isEmpty();
     }
 
+    /** Without a window, which would need a display. */
+    private void refusesToPaint(String sentence, Object... arguments) {
+        List<Object> all = new ArrayList<>(List.of("view"));
+        all.addAll(List.of(arguments));
+        all.addAll(List.of("--picture", folder.resolve("x.png")));
+        refuses(sentence, all.toArray());
+    }
+
     private Path recording() {
         Path file = folder.resolve("run.auvsml.gz");
         CommandLineHarness server = new CommandLineHarness(folder);
@@ -116,19 +124,38 @@ class ViewTest {
 
     @Test
     void aFileThatIsMissingOrDamagedOrNoRecording() throws IOException {
-        refuses("there is no such file", "view", folder.resolve("gone.auvsml.gz"));
-        refuses("is a scenario, no recording", "view", TANK);
+        refusesToPaint("there is no such file", folder.resolve("gone.auvsml.gz"));
+        refusesToPaint("is a scenario, no recording", TANK);
         Path notes = Files.writeString(folder.resolve("notes.txt"), "# To do");
-        refuses("notes.txt:1:1: this is no recording: ", "view", notes);
+        refusesToPaint("notes.txt:1:1: this is no recording: ", notes);
         Path damaged = recording();
         byte[] bytes = Files.readAllBytes(damaged);
         int changed = bytes.length / 2;
         bytes[changed] ^= 0x55;
         Files.write(damaged, bytes);
-        refuses("run.auvsml.gz: the recording is damaged", "view", damaged);
+        refusesToPaint("run.auvsml.gz: the recording is damaged", damaged);
         Matcher told = Pattern.compile("from byte (\\d+) on").matcher(auvsim.err());
         assertThat(told.find()).as(auvsim.err()).isTrue();
         assertThat(Integer.parseInt(told.group(1))).isBetween(1, changed);
+    }
+
+    /** The recording is no recording, which would be found next. */
+    @Test
+    void whatIsWrongWithTheOptionsIsFoundBeforeTheRecordingIsRead() throws IOException {
+        Path notes = Files.writeString(folder.resolve("notes.txt"), "# To do");
+        refuses("There is no renderer 'crayon'", "view", notes, "--renderer", "crayon");
+        refuses(
+                "sea.v2.jpg has another name: name it sea.v2.png.",
+                "view",
+                notes,
+                "--picture",
+                folder.resolve("sea.v2.jpg"));
+        refuses(
+                "x.png: its folder does not exist.",
+                "view",
+                notes,
+                "--picture",
+                folder.resolve("gone").resolve("x.png"));
     }
 
     @Test
@@ -166,9 +193,9 @@ class ViewTest {
     void anOptionThatCannotBe() {
         Path recording = recording();
         refuses("There is no renderer 'gl'; there is jme", "view", recording, "--renderer", "gl");
-        refuses("--at must be within the recording", "view", recording, "--at", 99);
+        refusesToPaint("--at must be within the recording", recording, "--at", 99);
         refuses("a port is a number from 1 to 65535", "view", "127.0.0.1:99999");
-        refuses("--at must be within the recording", "view", recording, "--at", "NaN");
+        refusesToPaint("--at must be within the recording", recording, "--at", "NaN");
         refuses("as 1280x800, but found 'big'", "view", recording, "--size", "big");
         refuses(
                 "There is no object 'Nemo' to follow; there are AUV-1701",

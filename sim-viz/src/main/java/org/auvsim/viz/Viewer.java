@@ -51,9 +51,7 @@ public final class Viewer {
      * @throws ScreenException if none can be shown on this machine
      */
     public void show(ViewStart start) throws ScreenException {
-        if (GraphicsEnvironment.isHeadless()) {
-            throw noDisplay(new HeadlessException("no screen is connected"));
-        }
+        requireDisplay();
         prepare(start);
         try {
             CompletableFuture<Void> closed = new CompletableFuture<>();
@@ -71,6 +69,22 @@ public final class Viewer {
             Thread.currentThread().interrupt();
             throw new ScreenException("The window was closed: interrupted.", e);
         } catch (AWTError e) {
+            throw noDisplay(e);
+        }
+    }
+
+    /**
+     * Finds out whether there is a display for a window.
+     *
+     * @throws ScreenException if there is none
+     */
+    public static void requireDisplay() throws ScreenException {
+        try {
+            if (GraphicsEnvironment.isHeadless()) {
+                throw new HeadlessException("no screen is connected");
+            }
+            GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice();
+        } catch (AWTError | HeadlessException e) {
             throw noDisplay(e);
         }
     }

@@ -11,23 +11,25 @@ import java.io.File;
 import java.nio.file.Path;
 
 import javax.swing.JFileChooser;
+import javax.swing.JPanel;
 
 /** Somebody chooses files; needs a display. */
 @Tag("display")
 class FolderTest {
     @TempDir private Path elsewhere;
     private final Folder folder = new Folder();
+    private final Component over = new JPanel();
 
     @Test
     void beginsInTheWorkingDirectoryAndThenWhereTheLastFileWas() throws Exception {
         Clicks.inSwing(
                 () -> {
                     assertThat(begin()).isEqualTo(new File(System.getProperty("user.dir")));
-                    assertThat(folder.toOpen(answering(JFileChooser.CANCEL_OPTION), null))
+                    assertThat(folder.toOpen(answering(JFileChooser.CANCEL_OPTION), over))
                             .isEmpty();
                     assertThat(begin()).isEqualTo(new File(System.getProperty("user.dir")));
                     Path file = elsewhere.resolve("a.xml");
-                    assertThat(folder.toOpen(answering(JFileChooser.APPROVE_OPTION), null))
+                    assertThat(folder.toOpen(answering(JFileChooser.APPROVE_OPTION), over))
                             .contains(file);
                     assertThat(begin()).isEqualTo(elsewhere.toFile());
                 });

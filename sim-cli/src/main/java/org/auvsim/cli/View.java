@@ -133,7 +133,7 @@ final class View implements Callable<Integer> {
                     "--picture is a PNG file, but %s has another name: name it %s.png."
                             .formatted(file, name.replaceFirst("(?<=.)\\.[^.]*$", "")));
         }
-        if (!Files.isDirectory(file.toAbsolutePath().getParent())) {
+        if (!Files.isDirectory(file.toAbsolutePath().resolveSibling(""))) {
             throw FileTrouble.writing(file, new NoSuchFileException(file.toString()));
         }
     }

@@ -24,14 +24,14 @@ class NamesTest {
         Path page = folder.resolve("page.md");
         Files.writeString(
                 page,
-                "`World` `World.fly` `Worlds` `pause-simulator-command` `pause-command` `no.xml`"
+                "`World` `World.fly` `Worldly` `pause-simulator-command` `pause-command` `no.xml`"
                         + " `PROJECTED` `PROJECTOR` `auvsim run` `auvsim fly`");
 
         assertThat(new Names(ROOT, TrackedFiles.of(ROOT)).unknown(page))
                 .map(sentence -> sentence.split("`", -1)[1])
                 .containsExactly(
                         "World.fly",
-                        "Worlds",
+                        "Worldly",
                         "pause-command",
                         "no.xml",
                         "PROJECTOR",

@@ -21,6 +21,9 @@ final class Alternatives {
 
     private static final String FACTOR = "factor";
 
+    /** Factors nearer to each other are one and the same. */
+    private static final double ALIKE = 0.05;
+
     private Alternatives() {}
 
     /**
@@ -142,12 +145,44 @@ final class Alternatives {
         return quantities;
     }
 
-    private static String relation(Quantity a, Quantity b) {
-        if (a.name().endsWith(FACTOR) && b.name().endsWith(FACTOR)) {
-            boolean isRatio = (a.value() - 1) * (b.value() - 1) < 0;
-            return "%s %s %s = %.3g".formatted(a.name(), isRatio ? "/" : "*", b.name(), a.value());
+    /**
+     * What stays the same when some of one quantity is replaced by some of the other, where either
+     * alone explains the runs: {@code a + 2 b = 3 N}. Of a factor counts what it is more than 1.
+     */
+    static String relation(Quantity a, Quantity b) {
+        if (isFactor(a) && isFactor(b)) {
+            if (areAlike(a.value() * b.value(), 1)) {
+                return "%s / %s = %.3g".formatted(a.name(), b.name(), a.value());
+            }
+            if (areAlike(a.value(), b.value())) {
+                return "%s * %s = %.3g".formatted(a.name(), b.name(), a.value());
+            }
         }
-        return "%s + %.3g %s = %.3g %s"
-                .formatted(a.name(), a.value() / b.value(), b.name(), a.value(), a.unit());
+        double rate = excess(a) / excess(b);
+        return "%s %s %.3g %s = %.3g%s"
+                .formatted(
+                        term(a),
+                        rate < 0 ? "-" : "+",
+                        Math.abs(rate),
+                        term(b),
+                        excess(a),
+                        isFactor(a) ? "" : " " + a.unit());
+    }
+
+    private static boolean isFactor(Quantity q) {
+        return q.name().endsWith(FACTOR);
+    }
+
+    private static boolean areAlike(double a, double b) {
+        return Math.abs(a - b) < ALIKE * Math.abs(b);
+    }
+
+    /** What a quantity is beyond that which changes nothing. */
+    private static double excess(Quantity q) {
+        return isFactor(q) ? q.value() - 1 : q.value();
+    }
+
+    private static String term(Quantity q) {
+        return isFactor(q) ? "(" + q.name() + " - 1)" : q.name();
     }
 }

@@ -163,13 +163,37 @@ public final class Ensemble {
             return halves(model, run, samples, entrants);
         }
         try {
-            double step = model.scenario().timeStep().delta();
-            return new Ensemble(model, run, samples[0], entrants, step).simulate(samples);
+            return inOneWorld(model, run, samples, entrants);
         } catch (StepException e) {
             return entrants.size() == 1
                     ? lost(1, samples.length)
                     : halves(model, run, samples, entrants);
         }
+    }
+
+    /**
+     * The same of variants that hardly differ from the first, as those that differences are taken
+     * of: if that one gets lost, all are lost, and none of them is tried alone.
+     */
+    public static RigidMotion[][] neighbours(
+            BelievedModel model, MeasuredRun run, int[] samples, List<Entrant> entrants) {
+        try {
+            return entrants.size() > together(model, entrants)
+                    ? halves(model, run, samples, entrants)
+                    : inOneWorld(model, run, samples, entrants);
+        } catch (StepException e) {
+            RigidMotion[] first = simulate(model, run, samples, entrants.subList(0, 1))[0];
+            return first[0].equals(LOST)
+                    ? lost(entrants.size(), samples.length)
+                    : halves(model, run, samples, entrants);
+        }
+    }
+
+    /** All in one world. */
+    private static RigidMotion[][] inOneWorld(
+            BelievedModel model, MeasuredRun run, int[] samples, List<Entrant> entrants) {
+        double step = model.scenario().timeStep().delta();
+        return new Ensemble(model, run, samples[0], entrants, step).simulate(samples);
     }
 
     /**

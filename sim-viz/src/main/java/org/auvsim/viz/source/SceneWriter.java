@@ -19,6 +19,7 @@ import org.auvsim.auvsml.message.session.RecordingEndedNotification;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.viz.scene.Counted;
 import org.auvsim.viz.scene.Meeting;
 import org.auvsim.viz.scene.Movement;
 import org.auvsim.viz.scene.Occurrence;
@@ -126,16 +127,12 @@ final class SceneWriter {
             case CLIENT ->
                     ("This viewer is too slow: it was not told of %s, which newer ones replaced;"
                                     + " the world is right.")
-                            .formatted(counted(m.skipped(), "movement"));
+                            .formatted(Counted.of(m.skipped(), "movement"));
             case SIMULATOR ->
                     ("The simulator is too slow for its rate: the world's time has fallen behind"
                                     + " by %s more; every step is made.")
-                            .formatted(counted(m.skipped(), "step"));
+                            .formatted(Counted.of(m.skipped(), "step"));
         };
-    }
-
-    private static String counted(long count, String what) {
-        return count == 1 ? "1 " + what : count + " " + what + "s";
     }
 
     /** From where it goes on; the simulator's own names stand for what is no snapshot. */

@@ -7,6 +7,7 @@ import org.auvsim.auvsml.message.control.ResumeSimulatorCommand;
 import org.auvsim.auvsml.message.control.SetRateCommand;
 import org.auvsim.auvsml.message.control.SimulatorStateResponse;
 import org.auvsim.auvsml.message.control.StepCommand;
+import org.auvsim.viz.scene.Counted;
 import org.auvsim.viz.source.Steering;
 
 import java.awt.BorderLayout;

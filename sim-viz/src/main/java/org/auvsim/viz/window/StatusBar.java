@@ -1,6 +1,7 @@
 package org.auvsim.viz.window;
 
 import org.auvsim.auvsml.Role;
+import org.auvsim.viz.scene.Counted;
 import org.auvsim.viz.source.Steering;
 
 import java.awt.BorderLayout;

@@ -8,6 +8,7 @@ import org.auvsim.core.volume.Compound;
 import org.auvsim.core.volume.HeightMap;
 import org.auvsim.core.volume.Sphere;
 import org.auvsim.core.volume.Volume;
+import org.auvsim.viz.scene.Counted;
 
 import java.math.BigDecimal;
 import java.math.MathContext;

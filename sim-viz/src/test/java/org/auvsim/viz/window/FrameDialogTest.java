@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.viz.camera.OrbitCamera;
 import org.auvsim.viz.drawing.ViewOptions;
+import org.auvsim.viz.scene.Counted;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;

@@ -1,4 +1,4 @@
-package org.auvsim.viz.window;
+package org.auvsim.viz.scene;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

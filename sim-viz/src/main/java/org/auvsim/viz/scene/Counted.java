@@ -1,11 +1,11 @@
-package org.auvsim.viz.window;
+package org.auvsim.viz.scene;
 
 /** So many of something, in words. */
-final class Counted {
+public final class Counted {
     private Counted() {}
 
     /** As {@code 1 client}, {@code 2 clients}. */
-    static String of(int count, String what) {
+    public static String of(long count, String what) {
         return count + " " + what + (count == 1 ? "" : "s");
     }
 }

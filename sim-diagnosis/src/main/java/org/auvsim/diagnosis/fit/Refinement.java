@@ -33,17 +33,13 @@ final class Refinement {
         private final List<List<WindowBlock>> blocks;
         private final Gram gram;
         private final double[] change;
-        private double turn;
+        private final double turn;
 
         Step(List<List<WindowBlock>> blocks, Gram gram, double[] change) {
             this.blocks = blocks;
             this.gram = gram;
             this.change = change;
-            for (List<WindowBlock> ofRun : blocks) {
-                for (WindowBlock block : ofRun) {
-                    turn = Math.max(turn, block.largestTurn(change));
-                }
-            }
+            this.turn = largestTurn(blocks, change);
         }
 
         /** By how much (rad) the window that turns most does so. */
@@ -63,8 +59,7 @@ final class Refinement {
 
         /** Windows and parameters after a share of it, and of what keeps it linear. */
         Fit from(Fit fit, double share) {
-            double gone = share * Math.min(1, MOST_TURN / Math.max(turn, 1e-300));
-            return moved(fit, blocks, change, gone);
+            return moved(fit, blocks, change, share * linear(turn));
         }
     }
 
@@ -104,8 +99,29 @@ final class Refinement {
         return fit.with(fit.hypothesis().plus(gone), windows(blocks, change, share));
     }
 
-    /** Windows moved as a share of a change of parameters asks for. */
-    static List<List<Window>> windows(
+    /** By how much (rad) the window that turns most does so. */
+    private static double largestTurn(List<List<WindowBlock>> blocks, double[] change) {
+        double turn = 0;
+        for (List<WindowBlock> ofRun : blocks) {
+            for (WindowBlock block : ofRun) {
+                turn = Math.max(turn, block.largestTurn(change));
+            }
+        }
+        return turn;
+    }
+
+    /** The share of a step with such a turn that is linear. */
+    private static double linear(double turn) {
+        return Math.min(1, MOST_TURN / Math.max(turn, 1e-300));
+    }
+
+    /** Windows moved as a change of parameters asks for, as far as that is linear. */
+    static List<List<Window>> windows(List<List<WindowBlock>> blocks, double[] change) {
+        return windows(blocks, change, linear(largestTurn(blocks, change)));
+    }
+
+    /** Windows moved by a share of what a change of parameters asks for. */
+    private static List<List<Window>> windows(
             List<List<WindowBlock>> blocks, double[] change, double share) {
         List<List<Window>> windows = new ArrayList<>();
         for (List<WindowBlock> ofRun : blocks) {

@@ -55,7 +55,8 @@ record Shooting(Stepping stepping, Variant variant, Misses of) {
         RigidMotion[][] rough =
                 motion[0].equals(Ensemble.LOST)
                         ? Ensemble.lost(entrants.size(), knots.samples().length)
-                        : Ensemble.neighbours(stepping.rough(), of.run(), knots.samples(), entrants);
+                        : Ensemble.neighbours(
+                                stepping.rough(), of.run(), knots.samples(), entrants);
         double[] missed = misses(window, entrants.getFirst(), motion, group);
         RigidMotion end = motion[window.length()];
         double[][] slopes = new double[rough.length - 1][];

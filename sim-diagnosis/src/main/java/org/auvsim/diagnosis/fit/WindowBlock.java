@@ -26,7 +26,7 @@ final class WindowBlock {
     private final List<WindowDerivatives> windows;
     private final int columns;
 
-    /** By window: its start's 12 numbers as a linear function of x. */
+    /** By window: its start's 12 numbers as a linear function of x; at last, the end of all. */
     private final List<double[][]> chain = new ArrayList<>();
 
     /** Rows of misses as a linear function of x, then made triangular in its first 12. */
@@ -56,11 +56,12 @@ final class WindowBlock {
         double[][] at = identity();
         for (int w = 0; w < windows.size(); w++) {
             chain.add(at);
-            row = missRows(windows.get(w), at, row);
-            if (w + 1 < windows.size()) {
-                at = next(windows.get(w), at, windows.get(w + 1).window.start());
-            }
+            WindowDerivatives window = windows.get(w);
+            row = missRows(window, at, row);
+            boolean isLast = w + 1 == windows.size();
+            at = next(window, at, isLast ? window.end : windows.get(w + 1).window.start());
         }
+        chain.add(at);
         triangulate();
     }
 
@@ -209,7 +210,7 @@ final class WindowBlock {
         return moved;
     }
 
-    /** By how much (rad) the window that turns most does so. */
+    /** By how much (rad) the window that turns most does so, at its start or its end. */
     double largestTurn(double[] parameters) {
         double[] x = solved(parameters);
         double largest = 0;

@@ -120,8 +120,12 @@ final class Learner implements Companion {
         Split split = Split.of(runs);
         try {
             Diagnosis found = investigation(model, split).diagnose();
+            if (closed) {
+                LOG.info("'{}': the diagnosis was stopped", model.body());
+                return;
+            }
             LOG.info("'{}': {}", model.body(), found.sentence());
-            if (!closed && found.verdict() == Verdict.EXPLAINED) {
+            if (found.verdict() == Verdict.EXPLAINED) {
                 tell(model, found);
             }
         } catch (IllegalArgumentException | IllegalStateException | ArithmeticException e) {

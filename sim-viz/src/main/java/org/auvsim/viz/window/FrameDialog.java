@@ -1,7 +1,6 @@
 package org.auvsim.viz.window;
 
 import org.auvsim.viz.scene.Counted;
-
 import org.jspecify.annotations.Nullable;
 
 import java.awt.BorderLayout;

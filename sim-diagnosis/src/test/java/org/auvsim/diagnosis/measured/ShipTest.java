@@ -24,7 +24,6 @@ import java.util.stream.IntStream;
 
 /** The tanker KVLCC2 in two zigzags, one fitted in parts of 20 s and the other predicted whole. */
 @Tag("measured-data")
-@Tag("long")
 class ShipTest {
     private static final double PART = 20;
 

@@ -3,12 +3,15 @@ package org.auvsim.diagnosis.fit;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.core.effect.Damping;
+import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Parameter;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.model.Ensemble;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
@@ -45,5 +48,36 @@ class LostMotionTest {
 
         assertThat(fit.windows().getFirst()).isNotEmpty();
         assertThat(Refinement.approach(fit, 1).cost()).isInfinite();
+    }
+
+    @Test
+    void neighboursOfALostMotionAreLost() throws Exception {
+        BelievedModel model = MeasuredVehicle.model(0.025);
+        Variant stuck = new Stuck().in(model.variant(), new double[0]);
+
+        RigidMotion[][] told = neighbours(model, List.of(stuck, model.variant()));
+
+        assertThat(told[0]).containsOnly(Ensemble.LOST);
+        assertThat(told[1]).containsOnly(Ensemble.LOST);
+    }
+
+    @Test
+    void aLostNeighbourIsLostAlone() throws Exception {
+        BelievedModel model = MeasuredVehicle.model(0.025);
+        Variant stuck = new Stuck().in(model.variant(), new double[0]);
+
+        RigidMotion[][] told = neighbours(model, List.of(model.variant(), stuck, model.variant()));
+
+        assertThat(told[0]).doesNotContain(Ensemble.LOST).isEqualTo(told[2]);
+        assertThat(told[1]).containsOnly(Ensemble.LOST);
+    }
+
+    private static RigidMotion[][] neighbours(BelievedModel model, List<Variant> variants) {
+        RigidMotion start = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, new Vec3(1, 0, 0), Vec3.ZERO);
+        return Ensemble.neighbours(
+                model,
+                MeasuredVehicle.run(model),
+                new int[] {0, 10, 20},
+                variants.stream().map(v -> new Ensemble.Entrant(v, start)).toList());
     }
 }

@@ -17,6 +17,10 @@ final class BallInAir implements Body {
 
     @Override
     public Plant plant(Draws draws) {
+        return plant(draws.chance(0.5) ? Drag.even(0, 0, 0) : Drag.even(0, 0.009, 2e-5));
+    }
+
+    static Plant plant(Drag drag) {
         double moment = 0.4 * MASS * RADIUS * RADIUS;
         return new Plant(
                 new Vector3D(2 * RADIUS, 0, 0),
@@ -27,7 +31,7 @@ final class BallInAir implements Body {
                 Plant.GRAVITY,
                 0,
                 Vector3D.ZERO,
-                draws.chance(0.5) ? Drag.even(0, 0, 0) : Drag.even(0, 0.009, 2e-5),
+                drag,
                 List.of(),
                 List.of());
     }

@@ -32,7 +32,7 @@ final class Effects {
         all.put("rotational_drag", new Kind(Scene::shows, PlantEffects::rotationalDrag));
         all.put("added_mass", new Kind(Effects::showsAfloat, PlantEffects::addedMass));
         all.put("cob_offset", new Kind(Effects::showsAfloat, PlantEffects::cobOffset));
-        all.put("mass_error", new Kind(Effects::any, PlantEffects::mass));
+        all.put("mass_error", new Kind(scene -> !scene.falls(), PlantEffects::mass));
         all.put("inertia_error", new Kind(Scene::shows, PlantEffects::inertia));
         all.put("current_constant", new Kind(Effects::any, WaterEffects::constant));
         all.put("current_oscillating", new Kind(Effects::any, WaterEffects::oscillating));

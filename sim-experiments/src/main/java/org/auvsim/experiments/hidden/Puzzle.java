@@ -33,6 +33,7 @@ record Puzzle(Body body, HiddenEffect hidden, Twins twins, double looseness) {
                     Puzzle::dragLaw,
                     Puzzle::delayOrClock,
                     Puzzle::weightOrBuoyancy,
+                    Puzzle::massOrDrag,
                     Puzzle::currentOrDrift);
 
     static Puzzle draw(Draws draws) {
@@ -254,6 +255,43 @@ record Puzzle(Body body, HiddenEffect hidden, Twins twins, double looseness) {
                 RATE,
                 List.of(),
                 List.of());
+    }
+
+    /** What only falls has as much too little mass as it has too much drag. */
+    private static Puzzle massOrDrag(Draws draws) {
+        boolean areAlike = draws.chance(0.6);
+        double factor = draws.between(0.45, 0.8);
+        double drag = 0.009;
+        double more = drag * (1 / factor - 1);
+        HiddenEffect hidden =
+                draws.chance(0.5)
+                        ? HiddenEffect.of(
+                                "mass_error",
+                                Map.of("factor", Numbers.of(factor)),
+                                r -> r.with(p -> p.withMass(factor * p.mass())))
+                        : HiddenEffect.of(
+                                "quadratic_drag",
+                                Map.of("k", Numbers.of(more)),
+                                r -> r.with(p -> p.withDrag(d -> d.withEven(0, more, 0))));
+        BallInAir ball = new BallInAir();
+        return new Puzzle(
+                new Plain(
+                        "falling ball",
+                        BallInAir.plant(Drag.even(0, drag, 0)),
+                        d -> areAlike ? ball.manoeuvre(d) : blown(ball.manoeuvre(d), d)),
+                hidden,
+                new Twins("quadratic_drag", "mass_error", areAlike),
+                1);
+    }
+
+    /** Pushed aside while it falls, by about its weight. */
+    private static Manoeuvre blown(Manoeuvre of, Draws draws) {
+        return new Manoeuvre(
+                of.start(),
+                of.duration(),
+                of.rate(),
+                of.commands(),
+                new Pushing(1, 3, LEVER).draw(of.duration(), draws));
     }
 
     /**

@@ -9,6 +9,7 @@ import java.util.stream.IntStream;
  * What a body does as the model believes: by which effects are drawn that matter.
  *
  * @param shows whether its orientation is measured
+ * @param falls whether nothing but weight and drag acts: mass and drag are then one number
  * @param duration of the shortest run (s)
  * @param range largest extent of the paths along an axis, mean of the runs (m)
  * @param turned largest turn from the first attitude, mean of the runs (rad)
@@ -18,6 +19,7 @@ import java.util.stream.IntStream;
 record Scene(
         Plant plant,
         boolean shows,
+        boolean falls,
         double duration,
         double range,
         double turned,
@@ -39,7 +41,14 @@ record Scene(
             time += done.get(r).duration();
         }
         List<Vector3D> places = runs.stream().flatMap(List::stream).map(Pose::position).toList();
-        return new Scene(plant, shows, duration, range, turned, way / time, places);
+        return new Scene(
+                plant, shows, falls(plant, done), duration, range, turned, way / time, places);
+    }
+
+    private static boolean falls(Plant plant, List<Manoeuvre> done) {
+        return plant.displaced() == 0
+                && plant.thrusters().isEmpty()
+                && done.stream().allMatch(manoeuvre -> manoeuvre.pushes().isEmpty());
     }
 
     private static double range(List<Pose> run) {

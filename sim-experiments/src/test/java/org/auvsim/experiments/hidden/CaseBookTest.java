@@ -2,11 +2,15 @@ package org.auvsim.experiments.hidden;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+
+import java.util.List;
+import java.util.Objects;
 
 class CaseBookTest {
     @ParameterizedTest
@@ -38,6 +42,24 @@ class CaseBookTest {
                 .isEqualTo(first.hidden().toString())
                 .isEqualTo(louder.hidden().toString());
         assertThat(louder.truth()).isEqualTo(first.truth());
+    }
+
+    /** Its weight and its drag are then too much by one factor: nobody could tell. */
+    @Test
+    void aWrongMassIsNotHiddenInWhatOnlyFalls() {
+        assertThat(fits("mass_error", new BallInAir())).isFalse();
+        assertThat(fits("mass_error", new PushedBox())).isTrue();
+        assertThat(fits("mass_error", new SphereInWater())).isTrue();
+        assertThat(fits("quadratic_drag", new BallInAir())).isTrue();
+    }
+
+    private static boolean fits(String cause, Body body) {
+        Draws draws = new Draws(1);
+        Plant plant = body.plant(draws);
+        Manoeuvre manoeuvre = body.manoeuvre(draws);
+        List<Pose> still = List.of(new Pose(Vector3D.ZERO, Attitude.turned(Vector3D.ZERO)));
+        Scene scene = Scene.of(plant, true, List.of(still), List.of(manoeuvre));
+        return Objects.requireNonNull(Effects.LIBRARY.get(cause)).fits().test(scene);
     }
 
     private static double[] x(HiddenCase of) {

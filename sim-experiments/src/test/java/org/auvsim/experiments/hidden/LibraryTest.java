@@ -41,7 +41,7 @@ class LibraryTest {
         "37, linear_drag",
         "21, magnetic",
         "40, magnus",
-        "23, mass_error",
+        "117, mass_error",
         "14, periodic_force",
         "11, quadratic_drag",
         "17, rotational_drag",

@@ -45,6 +45,9 @@ public final class Ensemble {
     /** So many steps of a body may be cut more. */
     private static final int A_MOMENT = 50;
 
+    /** No body is so far off (m), moves (m/s) or turns (rad/s) so fast. */
+    private static final double OUT_OF_ALL_BOUNDS = 1e9;
+
     private static final Vec3 NOWHERE = new Vec3(Double.NaN, Double.NaN, Double.NaN);
 
     /** A motion of which nothing can be said: all NaN. */
@@ -335,9 +338,9 @@ public final class Ensemble {
             Leg leg = legs.get(l);
             bodies.forEach(leg.start()::giveTo);
             advance(leg.from(), leg.to(), l == 0);
-            RigidMotion end = RigidMotion.of(bodies.getFirst());
+            RigidMotion end = motion(0);
             for (int i = 0; i < partings.length; i++) {
-                partings[i][l] = RigidMotion.of(bodies.get(i + 1)).minus(end);
+                partings[i][l] = motion(i + 1).minus(end);
             }
         }
         return partings;
@@ -345,8 +348,26 @@ public final class Ensemble {
 
     private void keep(RigidMotion[][] motions, int sample) {
         for (int i = 0; i < motions.length; i++) {
-            motions[i][sample] = RigidMotion.of(bodies.get(i));
+            motions[i][sample] = motion(i);
         }
+    }
+
+    /**
+     * How a body moves.
+     *
+     * @throws StepException if it is where nothing can be: squares and products of what is still
+     *     finite then are not
+     */
+    private RigidMotion motion(int body) {
+        RigidMotion motion = RigidMotion.of(bodies.get(body));
+        double largest =
+                Math.max(
+                        motion.position().norm(),
+                        Math.max(motion.velocity().norm(), motion.angularVelocity().norm()));
+        if (!(largest < OUT_OF_ALL_BOUNDS)) {
+            throw new StepException("a motion gets out of all bounds");
+        }
+        return motion;
     }
 
     private void advance(double until) {

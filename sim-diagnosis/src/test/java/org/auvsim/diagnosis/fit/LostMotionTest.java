@@ -72,6 +72,23 @@ class LostMotionTest {
         assertThat(told[1]).containsOnly(Ensemble.LOST);
     }
 
+    /** What steps made of a force that is too stiff may still be finite, and of no use. */
+    @Test
+    void aMotionIsLostBeforeItsNumbersAreInfinite() throws Exception {
+        BelievedModel model = MeasuredVehicle.model(0.025);
+        RigidMotion far =
+                new RigidMotion(new Vec3(1e150, 0, 0), Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
+
+        RigidMotion[] told =
+                Ensemble.simulate(
+                        model,
+                        MeasuredVehicle.run(model),
+                        new int[] {0, 1},
+                        List.of(new Ensemble.Entrant(model.variant(), far)))[0];
+
+        assertThat(told).containsOnly(Ensemble.LOST);
+    }
+
     private static RigidMotion[][] neighbours(BelievedModel model, List<Variant> variants) {
         RigidMotion start = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, new Vec3(1, 0, 0), Vec3.ZERO);
         return Ensemble.neighbours(

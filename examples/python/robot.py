@@ -6,6 +6,7 @@
 The robot's thrusters push its simulated self; a current that the simulator knows nothing of pushes
 the real one. Whenever the server says where it will be, the robot answers where it really is.
 """
+import math
 import socket
 import sys
 from xml.etree.ElementTree import XMLPullParser
@@ -29,8 +30,8 @@ send('<set-propulsor-command world-object-id="1" name="Port Thruster" level="0.2
 send('<set-propulsor-command world-object-id="1" name="Starboard Thruster" level="0.2"/>')
 
 old = ""
-time, corrections, errors = 0.0, 0, []
-while time < float(seconds) and (data := link.recv(65536)):
+time, until, corrections, errors = 0.0, math.inf, 0, []
+while time < until and (data := link.recv(65536)):
     parser.feed(data)
     for _, message in parser.read_events():
         if message.tag == "error-response":
@@ -41,6 +42,7 @@ while time < float(seconds) and (data := link.recv(65536)):
             errors.append((float(message.get("error-before")), float(message.get("error-after"))))
         if message.tag == "movement-state-change-message" and message.get("is-projected-state") == "1":
             time = float(message.get("timestamp"))
+            until = min(until, time + float(seconds))
             x, y, z = (float(message.find("position").get(axis)) for axis in "xyz")
             y += 0.005  # what the robot's own sensor says: the current carries it to the left
             here = f'<old-position x="{x}" y="{y}" z="{z}"/>'  # for the answer after this one
@@ -54,6 +56,9 @@ while time < float(seconds) and (data := link.recv(65536)):
             if sys.stdout.isatty():
                 print(f"\r{time:8.2f} s   x {x:8.3f}   y {y:8.3f}   z {z:8.3f} m", end="")
 
+if time >= until:  # or else the simulator has gone
+    send('<set-propulsor-command world-object-id="1" name="Port Thruster" level="0"/>')
+    send('<set-propulsor-command world-object-id="1" name="Starboard Thruster" level="0"/>')
 print()
 if len(errors) < corrections / 2 or max(after for _, after in errors or [(1, 1)]) > 1e-6:
     sys.exit(f"the server applied {len(errors)} of {corrections} corrections: {errors[:3]} ...")

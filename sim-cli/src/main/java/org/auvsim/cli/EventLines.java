@@ -13,6 +13,7 @@ import org.auvsim.auvsml.message.sensing.SensorReadingMessage;
 import org.auvsim.auvsml.message.session.DisconnectedNotification;
 import org.auvsim.auvsml.message.session.ErrorResponse;
 import org.auvsim.auvsml.message.session.LaggingNotification;
+import org.auvsim.auvsml.message.session.LaggingSide;
 import org.auvsim.core.math.Mat3;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.sensor.SensorReading;
@@ -82,7 +83,13 @@ final class EventLines {
                                             s.loweredHits(),
                                             s.unsolvedIslands()));
             case LaggingNotification l ->
-                    Optional.of("(too slow: %d left out)".formatted(l.skipped()));
+                    Optional.of(
+                            l.side() == LaggingSide.CLIENT
+                                    ? "(too slow here: %d movements were not told"
+                                                    .formatted(l.skipped())
+                                            + ", which newer ones replaced)"
+                                    : "(the simulator is too slow: %d steps more behind its rate)"
+                                            .formatted(l.skipped()));
             case SnapshotRestoredNotification s ->
                     Optional.of("(time goes on from %s s: %s)".formatted(s.timestamp(), s.name()));
             case DisconnectedNotification d -> Optional.of("the simulator ends: " + d.reason());

@@ -156,6 +156,7 @@ public final class AuvsmlClient implements AutoCloseable {
      * Sends messages, together in one root element.
      *
      * @throws ConnectionException if the simulator has gone
+     * @throws TooLongException if together they are longer than a simulator takes
      */
     public void send(Message... messages) throws ConnectionException {
         send(Optional.empty(), List.of(messages));
@@ -165,6 +166,7 @@ public final class AuvsmlClient implements AutoCloseable {
      * Sends messages whose response or error comes back with {@code requestId}.
      *
      * @throws ConnectionException if the simulator has gone
+     * @throws TooLongException if together they are longer than a simulator takes
      */
     public void request(String requestId, Message... messages) throws ConnectionException {
         send(Optional.of(requestId), List.of(messages));
@@ -173,6 +175,9 @@ public final class AuvsmlClient implements AutoCloseable {
     private void send(Optional<String> requestId, List<Message> messages)
             throws ConnectionException {
         byte[] bytes = writer.write(requestId, messages);
+        if (bytes.length > Limits.MESSAGE.bytes()) {
+            throw new TooLongException(bytes.length, Limits.MESSAGE.bytes());
+        }
         synchronized (out) {
             try {
                 out.write(bytes);

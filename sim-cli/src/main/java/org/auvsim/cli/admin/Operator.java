@@ -1,6 +1,7 @@
 package org.auvsim.cli.admin;
 
 import org.auvsim.auvsml.client.ConnectionException;
+import org.auvsim.auvsml.client.TooLongException;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.session.ErrorResponse;
 import org.auvsim.cli.report.UserError;
@@ -54,7 +55,7 @@ final class Operator {
             return;
         }
         List<Message> messages = interpreter.messages(command);
-        List<Message> answers = conversation.ask(messages, patience);
+        List<Message> answers = asked(messages, patience);
         for (Message answer : answers) {
             if (answer instanceof ErrorResponse error) {
                 throw new UserError("refused: " + error.text());
@@ -63,6 +64,15 @@ final class Operator {
         }
         if (answers.size() < messages.size() && !conversation.hasEnded()) {
             out.accept("waits for its turn; the answer is shown when it comes");
+        }
+    }
+
+    private List<Message> asked(List<Message> messages, Duration patience)
+            throws ConnectionException, InterruptedException {
+        try {
+            return conversation.ask(messages, patience);
+        } catch (TooLongException e) {
+            throw new UserError("not sent: " + e.getMessage());
         }
     }
 }

@@ -2,7 +2,7 @@ package org.auvsim.server.simulator;
 
 import java.util.OptionalLong;
 
-/** Counts the steps that a simulator skips because it is too slow, and says so once in a while. */
+/** Counts by how many steps a simulator that is too slow falls behind, and says so at times. */
 final class Lag {
     private static final long SHORTEST_SILENCE = 5_000_000_000L;
 
@@ -14,7 +14,7 @@ final class Lag {
         this.pace = pace;
     }
 
-    /** How many steps were skipped, if there are any and it is time to say so. */
+    /** By how many it has fallen behind more, if by any and it is time to say so. */
     OptionalLong skippedSteps(double worldTime, double timeStep) {
         skipped += pace.skipWhatIsLost(worldTime);
         long now = pace.now();

@@ -130,7 +130,8 @@ final class SimulationLoop implements TimeControl {
                 running ? lag.skippedSteps(world.time(), world.timeStep()) : OptionalLong.empty();
         if (skipped.isPresent()) {
             LOG.warn(
-                    "too slow for {} times real time: {} steps skipped",
+                    "too slow for {} times real time: the world's time has fallen behind by {}"
+                        + " steps",
                     pace.rate().orElse(Double.POSITIVE_INFINITY),
                     skipped.getAsLong());
             simulation

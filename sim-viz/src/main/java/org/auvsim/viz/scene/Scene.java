@@ -101,7 +101,7 @@ public final class Scene {
         worlds.enter(objects());
     }
 
-    /** Counts up when another world has been told, of which nothing that can move was there. */
+    /** Counts up when another world has been told than the one before. */
     public synchronized long worlds() {
         return worlds.count();
     }

@@ -16,21 +16,29 @@ final class Worlds {
         }
     }
 
-    /** These have been told: another world, if nothing is among them of what could move before. */
+    /**
+     * These have been told: another world, if of what can move now most was not there before, or
+     * nothing is left of what was.
+     */
     void enter(List<SeenObject> objects) {
         if (isLeft) {
             isLeft = false;
-            List<SeenObject> free = before.stream().filter(object -> !object.isFixed()).toList();
-            List<SeenObject> marks = free.isEmpty() ? before : free;
-            boolean isSame =
-                    objects.isEmpty() || marks.stream().anyMatch(mark -> isAmong(objects, mark));
+            List<SeenObject> marks = marks(objects);
+            long kept = marks.stream().filter(mark -> isAmong(before, mark)).count();
+            boolean isSame = objects.isEmpty() || (kept > 0 && 2 * kept >= marks.size());
             count += isSame ? 0 : 1;
         }
     }
 
+    /** What tells a world from others: what can move in it, or else all there is. */
+    private static List<SeenObject> marks(List<SeenObject> objects) {
+        List<SeenObject> free = objects.stream().filter(object -> !object.isFixed()).toList();
+        return free.isEmpty() ? objects : free;
+    }
+
     private static boolean isAmong(List<SeenObject> objects, SeenObject mark) {
         return objects.stream()
-                .anyMatch(object -> object.id() == mark.id() && object.name().equals(mark.name()));
+                .anyMatch(object -> object.id() == mark.id() && object.looksLike(mark));
     }
 
     long count() {

@@ -3,6 +3,7 @@ package org.auvsim.viz.source;
 import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.client.AuvsmlClient;
 import org.auvsim.auvsml.client.ConnectionException;
+import org.auvsim.auvsml.client.TooLongException;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
 import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.session.DisconnectedNotification;
@@ -100,6 +101,8 @@ final class Exchange {
     private void write(String id, Message message) {
         try {
             client.request(id, message);
+        } catch (TooLongException e) {
+            fail(id, new RefusedException(String.valueOf(e.getMessage())));
         } catch (ConnectionException e) {
             fail(id, new LostException(String.valueOf(e.getMessage())));
         }

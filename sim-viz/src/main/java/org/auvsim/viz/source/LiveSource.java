@@ -97,6 +97,9 @@ public final class LiveSource implements Source, Steering {
                         letter -> {
                             strangers.hear(letter);
                             letter.messages().forEach(message -> hear(message, writer, asking));
+                            if (letter.requestId().isEmpty()) {
+                                writer.tellFaults(letter.messages());
+                            }
                         });
         to.close();
         state = Optional.empty();

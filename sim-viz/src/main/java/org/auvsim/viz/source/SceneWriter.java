@@ -14,6 +14,7 @@ import org.auvsim.auvsml.message.movement.MovementStateChangeMessage;
 import org.auvsim.auvsml.message.movement.StateType;
 import org.auvsim.auvsml.message.movement.TimestepAdvancedNotification;
 import org.auvsim.auvsml.message.radio.RadioMessage;
+import org.auvsim.auvsml.message.session.ErrorResponse;
 import org.auvsim.auvsml.message.session.LaggingNotification;
 import org.auvsim.auvsml.message.session.RecordingEndedNotification;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -25,6 +26,8 @@ import org.auvsim.viz.scene.Movement;
 import org.auvsim.viz.scene.Occurrence;
 import org.auvsim.viz.scene.Scene;
 import org.auvsim.viz.scene.SeenObject;
+
+import java.util.List;
 
 /** Writes what a simulator tells into a scene. Belongs to the thread that reads. */
 final class SceneWriter {
@@ -58,6 +61,15 @@ final class SceneWriter {
             case LockstepTimeoutNotification m ->
                     tell(newest(), "Step %d waits for members".formatted(m.step()));
             default -> {}
+        }
+    }
+
+    /** What went wrong though nobody asked for it: a step that failed, for example. */
+    void tellFaults(List<Message> messages) {
+        for (Message message : messages) {
+            if (message instanceof ErrorResponse error) {
+                tell(newest(), "The simulator says: " + error.text());
+            }
         }
     }
 

@@ -48,7 +48,8 @@ final class ActuatorSlider {
         label.setToolTipText(actuator.name());
         label.setPreferredSize(new Dimension(164, 22));
         JLabel value = new JLabel(words.apply(actuator.command()), SwingConstants.RIGHT);
-        value.setPreferredSize(new Dimension(42, 22));
+        int widest = value.getFontMetrics(value.getFont()).stringWidth(words.apply(-most));
+        value.setPreferredSize(new Dimension(Math.max(42, widest + 4), 22));
         slider.addChangeListener(
                 e -> {
                     double now = most * slider.getValue() / PARTS;

@@ -27,7 +27,7 @@ class ExchangeTest {
             "<auvsml><welcome-message protocol-version=\"1\" server=\"x\" session-id=\"1\""
                     + " role=\"admin\"/></auvsml>";
 
-    private static final Message LARGE = new TakeSnapshotCommand("s".repeat(200_000));
+    private static final Message LARGE = new TakeSnapshotCommand("s".repeat(60_000));
 
     @Test
     void aSimulatorThatDoesNotReadHoldsUpNobodyAndThatIsSaid() throws Exception {
@@ -46,6 +46,25 @@ class ExchangeTest {
                     .withMessageContaining("256 orders wait, and this one is left out");
             exchange.close();
             accepted.get().close();
+        }
+    }
+
+    @Test
+    void whatIsLongerThanASimulatorTakesIsRefusedAndTheConnectionGoesOn() throws Exception {
+        try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            CompletableFuture<Socket> accepted = CompletableFuture.supplyAsync(() -> greet(server));
+            Exchange exchange = connected(server);
+            assertThat(exchange.ask(new TakeSnapshotCommand("s".repeat(70_000))))
+                    .failsWithin(Duration.ZERO)
+                    .withThrowableThat()
+                    .withCauseExactlyInstanceOf(RefusedException.class)
+                    .withMessageContaining("a simulator takes at most 65536 bytes at once");
+            exchange.want(new TakeSnapshotCommand("short"));
+            try (Socket simulator = accepted.get();
+                    Scanner words = new Scanner(simulator.getInputStream(), UTF_8)) {
+                assertThat(words.useDelimiter("</auvsml>").next()).contains("name=\"short\"");
+            }
+            exchange.close();
         }
     }
 

@@ -21,7 +21,9 @@ import org.auvsim.auvsml.message.entity.AddWorldObjectCommand;
 import org.auvsim.auvsml.message.entity.DescribeWorldObjectRequest;
 import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
 import org.auvsim.auvsml.message.feedback.DifferentPositionFeedbackMessage;
+import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Frame;
+import org.auvsim.core.entity.WorldObject;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.field.UniformCurrent;
 import org.auvsim.core.math.Vec3;
@@ -272,6 +274,29 @@ class LiveSourceTest {
             told(source, "There are 200 objects: their projected states are shown again");
             makeSteps(source, 4);
             assertThat(isProjected(source)).isTrue();
+        }
+    }
+
+    /** Breaks as soon as time has passed. */
+    private record Fault(String name) implements Behavior {
+        @Override
+        public void act(double time, WorldObject self) {
+            throw new IllegalStateException("the rudder of '%s' broke".formatted(self.name()));
+        }
+    }
+
+    @Test
+    void whatGoesWrongThoughNobodyAskedIsTold() throws Exception {
+        World world = world();
+        world.object(10).add(new Fault("fault"));
+        TcpTransport tcp = TcpTransport.onLoopback(0);
+        try (Simulator _ = Simulator.of(world).paused().transport(tcp).start();
+                LiveSource source = connected(tcp.port())) {
+            source.ask(new StepCommand(1)).get();
+            told(
+                    source,
+                    "The simulator says: the step at 0.0 s failed and the simulation is paused: the"
+                            + " rudder of 'Bob' broke");
         }
     }
 

@@ -22,22 +22,20 @@ class NewWorldTest {
         desk.refresh();
     }
 
-    private void comesBackWith(WorldObjectDefinition object) {
+    private void comesBackWith(WorldObjectDefinition... objects) {
         scene.clear();
         desk.refresh();
-        scene.add(SeenObject.of(9, object));
+        long id = 9;
+        for (WorldObjectDefinition object : objects) {
+            scene.add(SeenObject.of(id++, object));
+        }
         scene.enterWorld();
         desk.refresh();
     }
 
     @Test
     void anotherWorldIsFittedAndItsOnlyObjectFollowed() {
-        comesBackWith(
-                WorldObjectDefinition.named("Whale")
-                        .mass(1)
-                        .volume(new Sphere(3))
-                        .position(-50, 0, 0)
-                        .build());
+        comesBackWith(ball("Whale", -50));
         assertThat(camera.target().x()).isEqualTo(-50);
         assertThat(options.followed()).hasValue(9);
     }
@@ -47,5 +45,25 @@ class NewWorldTest {
         comesBackWith(Scenes.buoy());
         assertThat(camera.target().x()).isEqualTo(1);
         assertThat(options.followed()).isEmpty();
+    }
+
+    @Test
+    void anotherWorldThatBeginsLikeTheOneBeforeIsFitted() {
+        comesBackWith(Scenes.buoy(), ball("A", 100), ball("B", 200));
+        assertThat(camera.target().x()).isGreaterThan(50);
+    }
+
+    @Test
+    void anotherObjectOfTheSameNameIsAnotherWorld() {
+        comesBackWith(ball(Scenes.buoy().name(), -50));
+        assertThat(camera.target().x()).isEqualTo(-50);
+    }
+
+    private static WorldObjectDefinition ball(String name, double x) {
+        return WorldObjectDefinition.named(name)
+                .mass(1)
+                .volume(new Sphere(3))
+                .position(x, 0, 0)
+                .build();
     }
 }

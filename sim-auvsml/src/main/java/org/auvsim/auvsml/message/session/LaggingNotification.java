@@ -3,11 +3,11 @@ package org.auvsim.auvsml.message.session;
 import org.auvsim.auvsml.message.Message;
 
 /**
- * Somebody is too slow, and something was left out for it.
+ * Somebody is too slow: a client is not told of what newer messages replaced, or a simulator's
+ * world falls behind its rate.
  *
  * @param side who is too slow
- * @param skipped how much was left out since the last such message: movements that a newer one
- *     replaced, if the client is too slow; steps, if the simulator is, so that the world's time
- *     falls behind its rate
+ * @param skipped how much since the last such message: movements that the client was not told of;
+ *     or steps that the simulator is later now than its rate asks for, each of which it still makes
  */
 public record LaggingNotification(LaggingSide side, long skipped) implements Message {}

@@ -27,6 +27,8 @@ import java.io.StringReader;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /** Lines from a pipe, to a simulator over a real socket. */
 @Timeout(60)
@@ -104,6 +106,19 @@ class AdministrationTest {
     private double level() {
         return simulator.ask(
                 world -> world.object(7).component(Propulsor.class).orElseThrow().command());
+    }
+
+    @Test
+    void whatIsTooLongForASimulatorIsNotSent(@TempDir Path folder) throws Exception {
+        String ball = "<world-object name=\"%d\" mass=\"1\"><sphere radius=\"1\"/></world-object>";
+        String balls =
+                IntStream.range(0, 1000).mapToObj(ball::formatted).collect(Collectors.joining());
+        Path file = folder.resolve("balls.xml");
+        Files.writeString(file, "<scenario>" + balls + "</scenario>");
+
+        assertThatThrownBy(() -> perform("load scenario @" + file))
+                .isInstanceOf(UserError.class)
+                .hasMessageContaining("not sent: a simulator takes at most 65536 bytes at once");
     }
 
     @Test

@@ -131,7 +131,7 @@ final class SimulationLoop implements TimeControl {
         if (skipped.isPresent()) {
             LOG.warn(
                     "too slow for {} times real time: the world's time has fallen behind by {}"
-                        + " steps",
+                            + " steps",
                     pace.rate().orElse(Double.POSITIVE_INFINITY),
                     skipped.getAsLong());
             simulation

@@ -128,7 +128,7 @@ final class Search {
         }
         Judged first = best;
         Traces traces = screen(first.fit().hypothesis(), plain).traces();
-        best = amongAliases(first, traces);
+        best = exchanged(first, traces);
         Choice choice = Choice.near(best, eachSetOnce(), library);
         best = choice.instead(best, course);
         return new Found(
@@ -162,9 +162,13 @@ final class Search {
     private List<Screen.Start> more(Judged best) {
         Hypothesis of = best.fit().hypothesis();
         List<Cause> others = library.stream().filter(c -> !of.causes().contains(c)).toList();
-        return screen(of, others).starts(1, cause -> true).stream()
+        return promising(screen(of, others)).stream().limit(FORWARD).toList();
+    }
+
+    /** With one cause each, the most promising first. */
+    private static List<Screen.Start> promising(Screen screen) {
+        return screen.starts(1, cause -> true).stream()
                 .sorted(Comparator.comparingDouble(Screen.Start::promise).reversed())
-                .limit(FORWARD)
                 .toList();
     }
 
@@ -247,28 +251,50 @@ final class Search {
 
     /**
      * The same with each of its causes exchanged for those that leave nearly the same trace: which
-     * of two it is that the data cannot tell apart is not to depend on which was tried. A specific
-     * cause stays before a generic one that fits about as well, which is told beside it.
+     * of two it is that the data cannot tell apart is not to depend on which was tried. Beside
+     * others it is exchanged for the most promising ones, too: it may have been found before them,
+     * and have stood for them. A specific cause stays before a generic one that fits about as well,
+     * which is told beside it.
      */
-    private Judged amongAliases(Judged found, Traces traces) {
+    private Judged exchanged(Judged found, Traces traces) {
         Judged best = found;
         Hypothesis of = found.fit().hypothesis();
-        for (int c = 0; c < of.causes().size() && contest.isEmpty(); c++) {
-            Hypothesis others = of.without(c);
-            List<Cause> aliases =
-                    traces.alike(of.causes().get(c)).stream()
-                            .filter(alias -> !isJudged(others.and(alias, new double[0]).causes()))
-                            .toList();
-            if (!aliases.isEmpty() && course.goesOn()) {
-                Judged other =
-                        tournament(
-                                screen(others, aliases).starts(1, cause -> true), best, 0.8, 0.9);
+        for (int c = 0; c < of.causes().size() && contest.isEmpty() && course.goesOn(); c++) {
+            List<Screen.Start> starts =
+                    insteadOf(of.causes().get(c), of.without(c), traces.alike(of.causes().get(c)));
+            if (!starts.isEmpty()) {
+                Judged other = tournament(starts, best, 0.8, 0.9);
                 boolean isAsGood = of.isGeneric() || !other.fit().hypothesis().isGeneric();
                 boolean isClear = best.score() - other.score() > DOUBTFUL;
                 best = !other.equals(best) && (isAsGood || isClear) ? pruned(other) : best;
             }
         }
         return best;
+    }
+
+    /**
+     * Sets that were not judged yet: others with an alias of a cause, or with what promises most.
+     */
+    private List<Screen.Start> insteadOf(Cause cause, Hypothesis others, List<Cause> aliases) {
+        boolean isAlone = others.causes().isEmpty();
+        List<Cause> untried =
+                (isAlone ? aliases : library)
+                        .stream()
+                                .filter(o -> !o.equals(cause) && !others.causes().contains(o))
+                                .filter(o -> !isJudged(others.and(o, new double[0]).causes()))
+                                .toList();
+        if (untried.isEmpty()) {
+            return List.of();
+        }
+        List<Screen.Start> starts = promising(screen(others, untried));
+        List<Screen.Start> taken = new ArrayList<>();
+        for (Screen.Start start : starts) {
+            Cause last = start.fit().hypothesis().causes().getLast();
+            if (taken.size() < FORWARD || aliases.contains(last)) {
+                taken.add(start);
+            }
+        }
+        return taken;
     }
 
     private boolean isJudged(List<Cause> causes) {

@@ -42,7 +42,8 @@ final class Trial {
     /**
      * Whether a hypothesis holds on the held-out runs: its parameters may move within what the runs
      * of the fit leave open, which on a long or tumbling run makes all the difference. One that
-     * predicts them worse than the model as it was believed does not hold.
+     * predicts them worse than the model as it was believed does not hold, moved or as it is: what
+     * only fitted noise can often be moved to fit other noise.
      *
      * @param before the model as it was believed, on the held-out runs
      * @param predicted the hypothesis as it is on them
@@ -55,8 +56,10 @@ final class Trial {
                         .with(fitted.fit().hypothesis(), predicted.fit().windows())
                         .knowing(known);
         Judged adjusted = Refinement.converge(Judged.of(fit), ADJUSTMENTS);
+        double worst = before.outcome().deviance() + Cause.PRICE;
         return isConfirmed(before.outcome().misses(), List.of(adjusted), fitted)
-                && adjusted.outcome().deviance() < before.outcome().deviance() + Cause.PRICE
+                && predicted.outcome().deviance() < worst
+                && adjusted.outcome().deviance() < worst
                 && Search.whiteness(adjusted) < LIMIT
                 && worstRatio(adjusted.outcome(), fitted.outcome()) < MOST_RATIO;
     }

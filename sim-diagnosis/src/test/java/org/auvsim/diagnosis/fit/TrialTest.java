@@ -1,0 +1,42 @@
+package org.auvsim.diagnosis.fit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+
+/** A motor of 0.8 of its thrust on a held-out run, of which the runs of the fit said so or so. */
+class TrialTest {
+    private static final Cart CART = new Cart(0.8, 1e-5, 0);
+
+    @Test
+    void aPredictionThatIsNearlyRightMayBeMovedAndHolds() throws Exception {
+        assertThat(passes(-0.25)).isTrue();
+    }
+
+    /**
+     * By 0.8 too little is worse than by 0.2 too much, though it could be moved to what is right.
+     */
+    @Test
+    void onePoorerThanNoneDoesNotHoldThoughItCouldBeMoved() throws Exception {
+        assertThat(passes(-0.9)).isFalse();
+    }
+
+    /** Whether a gain that is off by so much holds; the fit leaves it open. */
+    private static boolean passes(double gain) throws Exception {
+        Hypothesis said =
+                new Hypothesis(List.of(CART.cause("thruster_gain")), List.of(new double[] {gain}));
+        Stepping stepping = Stepping.exact(Cart.believed());
+        List<MeasuredRun> runs = List.of(CART.run());
+        Noise noise = Noise.of(runs);
+        Trial trial = new Trial(stepping, runs, noise);
+        Fit fit = Following.of(stepping, said, Misses.of(runs, noise), noise);
+        return trial.passes(
+                Judged.of(fit.whole()),
+                trial.prediction(Hypothesis.NONE),
+                trial.prediction(said),
+                Knowledge.of(said.numbers(), 0, 1));
+    }
+}

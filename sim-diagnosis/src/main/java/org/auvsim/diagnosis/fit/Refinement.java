@@ -26,6 +26,9 @@ final class Refinement {
     /** A share of the cost that is not worth a step. */
     private static final double ENOUGH = 1e-4;
 
+    /** All that follow one gain no more than so many like it; of fewer, long valleys are missed. */
+    private static final int MOST_HOPED = 40;
+
     private Refinement() {}
 
     /** A step that is to be made. */
@@ -165,13 +168,13 @@ final class Refinement {
         return converge(start, mostSteps, Double.POSITIVE_INFINITY);
     }
 
-    /** The same, given up where a score is out of reach even if all steps gain like the last. */
+    /** The same, given up where a score is out of reach, as far as the last step tells. */
     static Judged converge(Judged start, int mostSteps, double score) {
         Judged best = start;
         for (int s = 0; s < mostSteps && Double.isFinite(best.cost()); s++) {
             Judged next = better(best);
             boolean isWorthIt = isWorthIt(best.cost() - next.cost(), next);
-            double hoped = (mostSteps - s - 1) * (best.score() - next.score());
+            double hoped = MOST_HOPED * (best.score() - next.score());
             boolean isNear = next.score() - hoped < score;
             best = next;
             if (!isWorthIt || !isNear) {

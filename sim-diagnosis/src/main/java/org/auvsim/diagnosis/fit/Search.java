@@ -42,6 +42,9 @@ final class Search {
     private final Optional<Arena.Contest> contest;
     private final List<Judged> judged = new ArrayList<>();
 
+    /** What followed the measurement last. */
+    private Fit followed;
+
     /** By columns of a screening, or else by a contest of models. */
     Search(
             BelievedModel model,
@@ -58,6 +61,7 @@ final class Search {
                 stepping.model().equals(model)
                         ? asStated.in(stepping)
                         : Following.of(stepping, Hypothesis.NONE, data, noise);
+        this.followed = base;
         this.library = library;
         this.guesses = library.stream().map(c -> new Seed.Guesses(c, c.guesses(runs))).toList();
         this.course = course;
@@ -320,7 +324,10 @@ final class Search {
 
     /** Windows that follow the measurement under a hypothesis. */
     private Fit following(Hypothesis hypothesis) {
-        return Following.of(stepping, hypothesis, base.data(), noise);
+        if (!followed.hypothesis().equals(hypothesis)) {
+            followed = Following.of(stepping, hypothesis, base.data(), noise);
+        }
+        return followed;
     }
 
     /** All starts come near, the best of them nearer, the best of those to the end. */
@@ -338,7 +345,7 @@ final class Search {
                                                                 / starts.size()))
                         .map(start -> Refinement.approach(start.fit(), start.perBlock()))
                         .toList();
-        List<Judged> nearer = best(near, SECOND_ROUND, SECOND_STEPS, Double.POSITIVE_INFINITY);
+        List<Judged> nearer = best(near, SECOND_ROUND, SECOND_STEPS, toBeat(near, otherwise));
         List<Judged> last = best(nearer, THIRD_ROUND, THIRD_STEPS, toBeat(nearer, otherwise));
         judged.addAll(last);
         return last.stream()

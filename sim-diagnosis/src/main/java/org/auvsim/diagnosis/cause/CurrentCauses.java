@@ -21,9 +21,6 @@ final class CurrentCauses {
 
     private static final int VORTICES = 4;
 
-    /** Frequencies at which a search for an oscillating current begins. */
-    private static final int OSCILLATIONS = 24;
-
     private CurrentCauses() {}
 
     static List<Cause> of(Setting s) {
@@ -57,7 +54,7 @@ final class CurrentCauses {
 
     /** Of a sine and a cosine, as both are linear. */
     private static Cause oscillating(Setting s, double scale) {
-        Swing swing = new Swing(s, "u", "m/s", scale, new Frequencies(s).spread(OSCILLATIONS));
+        Swing swing = new Swing(s, "u", "m/s", scale, new Frequencies(s).told());
         return Change.of(
                         "current_oscillating",
                         swing.parameters(),

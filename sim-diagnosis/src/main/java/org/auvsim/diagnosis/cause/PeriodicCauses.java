@@ -10,8 +10,7 @@ import java.util.List;
 /** Forces that come again and again. */
 final class PeriodicCauses {
     private static final double GRAVITY = 9.80665;
-    private static final int WAVES = 12;
-    private static final int DIRECTIONS = 4;
+    private static final int DIRECTIONS = 6;
 
     private PeriodicCauses() {}
 
@@ -51,7 +50,7 @@ final class PeriodicCauses {
                         frequencies.parameter(),
                         new Parameter("dispersion", "1", 0.1, 0, 10));
         List<Guess> guesses = new ArrayList<>();
-        for (double omega : frequencies.spread(WAVES)) {
+        for (double omega : frequencies.told()) {
             for (int i = 0; i < DIRECTIONS; i++) {
                 double direction = 2 * Math.PI * i / DIRECTIONS;
                 guesses.add(

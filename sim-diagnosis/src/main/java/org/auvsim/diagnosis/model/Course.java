@@ -10,9 +10,11 @@ final class Course {
     private Course() {}
 
     /**
-     * The motion at a time (s); before the first sample and after the last along the nearest cubic.
+     * The motion at a time (s). Before the first sample and after the last it goes on as it is
+     * there: a vehicle that begins to be driven was at rest or moved evenly, and a cubic leads
+     * anywhere.
      *
-     * @param motions at a run's samples from {@code from} on; a single one goes on as it is
+     * @param motions at a run's samples from {@code from} on
      */
     static RigidMotion at(RigidMotion[] motions, MeasuredRun run, int from, double time) {
         if (motions.length == 1) {
@@ -30,7 +32,13 @@ final class Course {
         }
         double begin = run.time(from + low);
         double span = run.time(from + low + 1) - begin;
-        return between(motions[low], motions[low + 1], span, (time - begin) / span);
+        double share = (time - begin) / span;
+        if (share < 0) {
+            return goingOn(motions[low], time - begin);
+        }
+        return share > 1
+                ? goingOn(motions[low + 1], time - begin - span)
+                : between(motions[low], motions[low + 1], span, share);
     }
 
     private static RigidMotion goingOn(RigidMotion motion, double span) {

@@ -18,6 +18,9 @@ import java.util.Optional;
 final class LocalMotion {
     private static final int DEGREE = 2;
 
+    /** A rotation vector (rad) beyond half a turn would be that of the other way round. */
+    private static final double MOST_TURN = 2;
+
     private final MeasuredRun run;
     private final RigidMotion otherwise;
     private final int from;
@@ -73,7 +76,11 @@ final class LocalMotion {
         WeightedObservedPoints turns = new WeightedObservedPoints();
         for (int k = from; k <= to; k++) {
             double time = run.time(k) - run.time(from);
-            run.orientation(k).ifPresent(q -> turns.add(time, axis(Misses.turn(axes, q), axis)));
+            Optional<Vec3> turn = run.orientation(k).map(q -> Misses.turn(axes, q));
+            if (turn.isPresent() && turn.get().norm() > MOST_TURN) {
+                break;
+            }
+            turn.ifPresent(t -> turns.add(time, axis(t, axis)));
         }
         return turns;
     }

@@ -5,7 +5,11 @@ package org.auvsim.diagnosis.fit;
  * to stop. For several threads.
  */
 final class Course {
+    /** Of what is not worth telling and too short to be stopped. */
+    static final Course UNHEARD = new Course(Progress.SILENT);
+
     private final Progress progress;
+    private String now = "";
     private double furthest;
     private boolean isStopped;
 
@@ -15,6 +19,7 @@ final class Course {
 
     /** Tells how far it is, and whether to go on. */
     synchronized boolean at(String stage, double share) {
+        now = stage;
         furthest = Math.max(furthest, share);
         if (!isStopped && !progress.at(stage, furthest)) {
             isStopped = true;
@@ -22,7 +27,8 @@ final class Course {
         return !isStopped;
     }
 
+    /** Whether to go on with what is being done. */
     synchronized boolean goesOn() {
-        return !isStopped;
+        return at(now, furthest);
     }
 }

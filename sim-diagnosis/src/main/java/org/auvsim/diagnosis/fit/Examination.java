@@ -21,6 +21,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.StringJoiner;
 import java.util.stream.IntStream;
 
 /**
@@ -196,10 +197,31 @@ public final class Examination {
                                     + " s were made, which a simulation needs, too")
                             .formatted(stated, used));
         }
+        String still = still(found.noise());
+        if (!still.isEmpty()) {
+            notices.add(
+                    "what never changes in any run tells nothing and counts as not measured: "
+                            + still);
+        }
         for (Misses of : Misses.of(allRuns(), found.noise())) {
             HeavyTails.notice(of.run(), of.rows(), found.noise()).ifPresent(notices::add);
         }
         return notices;
+    }
+
+    /** The axes that were measured and never change. */
+    private String still(Noise noise) {
+        StringJoiner still = new StringJoiner(", ");
+        for (Channel channel : Channel.values()) {
+            for (int axis = 0; axis < 3; axis++) {
+                int of = axis;
+                boolean isMeasured = fit.stream().anyMatch(run -> run.measures(channel, of));
+                if (isMeasured && !noise.tells(channel, axis)) {
+                    still.add(HeavyTails.name(channel) + " " + "xyz".charAt(axis));
+                }
+            }
+        }
+        return still.toString();
     }
 
     private static List<Finding> findings(Search.Found found, Uncertainty uncertainty) {
@@ -228,16 +250,20 @@ public final class Examination {
     }
 
     private static List<Ranked> ranked(Search.Found found) {
-        double best = found.judged().getFirst().logEvidence();
-        for (Judged judged : found.judged()) {
+        List<Judged> fitted =
+                found.judged().stream()
+                        .filter(j -> found.judged().stream().noneMatch(j::isBehind))
+                        .toList();
+        double best = fitted.getFirst().logEvidence();
+        for (Judged judged : fitted) {
             best = Math.max(best, judged.logEvidence());
         }
         double sum = 0;
-        for (Judged judged : found.judged()) {
+        for (Judged judged : fitted) {
             sum += Math.exp(judged.logEvidence() - best);
         }
         List<Ranked> ranked = new ArrayList<>();
-        for (Judged judged : found.judged()) {
+        for (Judged judged : fitted) {
             Hypothesis of = judged.fit().hypothesis();
             List<String> names = new ArrayList<>();
             List<List<Quantity>> quantities = new ArrayList<>();

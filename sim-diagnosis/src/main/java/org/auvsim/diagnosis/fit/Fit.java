@@ -121,14 +121,18 @@ record Fit(
         return new Window(0, data.get(run).run().size() - 1, start);
     }
 
-    /** By how much that is off by channel, in standard deviations of the noise. */
+    /** By how much that is off by channel, in its unit. */
     Map<Channel, Squares> errors() {
         List<RigidMotion[]> motions = motions();
         Variant variant = variant();
         List<double[]> misses = new ArrayList<>();
         for (int r = 0; r < data.size(); r++) {
             Misses of = data.get(r);
-            misses.add(of.plain(motions.get(r), variant.sensing(), 0, of.run().size()));
+            double[] off = of.plain(motions.get(r), variant.sensing(), 0, of.run().size());
+            for (int i = 0; i < off.length; i++) {
+                off[i] *= of.deviation(i);
+            }
+            misses.add(off);
         }
         return Outcome.squares(data, misses);
     }

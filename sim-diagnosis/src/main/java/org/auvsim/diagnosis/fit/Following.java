@@ -42,6 +42,7 @@ final class Following {
     private final MeasuredRun run;
     private final Misses data;
     private final Noise noise;
+    private final Course course;
     private final List<Double> looseness;
 
     /** The same of first and of later windows, but for what the run does not show: that stays. */
@@ -51,11 +52,16 @@ final class Following {
 
     /** Of one run under a variant of the model. */
     Following(Shooting shooting, Noise noise) {
+        this(shooting, noise, Course.UNHEARD);
+    }
+
+    private Following(Shooting shooting, Noise noise, Course course) {
         this.shooting = shooting;
         this.model = shooting.stepping().model();
         this.data = shooting.of();
         this.run = data.run();
         this.noise = noise;
+        this.course = course;
         this.looseness = Looseness.of(run, noise);
         this.shown = shown(looseness, data.shown());
         this.shownAfterwards = shown(Looseness.afterwards(run, looseness), data.shown());
@@ -63,11 +69,21 @@ final class Following {
 
     /** Windows that follow runs under a hypothesis. */
     static Fit of(Stepping stepping, Hypothesis hypothesis, List<Misses> data, Noise noise) {
+        return of(stepping, hypothesis, data, noise, Course.UNHEARD);
+    }
+
+    /** The same, as far as it has come once it was told to stop. */
+    static Fit of(
+            Stepping stepping,
+            Hypothesis hypothesis,
+            List<Misses> data,
+            Noise noise,
+            Course course) {
         Variant variant = hypothesis.in(stepping.variant());
         List<List<Window>> windows =
                 data.parallelStream()
                         .map(run -> new Shooting(stepping, variant, run))
-                        .map(shooting -> new Following(shooting, noise).windows())
+                        .map(shooting -> new Following(shooting, noise, course).windows())
                         .toList();
         return new Fit(stepping, data, hypothesis, windows, Knowledge.NONE);
     }
@@ -155,7 +171,7 @@ final class Following {
                             ? run.start().map(KnownStart::motion).orElseGet(() -> measured(0, to))
                             : endOf(fitted.getLast(), to);
             Fitted one = fit(from, to, guess);
-            if (one.isFarOff()) {
+            if (one.isFarOff() && course.goesOn()) {
                 Fitted other = fit(from, to, measured(from, to));
                 one = other.cost < one.cost ? other : one;
             }
@@ -220,7 +236,7 @@ final class Following {
     /** Gauss-Newton steps, halved until they help. */
     private Fitted fit(Window start, KnownStart known, int mostIterations) {
         Fitted best = judged(start, known);
-        for (int iteration = 0; iteration < mostIterations; iteration++) {
+        for (int iteration = 0; iteration < mostIterations && course.goesOn(); iteration++) {
             Fitted next = better(best, known);
             boolean isWorthIt = next.cost < best.cost * (1 - ENOUGH);
             best = next;
@@ -267,7 +283,7 @@ final class Following {
                                     SHARE_OF_NOISE * noise.of(channel))
                             : Math.max(TURN, SHARE_OF_NOISE * noise.of(channel));
             for (Fitted window : fitted) {
-                if (systematic(window.misses, channel) * noise.of(channel) > allowed) {
+                if (systematic(window, channel) > allowed) {
                     return false;
                 }
             }
@@ -275,17 +291,19 @@ final class Following {
         return true;
     }
 
-    /** Root of what the mean square miss has beyond noise, in standard deviations. */
-    private double systematic(double[] misses, Channel channel) {
+    /** Root of what the mean square miss has beyond noise, in the channel's unit. */
+    private double systematic(Fitted window, Channel channel) {
         List<Misses.Row> rows = data.rows();
+        int first = window.window().from() * rows.size();
         double sum = 0;
         int count = 0;
-        for (int i = 0; i < misses.length; i++) {
+        for (int i = 0; i < window.misses.length; i++) {
             if (rows.get(i % rows.size()).channel() == channel) {
-                sum += misses[i] * misses[i];
+                double noise = data.deviation(first + i);
+                sum += (window.misses[i] * window.misses[i] - 1) * noise * noise;
                 count++;
             }
         }
-        return count == 0 ? 0 : Math.sqrt(Math.max(0, sum / count - 1));
+        return count == 0 ? 0 : Math.sqrt(Math.max(0, sum / count));
     }
 }

@@ -41,7 +41,7 @@ final class HeavyTails {
         Arrays.fill(factors, 1);
         for (int row = 0; row < rows; row++) {
             Misses.Row which = of.rows().get(row);
-            double scale = noise.of(which.channel()) * SPREAD;
+            double scale = noise.of(which.channel(), which.axis()) * SPREAD;
             if (hasOutliers(of.run(), which, scale)) {
                 for (int k = 2; k + 2 < of.run().size(); k++) {
                     double z = off(of.run(), which, k) / scale;
@@ -56,7 +56,7 @@ final class HeavyTails {
     static Optional<String> notice(MeasuredRun run, List<Misses.Row> rows, Noise noise) {
         StringJoiner of = new StringJoiner(", ");
         for (Misses.Row row : rows) {
-            double scale = noise.of(row.channel()) * SPREAD;
+            double scale = noise.of(row.channel(), row.axis()) * SPREAD;
             if (hasOutliers(run, row, scale)) {
                 of.add(
                         "%d of %s %s"
@@ -73,7 +73,8 @@ final class HeavyTails {
                                 .formatted(run.size(), run.name(), of));
     }
 
-    private static String name(Channel channel) {
+    /** For people. */
+    static String name(Channel channel) {
         return channel.name().toLowerCase(Locale.ROOT).replace('_', ' ');
     }
 

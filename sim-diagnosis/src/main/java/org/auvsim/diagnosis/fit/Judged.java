@@ -1,5 +1,9 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.diagnosis.cause.Cause;
+
+import java.util.List;
+
 /**
  * A fit, its outcome and its score: Schwarz's criterion (1978), and a surcharge for each cause. The
  * smaller, the better.
@@ -30,6 +34,18 @@ record Judged(Fit fit, Outcome outcome, double score) {
     /** The logarithm of the model's evidence (Schwarz 1978), up to a constant. */
     double logEvidence() {
         return -(score - fit.hypothesis().price()) / 2;
+    }
+
+    /**
+     * Whether another one, which has only some of its causes, fits better: then its own fit was
+     * given up before it was at its best, and tells nothing.
+     */
+    boolean isBehind(Judged other) {
+        List<Cause> causes = fit.hypothesis().causes();
+        List<Cause> fewer = other.fit.hypothesis().causes();
+        return fewer.size() < causes.size()
+                && causes.containsAll(fewer)
+                && other.outcome.deviance() < outcome.deviance();
     }
 
     /** Whether nothing is wrong with the model, by this. */

@@ -40,8 +40,8 @@ final class LeaveOneOut {
         return predictions;
     }
 
-    /** Mean squared miss of a channel over all predictions, in units of the noise's. */
-    static double meanSquare(List<Judged> predictions, Channel channel) {
+    /** Root mean square error of a channel over all predictions, in its unit. */
+    static double error(List<Judged> predictions, Channel channel) {
         double sum = 0;
         int count = 0;
         for (Judged prediction : predictions) {
@@ -49,7 +49,7 @@ final class LeaveOneOut {
             sum += errors.sum();
             count += errors.count();
         }
-        return sum / count;
+        return Math.sqrt(sum / count);
     }
 
     private static Fit without(Fit fit, int run) {

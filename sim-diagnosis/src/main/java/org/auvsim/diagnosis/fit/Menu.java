@@ -96,8 +96,8 @@ final class Menu {
             double[] off = one[k].minus(another[k]);
             for (int i = 0; i < 6; i++) {
                 Channel channel = i < 3 ? Channel.POSITION : Channel.ORIENTATION;
-                if (noise.byChannel().containsKey(channel)) {
-                    sum += Math.pow(off[i] / noise.of(channel), 2);
+                if (noise.tells(channel, i % 3)) {
+                    sum += Math.pow(off[i] / noise.of(channel, i % 3), 2);
                 }
             }
         }

@@ -27,6 +27,9 @@ final class Misses {
     /** By sample and row: one over the standard deviation; 0 where nothing was measured. */
     private final double[] weights;
 
+    /** By sample and row: the standard deviation, in the channel's unit. */
+    private final double[] deviations;
+
     /** An axis (0 to 2) of a channel. */
     record Row(Channel channel, int axis) {}
 
@@ -40,22 +43,29 @@ final class Misses {
         this.run = run;
         for (Channel channel : Channel.values()) {
             for (int axis = 0; axis < 3; axis++) {
-                if (run.measures(channel, axis)) {
+                if (run.measures(channel, axis) && noise.tells(channel, axis)) {
                     rows.add(new Row(channel, axis));
                     whitenings.add(run.lastingError(channel, axis).map(Whitening::new));
                 }
             }
         }
         weights = new double[run.size() * rows.size()];
+        deviations = new double[weights.length];
         for (int k = 0; k < run.size(); k++) {
             for (int r = 0; r < rows.size(); r++) {
-                weights[k * rows.size() + r] = weight(k, rows.get(r), noise);
+                Row row = rows.get(r);
+                int i = k * rows.size() + r;
+                double stated = run.deviation(row.channel(), k, row.axis());
+                deviations[i] = Double.isNaN(stated) ? noise.of(row.channel(), row.axis()) : stated;
+                boolean isMeasured = !Double.isNaN(run.value(row.channel(), k, row.axis()));
+                weights[i] = isMeasured ? 1 / deviations[i] : 0;
             }
         }
     }
 
     private Misses(Misses of, double[] weights) {
         this.run = of.run;
+        this.deviations = of.deviations;
         this.rows.addAll(of.rows);
         this.whitenings.addAll(of.whitenings);
         this.weights = weights;
@@ -70,14 +80,6 @@ final class Misses {
         return new Misses(this, product);
     }
 
-    private double weight(int sample, Row row, Noise noise) {
-        if (Double.isNaN(run.value(row.channel(), sample, row.axis()))) {
-            return 0;
-        }
-        double stated = run.deviation(row.channel(), sample, row.axis());
-        return 1 / (Double.isNaN(stated) ? noise.of(row.channel()) : stated);
-    }
-
     /** Whether what is missed of a sample tells of what is missed of those after it. */
     boolean hasLastingErrors() {
         return whitenings.stream().anyMatch(Optional::isPresent);
@@ -89,18 +91,19 @@ final class Misses {
 
     /**
      * Whether the run tells anything of each number of a start, directly or by where it led: a path
-     * in two dimensions also shows how a body is turned. What it does not show is as the model has
-     * it: a fit would misuse it to imitate something else.
+     * in two dimensions also shows how a body is turned, if nothing tells of that. What it does not
+     * show is as the model has it, as are angles that are not measured where others are: a fit
+     * would misuse them to imitate something else.
      */
     boolean[] shown() {
         boolean[] shown = new boolean[RigidMotion.SIZE];
         boolean showsTurns =
-                run.measures(Channel.ANGULAR_VELOCITY)
-                        || rows.stream().filter(r -> r.channel() == Channel.POSITION).count() > 1;
+                tells(Channel.ANGULAR_VELOCITY)
+                        || !tells(Channel.ORIENTATION) && count(Channel.POSITION) > 1;
         for (int axis = 0; axis < 3; axis++) {
             boolean isPlaced =
-                    run.measures(Channel.POSITION, axis) || run.measures(Channel.VELOCITY);
-            boolean isTurned = run.measures(Channel.ORIENTATION, axis) || showsTurns;
+                    rows.contains(new Row(Channel.POSITION, axis)) || tells(Channel.VELOCITY);
+            boolean isTurned = rows.contains(new Row(Channel.ORIENTATION, axis)) || showsTurns;
             shown[axis] = isPlaced;
             shown[3 + axis] = isTurned;
             shown[6 + axis] = isPlaced;
@@ -109,9 +112,23 @@ final class Misses {
         return shown;
     }
 
+    private boolean tells(Channel channel) {
+        return count(channel) > 0;
+    }
+
+    /** Along or about how many axes a channel tells anything. */
+    private long count(Channel channel) {
+        return rows.stream().filter(row -> row.channel() == channel).count();
+    }
+
     /** What is measured at each sample. */
     List<Row> rows() {
         return rows;
+    }
+
+    /** The standard deviation of a number, in its channel's unit. */
+    double deviation(int index) {
+        return deviations[index];
     }
 
     /** How many numbers there are. */

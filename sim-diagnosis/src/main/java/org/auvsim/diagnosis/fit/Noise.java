@@ -7,6 +7,7 @@ import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
+import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -25,53 +26,129 @@ public final class Noise {
     /** Numbers in a file are rounded: noise below this share of the largest cannot be told. */
     private static final double ROUNDED = 1e-9;
 
-    private final Map<Channel, Double> deviations;
+    /** Axes whose noise differs by no more than this factor have the same: it is better known. */
+    private static final double ALIKE = 1.5;
 
-    private Noise(Map<Channel, Double> deviations) {
+    /** By axis; NaN along or about an axis that tells nothing. */
+    private final Map<Channel, double[]> deviations;
+
+    private Noise(Map<Channel, double[]> deviations) {
         this.deviations = deviations;
     }
 
-    /** The noise of runs that were measured with the same sensors. */
+    /**
+     * The noise of runs that were measured with the same sensors. What never changes in any of them
+     * tells nothing, of noise or of motion: a body that is held there, or a sensor that has none.
+     */
     static Noise of(List<MeasuredRun> runs) {
-        Map<Channel, Double> deviations = new EnumMap<>(Channel.class);
+        Map<Channel, double[]> deviations = new EnumMap<>(Channel.class);
         for (Channel channel : Channel.values()) {
-            ResizableDoubleArray differences = new ResizableDoubleArray();
-            ResizableDoubleArray changes = new ResizableDoubleArray();
+            Axis[] axes = {new Axis(), new Axis(), new Axis()};
             for (MeasuredRun run : runs) {
                 for (int k = 1; run.measures(channel) && k < run.size(); k++) {
-                    addChanges(run, channel, k, changes);
+                    addChanges(run, channel, k, axes);
                 }
                 for (int k = 3; run.measures(channel) && k < run.size(); k++) {
                     if (channel == Channel.ORIENTATION) {
-                        addTurns(run, k, differences);
+                        addTurns(run, k, axes);
                     } else {
-                        addThirds(run, channel, k, differences);
+                        addThirds(run, channel, k, axes);
                     }
                 }
             }
-            if (differences.getNumElements() > 0) {
-                deviations.put(
-                        channel,
-                        Math.max(
-                                deviation(differences.getElements()),
-                                Resolution.deviation(changes.getElements())));
+            List<Axis> telling = Arrays.stream(axes).filter(Axis::tells).toList();
+            if (!telling.isEmpty()) {
+                deviations.put(channel, deviations(axes, Axis.all(telling).deviation()));
             }
         }
         return new Noise(deviations);
     }
 
-    /** Standard deviation of a channel's numbers, in its unit. */
-    double of(Channel channel) {
-        return deviations.getOrDefault(channel, 1.0);
-    }
-
-    /** Those of all channels that were measured. */
-    Map<Channel, Double> byChannel() {
+    /** Of each axis its own, where they differ more than chance would have it. */
+    private static double[] deviations(Axis[] axes, double common) {
+        double[] own = Arrays.stream(axes).mapToDouble(Axis::deviation).toArray();
+        double least = Double.POSITIVE_INFINITY;
+        double most = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            if (axes[axis].tells()) {
+                least = Math.min(least, own[axis]);
+                most = Math.max(most, own[axis]);
+            }
+        }
+        boolean areAlike = most <= ALIKE * least;
+        double[] deviations = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            double deviation = areAlike ? common : own[axis];
+            deviations[axis] = axes[axis].tells() ? deviation : Double.NaN;
+        }
         return deviations;
     }
 
-    private static void addThirds(
-            MeasuredRun run, Channel channel, int k, ResizableDoubleArray to) {
+    /** Whether numbers along or about an axis ever change. */
+    boolean tells(Channel channel, int axis) {
+        return !Double.isNaN(of(channel, axis));
+    }
+
+    /** Standard deviation along or about an axis (0 to 2), in the channel's unit; or NaN. */
+    double of(Channel channel, int axis) {
+        return deviations.containsKey(channel) ? deviations.get(channel)[axis] : Double.NaN;
+    }
+
+    /** Standard deviation of a channel's numbers, all axes together, in its unit. */
+    double of(Channel channel) {
+        return deviations.containsKey(channel) ? rootMeanSquare(deviations.get(channel)) : 1;
+    }
+
+    /** Those of all channels that tell anything. */
+    Map<Channel, Double> byChannel() {
+        Map<Channel, Double> all = new EnumMap<>(Channel.class);
+        deviations.keySet().forEach(channel -> all.put(channel, of(channel)));
+        return all;
+    }
+
+    private static double rootMeanSquare(double[] ofAxes) {
+        double sum = 0;
+        int count = 0;
+        for (double deviation : ofAxes) {
+            if (!Double.isNaN(deviation)) {
+                sum += deviation * deviation;
+                count++;
+            }
+        }
+        return Math.sqrt(sum / count);
+    }
+
+    /** What is known of the noise along or about an axis. */
+    private static final class Axis {
+        /** Sizes of differences that hardly contain motion. */
+        private final ResizableDoubleArray differences = new ResizableDoubleArray();
+
+        /** From one sample to the next. */
+        private final ResizableDoubleArray changes = new ResizableDoubleArray();
+
+        static Axis all(List<Axis> axes) {
+            Axis all = new Axis();
+            for (Axis axis : axes) {
+                all.differences.addElements(axis.differences.getElements());
+                all.changes.addElements(axis.changes.getElements());
+            }
+            return all;
+        }
+
+        boolean tells() {
+            return Arrays.stream(changes.getElements()).anyMatch(change -> change != 0);
+        }
+
+        double deviation() {
+            if (differences.getNumElements() == 0) {
+                return ROUNDED;
+            }
+            double noise = Noise.deviation(differences.getElements());
+            return Math.max(noise, Resolution.deviation(changes.getElements()));
+        }
+    }
+
+    private static void addThirds(MeasuredRun run, Channel channel, int k, Axis[] to) {
         for (int axis = 0; axis < 3; axis++) {
             double third =
                     run.value(channel, k, axis)
@@ -79,13 +156,12 @@ public final class Noise {
                             + 3 * run.value(channel, k - 2, axis)
                             - run.value(channel, k - 3, axis);
             if (!Double.isNaN(third)) {
-                to.addElement(Math.abs(third));
+                to[axis].differences.addElement(Math.abs(third));
             }
         }
     }
 
-    private static void addChanges(
-            MeasuredRun run, Channel channel, int k, ResizableDoubleArray to) {
+    private static void addChanges(MeasuredRun run, Channel channel, int k, Axis[] to) {
         Optional<Quat> before = run.orientation(k - 1);
         Optional<Quat> after = run.orientation(k);
         for (int axis = 0; axis < 3; axis++) {
@@ -93,14 +169,14 @@ public final class Noise {
             boolean isMeasured = !Double.isNaN(change);
             if (isMeasured && channel == Channel.ORIENTATION) {
                 change = Misses.axis(Misses.turn(before.orElseThrow(), after.orElseThrow()), axis);
-                to.addElement(Math.abs(change) < ROUNDED ? 0 : change);
+                to[axis].changes.addElement(Math.abs(change) < ROUNDED ? 0 : change);
             } else if (isMeasured) {
-                to.addElement(change);
+                to[axis].changes.addElement(change);
             }
         }
     }
 
-    private static void addTurns(MeasuredRun run, int k, ResizableDoubleArray to) {
+    private static void addTurns(MeasuredRun run, int k, Axis[] to) {
         Vec3[] turns = new Vec3[3];
         for (int i = 0; i < 3; i++) {
             Optional<Quat> before = run.orientation(k - 3 + i);
@@ -113,7 +189,7 @@ public final class Noise {
         Vec3 second = turns[2].minus(turns[1].times(2)).plus(turns[0]);
         for (int axis = 0; axis < 3; axis++) {
             if (!Double.isNaN(run.value(Channel.ORIENTATION, k, axis))) {
-                to.addElement(Math.abs(Misses.axis(second, axis)));
+                to[axis].differences.addElement(Math.abs(Misses.axis(second, axis)));
             }
         }
     }

@@ -140,12 +140,17 @@ final class Refinement {
      * where that has led.
      */
     static Judged approach(Fit start, int perBlock) {
+        return approach(start, perBlock, Course.UNHEARD);
+    }
+
+    /** The same, which ends where it is once it was told to stop. */
+    static Judged approach(Fit start, int perBlock, Course course) {
         Judged best = Judged.of(start.whole());
         Fit fit = start;
         int longest = start.longest();
         int more = 0;
         for (int block = perBlock; more <= MORE_STEPS; block = Math.min(2 * block, longest)) {
-            Optional<Step> step = step(fit, block);
+            Optional<Step> step = course.goesOn() ? step(fit, block) : Optional.empty();
             if (step.isEmpty()) {
                 break;
             }
@@ -165,13 +170,16 @@ final class Refinement {
 
     /** Gauss-Newton steps of whole runs, shortened until they help. */
     static Judged converge(Judged start, int mostSteps) {
-        return converge(start, mostSteps, Double.POSITIVE_INFINITY);
+        return converge(start, mostSteps, Double.POSITIVE_INFINITY, Course.UNHEARD);
     }
 
-    /** The same, given up where a score is out of reach, as far as the last step tells. */
-    static Judged converge(Judged start, int mostSteps, double score) {
+    /**
+     * The same, given up where a score is out of reach, as far as the last step tells, and once it
+     * was told to stop.
+     */
+    static Judged converge(Judged start, int mostSteps, double score, Course course) {
         Judged best = start;
-        for (int s = 0; s < mostSteps && Double.isFinite(best.cost()); s++) {
+        for (int s = 0; s < mostSteps && Double.isFinite(best.cost()) && course.goesOn(); s++) {
             Judged next = better(best);
             boolean isWorthIt = isWorthIt(best.cost() - next.cost(), next);
             double hoped = MOST_HOPED * (best.score() - next.score());

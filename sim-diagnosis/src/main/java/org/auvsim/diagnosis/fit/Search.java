@@ -54,13 +54,14 @@ final class Search {
             Course course) {
         this.noise = Noise.of(runs);
         List<Misses> data = Misses.of(runs, noise);
-        Fit asStated =
-                Following.of(Stepping.longer(model).getFirst(), Hypothesis.NONE, data, noise);
-        this.stepping = StepLength.converged(asStated);
+        course.at("following the runs", 0.02);
+        Stepping first = Stepping.longer(model).getFirst();
+        Fit asStated = Following.of(first, Hypothesis.NONE, data, noise, course);
+        this.stepping = course.goesOn() ? StepLength.converged(asStated) : first;
         this.base =
                 stepping.model().equals(model)
                         ? asStated.in(stepping)
-                        : Following.of(stepping, Hypothesis.NONE, data, noise);
+                        : Following.of(stepping, Hypothesis.NONE, data, noise, course);
         this.followed = base;
         this.library = library;
         this.guesses = library.stream().map(c -> new Seed.Guesses(c, c.guesses(runs))).toList();
@@ -325,7 +326,7 @@ final class Search {
     /** Windows that follow the measurement under a hypothesis. */
     private Fit following(Hypothesis hypothesis) {
         if (!followed.hypothesis().equals(hypothesis)) {
-            followed = Following.of(stepping, hypothesis, base.data(), noise);
+            followed = Following.of(stepping, hypothesis, base.data(), noise, course);
         }
         return followed;
     }
@@ -343,7 +344,7 @@ final class Search {
                                                         + (to - from)
                                                                 * done.getAndIncrement()
                                                                 / starts.size()))
-                        .map(start -> Refinement.approach(start.fit(), start.perBlock()))
+                        .map(start -> Refinement.approach(start.fit(), start.perBlock(), course))
                         .toList();
         List<Judged> nearer = best(near, SECOND_ROUND, SECOND_STEPS, toBeat(near, otherwise));
         List<Judged> last = best(nearer, THIRD_ROUND, THIRD_STEPS, toBeat(nearer, otherwise));
@@ -371,7 +372,7 @@ final class Search {
                 .limit(most)
                 .toList()
                 .parallelStream()
-                .map(j -> course.goesOn() ? Refinement.converge(j, steps, toBeat) : j)
+                .map(j -> Refinement.converge(j, steps, toBeat, course))
                 .toList();
     }
 
@@ -384,8 +385,8 @@ final class Search {
             Hypothesis hypothesis = best.fit().hypothesis();
             for (int c = 0; hypothesis.causes().size() > 1 && c < hypothesis.causes().size(); c++) {
                 Fit fewer = best.fit().with(hypothesis.without(c), best.fit().windows());
-                Judged without =
-                        Refinement.converge(Judged.of(fewer), THIRD_STEPS, best.score() + BESIDE);
+                double toBeat = best.score() + BESIDE;
+                Judged without = Refinement.converge(Judged.of(fewer), THIRD_STEPS, toBeat, course);
                 judged.add(without);
                 if (without.score() < best.score()) {
                     best = without;

@@ -125,13 +125,12 @@ final class Trial {
         List<Judged> with = LeaveOneOut.predictions(after);
         Map<Channel, Gain> gains = new EnumMap<>(Channel.class);
         for (Channel channel : noise.byChannel().keySet()) {
-            double scale = noise.of(channel);
             gains.put(
                     channel,
                     new Gain(
-                            scale * Math.sqrt(LeaveOneOut.meanSquare(without, channel)),
-                            scale * Math.sqrt(LeaveOneOut.meanSquare(with, channel)),
-                            scale));
+                            LeaveOneOut.error(without, channel),
+                            LeaveOneOut.error(with, channel),
+                            noise.of(channel)));
         }
         return gains;
     }
@@ -142,15 +141,14 @@ final class Trial {
         Map<Channel, Squares> errorsBefore = before.fit().errors();
         Map<Channel, Squares> errorsAfter = after.fit().errors();
         for (Channel channel : errorsAfter.keySet()) {
-            double scale = noise.of(channel);
             Squares without = errorsBefore.getOrDefault(channel, Outcome.NOTHING);
             Squares with = errorsAfter.getOrDefault(channel, Outcome.NOTHING);
             gains.put(
                     channel,
                     new Gain(
-                            scale * Math.sqrt(without.sum() / without.count()),
-                            scale * Math.sqrt(with.sum() / with.count()),
-                            scale));
+                            Math.sqrt(without.sum() / without.count()),
+                            Math.sqrt(with.sum() / with.count()),
+                            noise.of(channel)));
         }
         return gains;
     }

@@ -6,10 +6,12 @@ import static org.assertj.core.api.Assertions.within;
 import static java.nio.charset.StandardCharsets.UTF_8;
 
 import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.Investigation;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.junit.jupiter.api.Test;
@@ -66,6 +68,25 @@ class UnseenStartTest {
                             assertThat(motion.position().x()).isCloseTo(0, within(1e-4));
                             assertThat(motion.velocity().y()).isCloseTo(0, within(1e-4));
                         });
+    }
+
+    /** Roll and pitch would tilt its thrust, and do for a drag that the model lacks. */
+    @Test
+    void aVehicleOfWhichOnlyTheHeadingIsMeasuredStaysLevel() throws Exception {
+        BelievedModel level = MeasuredVehicle.model(0.05);
+        MeasuredRun run = MeasuredVehicle.run(level);
+        MeasuredRunBuilder heading = MeasuredRun.named("heading");
+        for (int k = 0; k < run.size(); k++) {
+            Vec3 place = run.vector(Channel.POSITION, k).orElseThrow();
+            heading.at(run.time(k))
+                    .position(place.x(), place.y(), place.z())
+                    .orientation(run.orientation(k).orElseThrow(), false, false, true);
+        }
+        MeasuredRun measured = heading.build();
+
+        assertThat(new Misses(measured, Noise.of(List.of(measured))).shown())
+                .containsExactly(
+                        true, true, true, false, false, true, true, true, true, false, false, true);
     }
 
     /** Its height by the solution of m dv/dt = -m g - c v, with noise. */

@@ -1,0 +1,84 @@
+package org.auvsim.diagnosis.fit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+import java.util.Random;
+
+/** Noise by the measurement alone, of a path and turns that are known. */
+class NoiseTest {
+    private static final int SAMPLES = 600;
+
+    /**
+     * Round a circle of 20 m, with noise of these sizes along x, y and z (m) and of a yaw (rad).
+     */
+    private static MeasuredRun run(double x, double y, double z, double yaw) {
+        Random random = new Random(11);
+        MeasuredRunBuilder run = MeasuredRun.named("run");
+        for (int k = 0; k < SAMPLES; k++) {
+            double a = 0.01 * k;
+            run.at(0.1 * k)
+                    .position(
+                            20 * Math.cos(a) + x * random.nextGaussian(),
+                            20 * Math.sin(a) + y * random.nextGaussian(),
+                            -5 + z * random.nextGaussian())
+                    .orientation(
+                            Quat.ofAxisAngle(new Vec3(0, 0, 1), a + yaw * random.nextGaussian()));
+        }
+        return run.build();
+    }
+
+    /** A depth sensor beside a poor fix is as good as it is. */
+    @Test
+    void axesThatDifferHaveTheirOwn() {
+        Noise noise = Noise.of(List.of(run(0.8, 0.9, 0.01, 0.02)));
+
+        assertThat(noise.of(Channel.POSITION, 0)).isCloseTo(0.85, within(0.1));
+        assertThat(noise.of(Channel.POSITION, 1))
+                .isCloseTo(noise.of(Channel.POSITION, 0), within(0.15));
+        assertThat(noise.of(Channel.POSITION, 2)).isCloseTo(0.01, within(0.001));
+        assertThat(noise.of(Channel.POSITION)).isCloseTo(0.7, within(0.1));
+    }
+
+    @Test
+    void axesThatHardlyDifferShareTheirs() {
+        Noise noise = Noise.of(List.of(run(0.1, 0.1, 0.1, 0.02)));
+
+        assertThat(noise.of(Channel.POSITION, 0)).isCloseTo(0.1, within(0.005));
+        assertThat(noise.of(Channel.POSITION, 2)).isEqualTo(noise.of(Channel.POSITION, 0));
+    }
+
+    /** A pendulum turns about one axis, a ship stays at its height. */
+    @Test
+    void whatNeverChangesTellsNothing() {
+        MeasuredRun run = run(0.1, 0.1, 0, 0.02);
+        Noise noise = Noise.of(List.of(run));
+
+        assertThat(noise.tells(Channel.POSITION, 1)).isTrue();
+        assertThat(noise.tells(Channel.POSITION, 2)).isFalse();
+        assertThat(noise.of(Channel.POSITION)).isCloseTo(0.1, within(0.01));
+        assertThat(noise.tells(Channel.ORIENTATION, 0)).isFalse();
+        assertThat(noise.of(Channel.ORIENTATION)).isCloseTo(0.02, within(0.002));
+        assertThat(new Misses(run, noise).rows())
+                .containsExactly(
+                        new Misses.Row(Channel.POSITION, 0),
+                        new Misses.Row(Channel.POSITION, 1),
+                        new Misses.Row(Channel.ORIENTATION, 2));
+    }
+
+    /** In one run a vehicle keeps its depth, to what its sensor counts; in another it dives. */
+    @Test
+    void whatChangesInAnotherRunTellsSomething() {
+        Noise noise = Noise.of(List.of(run(0.1, 0.1, 0, 0.02), run(0.1, 0.1, 0.1, 0.02)));
+
+        assertThat(noise.tells(Channel.POSITION, 2)).isTrue();
+    }
+}

@@ -19,6 +19,7 @@ import org.auvsim.diagnosis.reading.RunReader;
 import org.auvsim.diagnosis.report.Report;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Verdict;
+import org.auvsim.diagnosis.shaking.SoundRuns;
 
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -84,6 +85,15 @@ final class Diagnose implements Callable<Integer> {
                     "Measured runs that only judge; by default a third of the runs, or of the time"
                             + " of the only one.")
     private List<Path> heldOut = new ArrayList<>();
+
+    @Option(
+            names = "--reference",
+            arity = "1..*",
+            paramLabel = "RUN",
+            description =
+                    "Measured runs that are known to be sound: they tell how much the body shakes"
+                            + " normally, where the mapping names columns for that.")
+    private List<Path> reference = new ArrayList<>();
 
     @Option(
             names = "--out",
@@ -163,7 +173,7 @@ final class Diagnose implements Callable<Integer> {
         BelievedModel model = model(ScenarioFile.load(scenarioFile, err));
         AuvsmlMapper mapper = AuvsmlMapper.load(ContextClasses.loader());
         RunReader reader = between(new RunReader(model, format.mapping(mapper), mapper));
-        RunFiles runs = inParts(RunFiles.read(reader, fit, heldOut));
+        RunFiles runs = inParts(RunFiles.read(reader, fit, heldOut, reference));
         runs.notices().forEach(notice -> err.println("notice: " + notice));
         err.flush();
         prepareFolder();
@@ -198,16 +208,30 @@ final class Diagnose implements Callable<Integer> {
                         StandardTerminal.isThere(),
                         System::nanoTime,
                         interruption::isRequested)) {
-            return new Investigation(
-                            model,
-                            runs.fit(),
-                            runs.heldOut(),
-                            candidates(model, runs),
-                            seed,
-                            method,
-                            bar)
+            Investigation investigation =
+                    new Investigation(
+                                    model,
+                                    runs.fit(),
+                                    runs.heldOut(),
+                                    candidates(model, runs),
+                                    seed,
+                                    bar)
+                            .by(method);
+            return sound(model, runs)
+                    .map(investigation::comparedWith)
+                    .orElse(investigation)
                     .diagnose()
                     .noticing(runs.notices());
+        }
+    }
+
+    private static Optional<SoundRuns> sound(BelievedModel model, RunFiles runs) {
+        try {
+            return runs.reference().isEmpty()
+                    ? Optional.empty()
+                    : Optional.of(SoundRuns.of(model, runs.reference()));
+        } catch (IllegalArgumentException e) {
+            throw new UserError("--reference: " + e.getMessage(), e);
         }
     }
 

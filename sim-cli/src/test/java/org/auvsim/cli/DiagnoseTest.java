@@ -85,6 +85,83 @@ class DiagnoseTest {
         return auvsim.file(name, text.toString());
     }
 
+    private static final String DRONE =
+            BALL.replace("<gravity/>", "<gravity/><propulsor name=\"main\" maximum-thrust=\"1\"/>");
+
+    private static final String SHAKING =
+            "<column-mapping><shaking acceleration=\"ax\" rate=\"wy\"/></column-mapping>";
+
+    /** The same fall, pushed ahead by 0.5 N, with two sensors that a rotor shakes. */
+    private Path shaken(String name, long seed, double imbalance) throws IOException {
+        Random lot = new Random(seed);
+        StringBuilder text = new StringBuilder("t,x,y,z,main,ax,wy\n");
+        for (int i = 0; i <= 60; i++) {
+            double t = i / 30.0;
+            double shaking = imbalance * lot.nextGaussian();
+            text.append(
+                    String.format(
+                            Locale.ROOT,
+                            "%.6f,%.5f,%.5f,%.5f,0.5,%.5f,%.5f%n",
+                            t,
+                            t * t / 2 + lot.nextGaussian(0, 0.005),
+                            lot.nextGaussian(0, 0.005),
+                            20 - GRAVITY * t * t / 2 + lot.nextGaussian(0, 0.005),
+                            shaking + lot.nextGaussian(0, 0.3),
+                            shaking + lot.nextGaussian(0, 0.3)));
+        }
+        return auvsim.file(name, text.toString());
+    }
+
+    @Test
+    void whatShakesMoreThanReferenceRunsHasAPropellerOutOfBalance() throws IOException {
+        Path report = folder.resolve("report");
+        List<Object> arguments = new ArrayList<>(List.of("--fit", shaken("one.csv", 1, 3)));
+        arguments.addAll(List.of("--holdout", shaken("two.csv", 2, 3), "--reference"));
+        for (int i = 3; i < 9; i++) {
+            arguments.add(shaken("sound" + i + ".csv", i, 1));
+        }
+        arguments.addAll(List.of("--mapping", auvsim.file("mapping.xml", SHAKING)));
+        arguments.addAll(List.of("--causes", "buoyancy_weight", "--out", report));
+
+        int code = diagnose(DRONE, arguments.toArray());
+
+        assertThat(code).as(auvsim.err()).isZero();
+        assertThat(auvsim.out())
+                .contains(
+                        "times as much as in the 6 reference runs, and moves as the model has it");
+        assertThat(report.resolve("diagnosis.json"))
+                .content()
+                .contains("\"name\" : \"propeller_imbalance\"");
+        assertThat(report.resolve("report.html")).content().contains("propeller_imbalance");
+        assertThat(report.resolve("extended-scenario.xml")).content().contains("Nothing was added");
+    }
+
+    @Test
+    void aReferenceThatIsNoneIsTold() throws IOException {
+        Path run = shaken("run.csv", 1, 1);
+        Path other = shaken("other.csv", 2, 1);
+        Path mapping = auvsim.file("mapping.xml", SHAKING);
+        Path report = folder.resolve("report");
+
+        assertThat(diagnose(DRONE, "--fit", run, "--reference", run, "--mapping", mapping))
+                .isEqualTo(2);
+        assertThat(auvsim.err())
+                .contains("is given as a reference and to be diagnosed; no run is its own measure");
+        assertThat(
+                        diagnose(
+                                DRONE,
+                                "--fit",
+                                run,
+                                "--reference",
+                                other,
+                                "--mapping",
+                                mapping,
+                                "--out",
+                                report))
+                .isEqualTo(2);
+        assertThat(auvsim.err()).contains("--reference: there is 1 reference run; expected two");
+    }
+
     @Test
     void aMethodThatThereIsNotIsToldWithThoseThatThereAre() throws IOException {
         Path run = fall("run.csv", 0);

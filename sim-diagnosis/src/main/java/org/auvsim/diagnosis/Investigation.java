@@ -12,6 +12,8 @@ import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.Split;
+import org.auvsim.diagnosis.shaking.Imbalance;
+import org.auvsim.diagnosis.shaking.SoundRuns;
 
 import java.util.Comparator;
 import java.util.List;
@@ -27,6 +29,7 @@ import java.util.stream.Stream;
  * @param causes candidates
  * @param seed of what is drawn by lot
  * @param method how causes are searched for
+ * @param sound runs that are known to be sound: what is normal of the body's shaking
  * @param progress is told how far it is
  */
 public record Investigation(
@@ -36,7 +39,14 @@ public record Investigation(
         List<Cause> causes,
         long seed,
         Method method,
+        Optional<SoundRuns> sound,
         Progress progress) {
+    private static final String NO_REFERENCE =
+            "how the body shakes was measured, but is not compared: no reference runs were given";
+    private static final String NOT_COMPARED =
+            "how the body shakes cannot be compared with the reference runs: too few rows of steady"
+                    + " thrust tell of it, or they are at other intervals";
+
     /** The lists cannot be changed. */
     public Investigation {
         fit = List.copyOf(fit);
@@ -52,12 +62,18 @@ public record Investigation(
             List<Cause> causes,
             long seed,
             Progress progress) {
-        this(model, fit, heldOut, causes, seed, Method.SHOOTING, progress);
+        this(model, fit, heldOut, causes, seed, Method.SHOOTING, Optional.empty(), progress);
     }
 
     /** The same by another method. */
     public Investigation by(Method other) {
-        return new Investigation(model, fit, heldOut, causes, seed, other, progress);
+        return new Investigation(model, fit, heldOut, causes, seed, other, sound, progress);
+    }
+
+    /** The same with runs that say what is normal of the body's shaking. */
+    public Investigation comparedWith(SoundRuns reference) {
+        return new Investigation(
+                model, fit, heldOut, causes, seed, method, Optional.of(reference), progress);
     }
 
     /**
@@ -70,7 +86,14 @@ public record Investigation(
         if (heldOut.isEmpty()) {
             Split split = Split.of(fit);
             return new Investigation(
-                            model, split.fit(), split.heldOut(), causes, seed, method, progress)
+                            model,
+                            split.fit(),
+                            split.heldOut(),
+                            causes,
+                            seed,
+                            method,
+                            sound,
+                            progress)
                     .diagnose()
                     .noticing(List.of(split.notice()));
         }
@@ -78,7 +101,25 @@ public record Investigation(
                 method == Method.GENETIC ? Optional.of(new Evolution(seed)) : Optional.empty();
         Diagnosis diagnosis =
                 new Examination(model, fit, heldOut, causes, seed, contest, progress).diagnosis();
-        return proposing(diagnosis);
+        return shaken(proposing(diagnosis));
+    }
+
+    /** With what the body's shaking says, all of each run long. */
+    private Diagnosis shaken(Diagnosis diagnosis) {
+        List<MeasuredRun> whole =
+                Stream.concat(fit.stream(), heldOut.stream())
+                        .map(MeasuredRun::whole)
+                        .distinct()
+                        .toList();
+        if (sound.isEmpty()) {
+            return whole.stream().anyMatch(MeasuredRun::tellsShaking)
+                    ? diagnosis.noticing(List.of(NO_REFERENCE))
+                    : diagnosis;
+        }
+        return sound.get()
+                .compared(whole)
+                .map(shaking -> Imbalance.judged(diagnosis, shaking))
+                .orElseGet(() -> diagnosis.noticing(List.of(NOT_COMPARED)));
     }
 
     /** With what imitates the misfit, where nothing that is known fits and the search ended. */

@@ -15,6 +15,7 @@ import java.util.stream.Stream;
  * @param degrees whether angles and their rates are in degrees
  * @param ignoreOthers whether columns with unknown names are left out
  * @param start how the body moved at the first row of each run whose document does not say so
+ * @param shaking the columns that tell how the body shakes; empty: nothing is asked of that
  * @param column those whose name or unit is another
  */
 public record ColumnMapping(
@@ -22,10 +23,21 @@ public record ColumnMapping(
         @Default("0") boolean degrees,
         @Default("0") boolean ignoreOthers,
         Optional<RunStart> start,
+        Optional<ShakingColumns> shaking,
         List<MappedColumn> column) {
     /** Columns have their usual names and units. */
     public static final ColumnMapping USUAL =
             new ColumnMapping(MeasuredAxes.ENU, false, false, Optional.empty(), List.of());
+
+    /** Of which nothing tells how the body shakes. */
+    public ColumnMapping(
+            MeasuredAxes axes,
+            boolean degrees,
+            boolean ignoreOthers,
+            Optional<RunStart> start,
+            List<MappedColumn> column) {
+        this(axes, degrees, ignoreOthers, start, Optional.empty(), column);
+    }
 
     /**
      * A checked mapping.
@@ -44,17 +56,17 @@ public record ColumnMapping(
 
     /** The same with positions and velocities in axes x north, y east, z down. */
     public ColumnMapping inNed() {
-        return new ColumnMapping(MeasuredAxes.NED, degrees, ignoreOthers, start, column);
+        return new ColumnMapping(MeasuredAxes.NED, degrees, ignoreOthers, start, shaking, column);
     }
 
     /** The same with angles in degrees. */
     public ColumnMapping inDegrees() {
-        return new ColumnMapping(axes, true, ignoreOthers, start, column);
+        return new ColumnMapping(axes, true, ignoreOthers, start, shaking, column);
     }
 
     /** The same, columns with unknown names left out. */
     public ColumnMapping ignoringOthers() {
-        return new ColumnMapping(axes, degrees, true, start, column);
+        return new ColumnMapping(axes, degrees, true, start, shaking, column);
     }
 
     /** The same with columns that replace what it says of those of their names. */
@@ -63,6 +75,6 @@ public record ColumnMapping(
         Stream<MappedColumn> kept = column.stream().filter(c -> !replaced.contains(c.name()));
         List<MappedColumn> all = new ArrayList<>(kept.toList());
         all.addAll(more);
-        return new ColumnMapping(axes, degrees, ignoreOthers, start, all);
+        return new ColumnMapping(axes, degrees, ignoreOthers, start, shaking, all);
     }
 }

@@ -3,6 +3,7 @@ package org.auvsim.auvsml.run;
 import org.auvsim.core.description.Default;
 import org.auvsim.core.entity.Domain;
 
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -15,7 +16,8 @@ import java.util.Optional;
  * @param offset in the usual unit
  * @param form how its cells are written
  * @param ignored whether it is left out
- * @param lastingError error of its numbers that lasts over rows; empty: all of it is noise
+ * @param lastingError errors of its numbers that last over rows, which add up; none: all is noise
+ * @param runEnds numbers before the first of which a run ends; also where the column is ignored
  */
 public record MappedColumn(
         String name,
@@ -24,13 +26,15 @@ public record MappedColumn(
         @Default("0.0") double offset,
         @Default("NUMBER") CellForm form,
         @Default("0") boolean ignored,
-        Optional<LastingError> lastingError) {
+        List<LastingError> lastingError,
+        Optional<Limit> runEnds) {
     /**
      * A checked column.
      *
      * @throws IllegalArgumentException if the scale is 0
      */
     public MappedColumn {
+        lastingError = List.copyOf(lastingError);
         Domain.require(scale != 0, "column '" + name + "'", "scale", scale, "other than 0", "");
     }
 
@@ -42,7 +46,7 @@ public record MappedColumn(
             double offset,
             CellForm form,
             boolean ignored) {
-        this(name, means, scale, offset, form, ignored, Optional.empty());
+        this(name, means, scale, offset, form, ignored, List.of(), Optional.empty());
     }
 
     /** A column that has what another name means, in the usual unit. */

@@ -71,6 +71,16 @@ public interface Cause {
         return PRICE;
     }
 
+    /**
+     * What it must gain in all, its parameters' share by Schwarz (1978).
+     *
+     * @param measured how many numbers there are to explain
+     * @param independent how many independent ones tell as much, which are fewer where errors last
+     */
+    default double price(int measured, double independent) {
+        return price() + parameters().size() * Math.log(measured);
+    }
+
     /** Whether it can imitate many others and so counts only where none of those passes. */
     default boolean isGeneric() {
         return false;

@@ -8,7 +8,8 @@ import java.util.Optional;
 
 /**
  * One of a few causes that alone are looked for. Of many causes one gains much by chance more often
- * than of few, so that it must gain more for the same rate of false alarms (Bonferroni).
+ * than of few, so that it must gain more for the same rate of false alarms (Bonferroni). Where
+ * errors last many causes imitate them, few do not: for these only independent numbers count.
  */
 record Chosen(Cause cause, double price) implements Cause {
     /** Of some causes out of a whole library. */
@@ -45,6 +46,11 @@ record Chosen(Cause cause, double price) implements Cause {
     @Override
     public List<Quantity> quantities(double[] theta) {
         return cause.quantities(theta);
+    }
+
+    @Override
+    public double price(int measured, double independent) {
+        return price + parameters().size() * Math.log(independent);
     }
 
     @Override

@@ -1,5 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.diagnosis.run.MeasuredRun;
+
 import java.util.List;
 
 /**
@@ -11,7 +13,8 @@ final class Arbitration {
 
     /** The model that predicts left-out runs best. */
     static Judged decided(Judged best, List<Judged> competitors) {
-        if (competitors.isEmpty() || best.fit().data().size() < 2) {
+        List<MeasuredRun> runs = best.fit().data().stream().map(Misses::run).toList();
+        if (competitors.isEmpty() || !LeaveOneOut.canJudge(runs)) {
             return best;
         }
         Judged decided = best;

@@ -114,13 +114,15 @@ public final class Examination {
 
     /**
      * Whether what all runs say can be believed, though none was held out: what had to be given up
-     * for it must be made up for by each run, left out in turn.
+     * for it must be made up for by each run, left out in turn, where they can judge one another.
      */
-    private static boolean isConvincing(Search.Found all, Search.Found ofFit) {
+    private boolean isConvincing(Search.Found all, Search.Found ofFit) {
         Judged best = all.best();
         return !best.isNone()
                 && Search.isWhite(best)
-                && (ofFit.best().isNone() || Trial.holdsLeftOut(all.none(), best));
+                && (ofFit.best().isNone()
+                        || !LeaveOneOut.canJudge(allRuns())
+                        || Trial.holdsLeftOut(all.none(), best));
     }
 
     private List<MeasuredRun> allRuns() {

@@ -70,6 +70,11 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
         return causes.stream().mapToDouble(Cause::price).sum();
     }
 
+    /** What they must gain in all, as {@link Cause#price(int, double)}. */
+    double price(int measured, double independent) {
+        return causes.stream().mapToDouble(cause -> cause.price(measured, independent)).sum();
+    }
+
     /** Parameters of all causes in a row. */
     List<Parameter> parameters() {
         return causes.stream().flatMap(cause -> cause.parameters().stream()).toList();

@@ -18,7 +18,7 @@ record Judged(Fit fit, Outcome outcome, double score) {
     }
 
     private static double price(Hypothesis hypothesis, Outcome outcome) {
-        return hypothesis.size() * Math.log(outcome.count()) + hypothesis.price();
+        return hypothesis.price(outcome.count(), outcome.independent());
     }
 
     /** The same at another price. */
@@ -33,7 +33,8 @@ record Judged(Fit fit, Outcome outcome, double score) {
 
     /** The logarithm of the model's evidence (Schwarz 1978), up to a constant. */
     double logEvidence() {
-        return -(score - fit.hypothesis().price()) / 2;
+        double byNumbers = fit.hypothesis().size() * Math.log(outcome.count());
+        return -(score - price() + byNumbers) / 2;
     }
 
     /**

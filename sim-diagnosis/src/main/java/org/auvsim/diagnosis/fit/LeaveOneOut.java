@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.fit.Outcome.Squares;
 import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -11,6 +12,17 @@ final class LeaveOneOut {
     private static final int STEPS = 6;
 
     private LeaveOneOut() {}
+
+    /**
+     * Whether runs can judge one another. Parts of one run whose start is known cannot: what that
+     * shows, as the zero of a sensor, the first of them tells alone.
+     */
+    static boolean canJudge(List<MeasuredRun> runs) {
+        MeasuredRun first = runs.getFirst().whole();
+        return runs.size() > 1
+                && (first.start().isEmpty()
+                        || runs.stream().anyMatch(run -> !run.whole().equals(first)));
+    }
 
     /** The hypothesis as fitted to all runs but one, and that one predicted by it, for each. */
     static List<Judged> predictions(Judged judged) {

@@ -30,6 +30,8 @@ final class Misses {
     /** By sample and row: the standard deviation, in the channel's unit. */
     private final double[] deviations;
 
+    private final double independent;
+
     /** An axis (0 to 2) of a channel. */
     record Row(Channel channel, int axis) {}
 
@@ -45,7 +47,7 @@ final class Misses {
             for (int axis = 0; axis < 3; axis++) {
                 if (run.measures(channel, axis) && noise.tells(channel, axis)) {
                     rows.add(new Row(channel, axis));
-                    whitenings.add(run.lastingError(channel, axis).map(Whitening::new));
+                    whitenings.add(Whitening.of(run.lastingErrors(channel, axis)));
                 }
             }
         }
@@ -61,6 +63,7 @@ final class Misses {
                 weights[i] = isMeasured ? 1 / deviations[i] : 0;
             }
         }
+        independent = countIndependent();
     }
 
     private Misses(Misses of, double[] weights) {
@@ -69,6 +72,7 @@ final class Misses {
         this.rows.addAll(of.rows);
         this.whitenings.addAll(of.whitenings);
         this.weights = weights;
+        this.independent = countIndependent();
     }
 
     /** The same, each number weighed by a factor beside; numbers as {@link #isMeasured}. */
@@ -134,6 +138,34 @@ final class Misses {
     /** How many numbers there are. */
     int count() {
         return (int) Arrays.stream(weights).filter(weight -> weight > 0).count();
+    }
+
+    /**
+     * How many numbers there are, those of rows whose errors last counted as independent ones that
+     * tell as much.
+     */
+    double independent() {
+        return independent;
+    }
+
+    private double countIndependent() {
+        double sum = 0;
+        for (int r = 0; r < rows.size(); r++) {
+            Optional<Whitening> whitening = whitenings.get(r);
+            sum +=
+                    whitening.isPresent()
+                            ? whitening.get().independent(weights, run, r, rows.size())
+                            : count(r);
+        }
+        return sum;
+    }
+
+    private int count(int row) {
+        int count = 0;
+        for (int i = row; i < weights.length; i += rows.size()) {
+            count += weights[i] > 0 ? 1 : 0;
+        }
+        return count;
     }
 
     /** Whether there is a number, counted row by row within each sample. */

@@ -17,9 +17,14 @@ import java.util.Set;
  * @param squares what they come to by channel
  * @param stated channels whose errors are at least as large as is stated
  * @param known squared distance of starts and parameters from what is known of them
+ * @param independent how many independent numbers tell as much as those that were measured
  */
 record Outcome(
-        List<double[]> misses, Map<Channel, Squares> squares, Set<Channel> stated, double known) {
+        List<double[]> misses,
+        Map<Channel, Squares> squares,
+        Set<Channel> stated,
+        double known,
+        double independent) {
     /** Mean squares below this share of the noise's are told from it by rounding alone. */
     static final double EXACT = 0.01;
 
@@ -53,7 +58,8 @@ record Outcome(
         for (Misses of : data) {
             of.rows().stream().filter(of::isStated).map(Misses.Row::channel).forEach(stated::add);
         }
-        return new Outcome(misses, squares, stated, known);
+        double independent = data.stream().mapToDouble(Misses::independent).sum();
+        return new Outcome(misses, squares, stated, known, independent);
     }
 
     /** What misses of each run come to by channel. */

@@ -34,7 +34,7 @@ final class Screen {
     private final int own;
     private final Moves moves;
     private final List<List<WindowDerivatives>> derivatives;
-    private final double perParameter;
+    private final Outcome outcome;
 
     /** A set of causes that is worth a closer look, from blocks of so many windows on. */
     record Start(Fit fit, int perBlock, double promise) {
@@ -53,15 +53,15 @@ final class Screen {
     /**
      * Screens causes beside those of a fit.
      *
-     * @param count how many numbers were measured
+     * @param outcome of the model as it is believed: how many numbers there are to explain
      */
-    Screen(Fit base, List<Cause> causes, List<Seed.Guesses> guesses, int count) {
+    Screen(Fit base, List<Cause> causes, List<Seed.Guesses> guesses, Outcome outcome) {
         this.base = base;
         this.own = base.hypothesis().size();
         this.seeds = Seed.of(causes, guesses, own);
         this.moves = moves();
         this.derivatives = FirstOrder.derivatives(base, moves);
-        this.perParameter = Math.log(count);
+        this.outcome = outcome;
     }
 
     private Moves moves() {
@@ -91,7 +91,7 @@ final class Screen {
     }
 
     private double bestPromise(Gram gram) {
-        return singles(gram).stream().mapToDouble(Promise::score).findFirst().orElse(0);
+        return singles(gram, 0).stream().mapToDouble(Promise::score).findFirst().orElse(0);
     }
 
     /**
@@ -105,7 +105,7 @@ final class Screen {
 
     /** Several starts of each cause alone, from each level. */
     List<Start> startsOfEach() {
-        return starts(gram -> firstOfEach(singles(gram), THOROUGH, MOST_THOROUGH));
+        return starts(gram -> firstOfEach(singles(gram, 0), THOROUGH, MOST_THOROUGH));
     }
 
     private List<Start> starts(Function<Gram, List<Promise>> best) {
@@ -164,19 +164,22 @@ final class Screen {
         return new Start(fit, Math.min(2 * perBlock, base.longest()), promise.score());
     }
 
+    /** All there are, if they are few: what one promises is true to first order only. */
     private List<Promise> bestSingles(Gram gram, Predicate<Cause> isNew) {
+        boolean areFew = seeds.stream().map(Seed::cause).distinct().count() <= KEPT;
         List<Promise> promises =
-                singles(gram).stream()
+                singles(gram, areFew ? Double.NEGATIVE_INFINITY : 0).stream()
                         .filter(promise -> isNew.test(promise.set().getFirst().cause()))
                         .toList();
         return firstOfEach(promises, STARTS_OF_ONE, KEPT);
     }
 
-    private List<Promise> singles(Gram gram) {
+    /** Those that make sense and promise more than that, the most promising first. */
+    private List<Promise> singles(Gram gram, double least) {
         double without = dropOf(gram, new int[0]);
         return seeds.stream()
                 .map(seed -> promise(gram, List.of(seed), without))
-                .filter(promise -> promise.score() > 0)
+                .filter(promise -> promise.score() > least)
                 .sorted(Comparator.comparingDouble(Promise::score).reversed())
                 .toList();
     }
@@ -228,17 +231,16 @@ final class Screen {
         for (Seed seed : set) {
             int size = seed.guess().columns().size();
             if (!seed.makesSense(Arrays.copyOfRange(factors, at, at + size))) {
-                return new Promise(set, List.of(), 0);
+                return new Promise(set, List.of(), Double.NEGATIVE_INFINITY);
             }
             at += size;
         }
-        int parameters = set.stream().mapToInt(s -> s.cause().parameters().size()).sum();
-        double price = set.stream().mapToDouble(seed -> seed.cause().price()).sum();
+        double price =
+                set.stream()
+                        .mapToDouble(s -> s.cause().price(outcome.count(), outcome.independent()))
+                        .sum();
         double gain = gram.drop(columns, factors) - without;
-        return new Promise(
-                set,
-                Arrays.stream(factors).boxed().toList(),
-                gain - perParameter * parameters - price);
+        return new Promise(set, Arrays.stream(factors).boxed().toList(), gain - price);
     }
 
     private double dropOf(Gram gram, int[] columns) {

@@ -178,12 +178,12 @@ final class Search {
     }
 
     private Screen screen(Hypothesis beside, List<Cause> causes) {
-        return new Screen(following(beside), causes, guesses, count());
+        return new Screen(following(beside), causes, guesses, asBelieved());
     }
 
-    /** How many numbers were measured. */
-    private int count() {
-        return judged.getFirst().outcome().count();
+    /** Of the model as it is believed. */
+    private Outcome asBelieved() {
+        return judged.getFirst().outcome();
     }
 
     /** Whether noise alone would gain as much, among all causes together, too often. */
@@ -192,7 +192,7 @@ final class Search {
         if (best.isNone() || gain > DOUBTFUL || !course.goesOn()) {
             return false;
         }
-        Screen screen = new Screen(base, library, guesses, none.outcome().count());
+        Screen screen = new Screen(base, library, guesses, none.outcome());
         return gain < screen.chance().exceededBy(FALSE_ALARMS);
     }
 
@@ -206,7 +206,7 @@ final class Search {
             return pruned(tournament(competing(contest.get(), causes), none, 0.4, 0.7));
         }
         course.at("screening causes", 0.2);
-        Screen screen = new Screen(base, causes, guesses, count());
+        Screen screen = new Screen(base, causes, guesses, asBelieved());
         Judged best = tournament(screen.starts(1, isNew), none, 0.3, 0.5);
         if (!isWhite(best)) {
             best = pruned(tournament(screen.starts(2, isNew), best, 0.5, 0.7));
@@ -237,7 +237,7 @@ final class Search {
     /** What has many places to begin is begun at the best of them: alone, then beside another. */
     private Judged rescued(Judged best, List<Cause> causes) {
         List<Cause> many = causes.stream().filter(this::hasManyGuesses).toList();
-        Judged alone = rescued(best, new Screen(base, many, guesses, count()));
+        Judged alone = rescued(best, new Screen(base, many, guesses, asBelieved()));
         return isWhite(alone) ? alone : rescued(alone, screen(strongest(), many));
     }
 

@@ -136,13 +136,13 @@ final class Learner implements Companion {
 
     private Investigation investigation(BelievedModel model, Split split) {
         return new Investigation(
-                model,
-                split.fit(),
-                split.heldOut(),
-                Library.of(model, split.fit()),
-                plan.seed(),
-                plan.method(),
-                this::goesOn);
+                        model,
+                        split.fit(),
+                        split.heldOut(),
+                        Library.of(model, split.fit()),
+                        plan.seed(),
+                        this::goesOn)
+                .by(plan.method());
     }
 
     /** Tells each new stage of a diagnosis; whether anybody still wants to know. */

@@ -46,10 +46,17 @@ final class CsvRuns {
         }
         if (runs.isEmpty()) {
             throw new DocumentException(
-                    "%s: no %d rows follow each other without a long gap; a shorter run tells nothing"
-                            .formatted(file, RunParts.FEWEST));
+                    "%s: no %d rows follow each other without a long gap%s; a shorter run tells nothing"
+                            .formatted(
+                                    file,
+                                    RunParts.FEWEST,
+                                    hasLimits() ? ", before a column is beyond its limit" : ""));
         }
         return runs;
+    }
+
+    private boolean hasLimits() {
+        return mapping.column().stream().anyMatch(column -> column.runEnds().isPresent());
     }
 
     /** What was done to the data, and what looks wrong with it. */
@@ -109,6 +116,7 @@ final class CsvRuns {
                     parts.restart();
                 }
                 double time = clock.next(row.get()[Slots.TIME]);
+                rows.beyond().ifPresent(why -> parts.endBefore(time, why));
                 parts.add(time, row.get(), true, rows.isToldOtherwise());
             }
             tellAngles(rows.largestAngle());

@@ -5,6 +5,7 @@ import org.auvsim.auvsml.mapping.Names;
 import org.auvsim.auvsml.run.CellForm;
 import org.auvsim.auvsml.run.ColumnMapping;
 import org.auvsim.auvsml.run.LastingError;
+import org.auvsim.auvsml.run.Limit;
 import org.auvsim.auvsml.run.MappedColumn;
 import org.auvsim.core.entity.Frame;
 
@@ -16,6 +17,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** What each column of one file has, by its header, a mapping and what the body can be told. */
 final class Layout {
@@ -27,7 +29,8 @@ final class Layout {
     private final List<BoundColumn> columns = new ArrayList<>();
     private final List<String> commands = new ArrayList<>();
     private final Map<Integer, String> filled = new LinkedHashMap<>();
-    private final Map<Integer, LastingError> lasting = new LinkedHashMap<>();
+    private final Map<Integer, List<LastingError>> lasting = new LinkedHashMap<>();
+    private final List<Ends.LimitedColumn> limited = new ArrayList<>();
     private final Set<String> meant = new LinkedHashSet<>();
 
     /**
@@ -40,6 +43,9 @@ final class Layout {
         this.mapping = mapping;
         this.known = known;
         requireMapped();
+        for (String column : shakingColumns()) {
+            requireThere(column, "the mapping reads shaking from this column");
+        }
         for (int field = 0; field < table.columns().size(); field++) {
             bind(field, rule(table.columns().get(field)));
         }
@@ -62,8 +68,13 @@ final class Layout {
     }
 
     /** Errors that last, by the place of what they are of. */
-    Map<Integer, LastingError> lastingErrors() {
+    Map<Integer, List<LastingError>> lastingErrors() {
         return lasting;
+    }
+
+    /** Columns by which runs end. */
+    List<Ends.LimitedColumn> limited() {
+        return limited;
     }
 
     /** The column that has the time. */
@@ -83,14 +94,25 @@ final class Layout {
 
     private void requireMapped() throws DocumentException {
         for (MappedColumn column : mapping.column()) {
-            if (!table.columns().contains(column.name())) {
-                throw table.at(
-                        1,
-                        column.name(),
-                        "the mapping names this column, but the header has none of this name; %s"
-                                .formatted(Names.nearest(column.name(), table.columns())));
-            }
+            requireThere(column.name(), "the mapping names this column");
         }
+    }
+
+    private void requireThere(String column, String why) throws DocumentException {
+        if (!table.columns().contains(column)) {
+            throw table.at(
+                    1,
+                    column,
+                    "%s, but the header has none of this name; %s"
+                            .formatted(why, Names.nearest(column, table.columns())));
+        }
+    }
+
+    /** Of an accelerometer, and of a gyro; none if nothing is asked of shaking. */
+    private List<String> shakingColumns() {
+        return mapping.shaking().stream()
+                .flatMap(shaking -> Stream.of(shaking.acceleration(), shaking.rate()))
+                .toList();
     }
 
     private MappedColumn rule(String column) {
@@ -104,25 +126,48 @@ final class Layout {
     }
 
     private void bind(int field, MappedColumn rule) throws DocumentException {
-        if (rule.ignored()) {
-            return;
+        rule.runEnds().ifPresent(limit -> limited.add(limited(field, rule, limit)));
+        int ofShaking = shakingColumns().indexOf(rule.name());
+        if (ofShaking >= 0) {
+            int slot = Slots.SHAKING + ofShaking;
+            columns.add(plain(field, rule, slot));
         }
+        if (!rule.ignored()) {
+            bindMeaning(field, rule);
+        }
+    }
+
+    private static Ends.LimitedColumn limited(int field, MappedColumn rule, Limit limit) {
+        return new Ends.LimitedColumn(plain(field, rule, Slots.NOWHERE), limit);
+    }
+
+    /** A column in its usual unit, whatever it means. */
+    private static BoundColumn plain(int field, MappedColumn rule, int slot) {
+        return new BoundColumn(field, rule.name(), slot, rule.scale(), rule.offset(), rule.form());
+    }
+
+    private void bindMeaning(int field, MappedColumn rule) throws DocumentException {
         String meaning = rule.means().orElse(rule.name());
         if (Slots.byName().containsKey(meaning)) {
             int slot = Slots.byName().get(meaning);
             meant.add(meaning);
             double unit = unit(slot, meaning);
             add(field, rule, slot, unit);
-            rule.lastingError().ifPresent(error -> lasting.put(slot, error.times(unit)));
+            lasting.put(slot, rule.lastingError().stream().map(e -> e.times(unit)).toList());
         } else if (known.isKnown(meaning)) {
             for (CommandNames.Part part : known.parts(meaning)) {
                 int slot = Slots.COMMANDS + commands.size();
                 commands.add(part.command());
                 add(field, rule, slot, part.factor() * (part.isAngle() ? angle() : 1));
             }
-        } else if (!mapping.ignoreOthers() || rule.means().isPresent()) {
+        } else if (rule.means().isPresent() || !(mapping.ignoreOthers() || isOfUse(rule))) {
             throw unknown(rule.name(), meaning);
         }
+    }
+
+    /** Whether a column tells something, though it is none that is known by its name. */
+    private boolean isOfUse(MappedColumn rule) {
+        return rule.runEnds().isPresent() || shakingColumns().contains(rule.name());
     }
 
     private DocumentException unknown(String column, String meaning) {

@@ -16,7 +16,9 @@ final class RowReader {
     private final Layout layout;
     private final CommandNames known;
     private final Cells cells;
+    private final Ends ends;
     private final double[] numbers;
+    private Optional<String> beyond = Optional.empty();
     private boolean isToldOtherwise;
     private boolean isOfAnotherRun;
     private double largestAngle;
@@ -26,6 +28,7 @@ final class RowReader {
         this.layout = layout;
         this.known = known;
         this.cells = new Cells(table);
+        this.ends = new Ends(table, layout.limited());
         numbers = new double[Slots.COMMANDS + layout.commands().size()];
         Arrays.fill(numbers, Double.NaN);
     }
@@ -56,6 +59,7 @@ final class RowReader {
             }
         }
         requireUnit(row.get());
+        beyond = ends.of(row.get());
         isOfAnotherRun = !Double.isNaN(runBefore) && numbers[Slots.RUN] != runBefore;
         return Optional.of(numbers);
     }
@@ -63,6 +67,11 @@ final class RowReader {
     /** Whether the last row told an actuator or force something else than that before. */
     boolean isToldOtherwise() {
         return isToldOtherwise;
+    }
+
+    /** What of the last row is beyond a limit, so that its run has ended before it; in words. */
+    Optional<String> beyond() {
+        return beyond;
     }
 
     /** Whether the last row says that it is of another run than that before. */

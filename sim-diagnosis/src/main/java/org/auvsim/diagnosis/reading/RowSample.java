@@ -7,6 +7,7 @@ import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 
+import java.util.List;
 import java.util.Map;
 
 /** Turns the numbers of rows into samples of a run, in the simulator's axes. */
@@ -15,7 +16,7 @@ final class RowSample {
     private final Frame velocity;
     private final Frame angularVelocity;
     private final Vec3 usualAngles;
-    private final Map<Integer, LastingError> lasting;
+    private final Map<Integer, List<LastingError>> lasting;
 
     /**
      * For rows in axes.
@@ -31,7 +32,7 @@ final class RowSample {
             Frame velocity,
             Frame angularVelocity,
             Quat usual,
-            Map<Integer, LastingError> lasting) {
+            Map<Integer, List<LastingError>> lasting) {
         this.axes = axes;
         this.velocity = velocity;
         this.angularVelocity = angularVelocity;
@@ -44,23 +45,28 @@ final class RowSample {
         run.frame(Channel.VELOCITY, velocity).frame(Channel.ANGULAR_VELOCITY, angularVelocity);
         for (Channel channel : Channel.values()) {
             for (int column = 0; column < 3; column++) {
-                LastingError error = lasting.get(Slots.measuredBy(channel) + column);
                 boolean isSwapped = axes == Axes.NED && column < 2 && !isInBody(channel);
-                if (error != null) {
+                for (LastingError error : lasting(Slots.measuredBy(channel) + column)) {
                     run.lastingError(channel, isSwapped ? 1 - column : column, error);
                 }
             }
         }
-        LastingError ofQuaternion = lasting.get(Slots.QUATERNION);
-        for (int axis = 0; ofQuaternion != null && axis < 3; axis++) {
-            run.lastingError(Channel.ORIENTATION, axis, ofQuaternion.times(2));
+        for (LastingError ofQuaternion : lasting(Slots.QUATERNION)) {
+            for (int axis = 0; axis < 3; axis++) {
+                run.lastingError(Channel.ORIENTATION, axis, ofQuaternion.times(2));
+            }
         }
+    }
+
+    private List<LastingError> lasting(int slot) {
+        return lasting.getOrDefault(slot, List.of());
     }
 
     /** What was measured in a row. */
     void addMeasured(double[] row, MeasuredRunBuilder to) {
         Vec3 position = axes.world(vector(row, Slots.POSITION));
         to.position(position.x(), position.y(), position.z());
+        to.shaking(row[Slots.SHAKING], row[Slots.SHAKING + 1]);
         addOrientation(row, to);
         add(Channel.VELOCITY, velocity, vector(row, Slots.VELOCITY), to);
         add(Channel.ANGULAR_VELOCITY, angularVelocity, vector(row, Slots.ANGULAR_VELOCITY), to);

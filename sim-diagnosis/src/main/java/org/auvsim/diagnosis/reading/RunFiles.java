@@ -11,19 +11,26 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * The runs of several files, told apart into those to fit and those to judge.
  *
  * @param fit what causes are looked for in
  * @param heldOut what judges them
+ * @param reference that are known to be sound, beside them
  * @param notices what was done to the data, and what looks wrong with it
  */
-public record RunFiles(List<MeasuredRun> fit, List<MeasuredRun> heldOut, List<String> notices) {
+public record RunFiles(
+        List<MeasuredRun> fit,
+        List<MeasuredRun> heldOut,
+        List<MeasuredRun> reference,
+        List<String> notices) {
     /** The lists cannot be changed. */
     public RunFiles {
         fit = List.copyOf(fit);
         heldOut = List.copyOf(heldOut);
+        reference = List.copyOf(reference);
         notices = List.copyOf(notices);
     }
 
@@ -36,22 +43,41 @@ public record RunFiles(List<MeasuredRun> fit, List<MeasuredRun> heldOut, List<St
      */
     public static RunFiles read(RunReader reader, List<Path> fit, List<Path> heldOut)
             throws DocumentException {
+        return read(reader, fit, heldOut, List.of());
+    }
+
+    /**
+     * The same beside reference runs, which are known to be sound.
+     *
+     * @throws DocumentException naming file, row and column of what cannot be used
+     */
+    public static RunFiles read(
+            RunReader reader, List<Path> fit, List<Path> heldOut, List<Path> reference)
+            throws DocumentException {
         requireDifferent(fit, heldOut);
+        requireOthers(reference, fit, heldOut);
         List<MeasuredRun> toFit = new ArrayList<>();
         List<MeasuredRun> toJudge = new ArrayList<>();
         List<String> notices = new ArrayList<>();
         List<Path> all = new ArrayList<>(fit);
         all.addAll(heldOut);
+        int asked = all.size();
+        all.addAll(reference);
+        List<MeasuredRun> sound = new ArrayList<>();
         List<RunFile> read = new ArrayList<>();
         for (int i = 0; i < all.size(); i++) {
             RunFile file = reader.read(all.get(i), name(all, i));
             requireNew(file, read);
             read.add(file);
             notices.addAll(file.notices());
-            boolean isHeldOut = i >= fit.size() || saysHeldOut(file, notices);
-            (isHeldOut ? toJudge : toFit).addAll(file.runs());
+            if (i >= asked) {
+                sound.addAll(file.runs());
+            } else {
+                boolean isHeldOut = i >= fit.size() || saysHeldOut(file, notices);
+                (isHeldOut ? toJudge : toFit).addAll(file.runs());
+            }
         }
-        return told(toFit, toJudge, notices, all);
+        return told(toFit, toJudge, sound, notices, all.subList(0, asked));
     }
 
     /**
@@ -79,7 +105,7 @@ public record RunFiles(List<MeasuredRun> fit, List<MeasuredRun> heldOut, List<St
                     "%s: fitted in %d parts of %s s, each with a start of its own"
                             .formatted(run.name(), count, Figures.shown(run.duration() / count)));
         }
-        return new RunFiles(parts, heldOut, told);
+        return new RunFiles(parts, heldOut, reference, told);
     }
 
     private static MeasuredRun part(MeasuredRun run, int i, int of) {
@@ -93,7 +119,11 @@ public record RunFiles(List<MeasuredRun> fit, List<MeasuredRun> heldOut, List<St
     }
 
     private static RunFiles told(
-            List<MeasuredRun> fit, List<MeasuredRun> heldOut, List<String> notices, List<Path> all)
+            List<MeasuredRun> fit,
+            List<MeasuredRun> heldOut,
+            List<MeasuredRun> reference,
+            List<String> notices,
+            List<Path> all)
             throws DocumentException {
         if (fit.isEmpty()) {
             throw new DocumentException(
@@ -101,12 +131,12 @@ public record RunFiles(List<MeasuredRun> fit, List<MeasuredRun> heldOut, List<St
                             .formatted(all));
         }
         if (!heldOut.isEmpty()) {
-            return new RunFiles(fit, heldOut, notices);
+            return new RunFiles(fit, heldOut, reference, notices);
         }
         try {
             Split split = Split.of(fit);
             notices.add(split.notice());
-            return new RunFiles(split.fit(), split.heldOut(), notices);
+            return new RunFiles(split.fit(), split.heldOut(), reference, notices);
         } catch (IllegalArgumentException e) {
             throw new DocumentException(all.getFirst() + ": " + e.getMessage(), e);
         }
@@ -147,6 +177,22 @@ public record RunFiles(List<MeasuredRun> fit, List<MeasuredRun> heldOut, List<St
                             "%s is given to fit and to hold out; what is fitted cannot judge: give another run"
                                     .formatted(other));
                 }
+            }
+        }
+    }
+
+    private static void requireOthers(List<Path> reference, List<Path> fit, List<Path> heldOut)
+            throws DocumentException {
+        for (int i = 0; i < reference.size(); i++) {
+            Path file = reference.get(i);
+            if (reference.subList(0, i).stream().anyMatch(other -> isSame(file, other))) {
+                throw new DocumentException(
+                        "%s is given twice as a reference; give each run once".formatted(file));
+            }
+            if (Stream.concat(fit.stream(), heldOut.stream()).anyMatch(o -> isSame(file, o))) {
+                throw new DocumentException(
+                        "%s is given as a reference and to be diagnosed; no run is its own measure: give another one"
+                                .formatted(file));
             }
         }
     }

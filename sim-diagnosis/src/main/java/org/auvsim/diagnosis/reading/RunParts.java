@@ -36,8 +36,12 @@ final class RunParts {
     private final List<MeasuredRunBuilder> parts = new ArrayList<>();
     private Optional<MeasuredRunBuilder> part = Optional.empty();
     private int inPart;
+    private double first;
     private double last;
     private long row;
+
+    /** Whether the run has ended before its last row. */
+    private boolean hasEnded;
 
     /**
      * For so many rows.
@@ -89,9 +93,12 @@ final class RunParts {
                             .formatted(name, Figures.shown(time - last), Figures.shown(last, 9)));
             end();
         }
+        if (hasEnded) {
+            return;
+        }
         boolean counts = isMeasured && (row % each == 0 || part.isEmpty());
         if (counts || (part.isPresent() && keepsCommands && isToldOtherwise)) {
-            MeasuredRunBuilder run = part.orElseGet(this::begin);
+            MeasuredRunBuilder run = part.orElseGet(() -> begin(time));
             run.at(time);
             for (int i = 0; i < commands.size(); i++) {
                 run.command(i, numbers[Slots.COMMANDS + i]);
@@ -107,17 +114,35 @@ final class RunParts {
         }
     }
 
+    /**
+     * The run ends before a row, and what follows of it is left out.
+     *
+     * @param why in words
+     */
+    void endBefore(double time, String why) {
+        if (!hasEnded) {
+            notices.add(
+                    "%s: ends %s s after its first row, where %s; what follows is left out"
+                            .formatted(
+                                    name, Figures.shown(part.isPresent() ? time - first : 0), why));
+            end();
+            hasEnded = true;
+        }
+    }
+
     /** What follows is of another run. */
     void restart() {
         end();
+        hasEnded = false;
     }
 
-    private MeasuredRunBuilder begin() {
+    private MeasuredRunBuilder begin(double time) {
         String partName = parts.isEmpty() ? name : name + "-" + (parts.size() + 1);
         MeasuredRunBuilder run = MeasuredRun.named(partName).commands(commands);
         samples.tell(run);
         known.accept(run);
         part = Optional.of(run);
+        first = time;
         inPart = 0;
         return run;
     }

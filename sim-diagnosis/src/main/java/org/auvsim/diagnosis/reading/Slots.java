@@ -8,6 +8,9 @@ import java.util.Map;
 
 /** The places of a row's numbers, by the usual names of their columns. */
 final class Slots {
+    /** Of a column that fills no place. */
+    static final int NOWHERE = -1;
+
     static final int TIME = 0;
     static final int POSITION = 1;
     static final int QUATERNION = 4;
@@ -21,8 +24,11 @@ final class Slots {
     /** The number of the run that a row is of. */
     static final int RUN = DEVIATIONS + 3 * Channel.values().length;
 
+    /** What tells of shaking: an acceleration, then an angular rate. */
+    static final int SHAKING = RUN + 1;
+
     /** From here on, one each. */
-    static final int COMMANDS = RUN + 1;
+    static final int COMMANDS = SHAKING + 2;
 
     static final String TIME_NAME = "t";
     private static final String RUN_NAME = "run";

@@ -6,7 +6,7 @@ import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Phrases;
 import org.auvsim.diagnosis.result.QuantityGroup;
-import org.auvsim.diagnosis.result.Verdict;
+import org.auvsim.diagnosis.shaking.Imbalance;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -25,11 +25,15 @@ final class ExtendedScenario {
         List<String> lines = new ArrayList<>();
         lines.add("A diagnosis of '%s' (seed %d).".formatted(diagnosis.body(), diagnosis.seed()));
         lines.add(diagnosis.sentence() + ".");
+        List<Finding> added =
+                diagnosis.selected().stream()
+                        .filter(finding -> !finding.cause().equals(Imbalance.CAUSE))
+                        .toList();
         lines.add(
-                diagnosis.verdict() == Verdict.EXPLAINED
-                        ? "What was added to the model as it was believed:"
-                        : "Nothing was added: this is the model as it was believed.");
-        diagnosis.selected().stream().map(ExtendedScenario::line).forEach(lines::add);
+                added.isEmpty()
+                        ? "Nothing was added: this is the model as it was believed."
+                        : "What was added to the model as it was believed:");
+        added.stream().map(ExtendedScenario::line).forEach(lines::add);
         return lines;
     }
 

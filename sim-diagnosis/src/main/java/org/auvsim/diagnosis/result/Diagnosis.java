@@ -76,13 +76,28 @@ public record Diagnosis(
         return with(proposal, all);
     }
 
+    /** The same with a cause that changes nothing of the motion, where that lacks nothing. */
+    public Diagnosis explained(Finding found, String words, List<Ranked> sets) {
+        return with(Verdict.EXPLAINED, words, List.of(found), sets, proposal, notices);
+    }
+
     private Diagnosis with(Optional<Proposal> proposed, List<String> noticed) {
+        return with(verdict, sentence, selected, ranked, proposed, noticed);
+    }
+
+    private Diagnosis with(
+            Verdict judged,
+            String words,
+            List<Finding> found,
+            List<Ranked> sets,
+            Optional<Proposal> proposed,
+            List<String> noticed) {
         return new Diagnosis(
-                verdict,
-                sentence,
+                judged,
+                words,
                 body,
-                selected,
-                ranked,
+                found,
+                sets,
                 alternatives,
                 noise,
                 heldOut,

@@ -46,6 +46,7 @@ public final class Phrases {
         put("thruster_lag", "A lag of %s is missing");
         put("thruster_misalignment", "The direction of %s is wrong");
         put("thruster_loss", "A failure of %s is missing");
+        put("propeller_imbalance", "A propeller is out of balance");
         put("fin_gain", "The lift of %s is wrong");
         put("fin_race", "The stream about %s is faster", "The stream about %s is slower");
         put("hull_lift", "Lift of the hull is missing");

@@ -51,6 +51,16 @@ public final class Sentence {
                         aliases(found, alternatives));
     }
 
+    /**
+     * The body shakes more than in reference runs, and moves as its model has it.
+     *
+     * @param found by how many times
+     */
+    public static String shaking(Finding found, int references) {
+        return "The vehicle shakes %s as much as in the %d reference runs, and moves as the model has it: a propeller is out of balance, or damaged"
+                .formatted(QuantityGroup.of(found).getFirst().text(), references);
+    }
+
     private static String part(Finding finding) {
         List<QuantityGroup> groups = QuantityGroup.of(finding);
         if (groups.isEmpty()) {

@@ -10,6 +10,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * A measured run: where a body was when, and what it was told to do. Times increase; a number that
@@ -23,12 +24,15 @@ public final class MeasuredRun {
     private final Map<Channel, double[]> measured;
     private final Map<Channel, double[]> deviations;
     private final double[] quaternions;
+    private final double[] accelerations;
+    private final double[] rates;
     private final Map<Channel, Frame> frames;
-    private final Map<Channel, Map<Integer, LastingError>> lasting;
+    private final Map<Channel, Map<Integer, List<LastingError>>> lasting;
     private final List<Command> commands;
     private final List<ScheduledForce> forces;
     private final Optional<KnownStart> start;
     private final KnownDifferences differences;
+    private final Optional<MeasuredRun> whole;
 
     MeasuredRun(MeasuredRunBuilder b) {
         name = b.name;
@@ -38,12 +42,15 @@ public final class MeasuredRun {
         b.measured.forEach((channel, values) -> keep(measured, channel, values.toArray()));
         b.deviations.forEach((channel, values) -> keep(deviations, channel, values.toArray()));
         quaternions = b.quaternions.toArray();
+        accelerations = b.accelerations.toArray();
+        rates = b.rates.toArray();
         frames = new EnumMap<>(b.frames);
         lasting = new EnumMap<>(b.lasting);
         commands = List.copyOf(b.commands());
         forces = List.copyOf(b.forces);
         start = b.start;
         differences = b.differences;
+        whole = b.whole;
     }
 
     private static void keep(Map<Channel, double[]> to, Channel channel, double[] values) {
@@ -143,19 +150,36 @@ public final class MeasuredRun {
         return values == null ? Double.NaN : values[AXES * sample + axis];
     }
 
+    /**
+     * What an axis of an accelerometer told at a sample, which tells how the body shakes; NaN where
+     * there is none.
+     */
+    public double acceleration(int sample) {
+        return accelerations[sample];
+    }
+
+    /** The same of a gyro. */
+    public double rate(int sample) {
+        return rates[sample];
+    }
+
+    /** Whether both were measured in any sample. */
+    public boolean tellsShaking() {
+        return IntStream.range(0, size())
+                .anyMatch(k -> !Double.isNaN(accelerations[k]) && !Double.isNaN(rates[k]));
+    }
+
     /** The axes in which velocities of this channel were measured. */
     public Frame frame(Channel channel) {
         return frames.getOrDefault(channel, Frame.WORLD);
     }
 
-    /**
-     * The error of what a channel tells along or about an axis (0 to 2) that lasts over samples.
-     */
-    public Optional<LastingError> lastingError(Channel channel, int axis) {
-        return Optional.ofNullable(lasting.getOrDefault(channel, Map.of()).get(axis));
+    /** Errors of what a channel tells along or about an axis (0 to 2) that last over samples. */
+    public List<LastingError> lastingErrors(Channel channel, int axis) {
+        return List.copyOf(lasting.getOrDefault(channel, Map.of()).getOrDefault(axis, List.of()));
     }
 
-    Map<Channel, Map<Integer, LastingError>> lastingErrors() {
+    Map<Channel, Map<Integer, List<LastingError>>> lastingErrors() {
         return lasting;
     }
 
@@ -177,6 +201,11 @@ public final class MeasuredRun {
     /** What was known to be different in this run. */
     public KnownDifferences differences() {
         return differences;
+    }
+
+    /** The run that this is a part of, as it was measured; itself, if it is none. */
+    public MeasuredRun whole() {
+        return whole.orElse(this);
     }
 
     /** The part from one sample to another, both included; its known start only if it has it. */

@@ -22,11 +22,14 @@ public final class MeasuredRunBuilder {
     final Map<Channel, Numbers> measured = new EnumMap<>(Channel.class);
     final Map<Channel, Numbers> deviations = new EnumMap<>(Channel.class);
     final Numbers quaternions = new Numbers();
+    final Numbers accelerations = new Numbers();
+    final Numbers rates = new Numbers();
     final Map<Channel, Frame> frames = new EnumMap<>(Channel.class);
-    final Map<Channel, Map<Integer, LastingError>> lasting = new EnumMap<>(Channel.class);
+    final Map<Channel, Map<Integer, List<LastingError>>> lasting = new EnumMap<>(Channel.class);
     final List<ScheduledForce> forces = new ArrayList<>();
     Optional<KnownStart> start = Optional.empty();
     KnownDifferences differences = KnownDifferences.NONE;
+    Optional<MeasuredRun> whole = Optional.empty();
     private final List<String> commandNames = new ArrayList<>();
     private final List<Numbers> levels = new ArrayList<>();
     private double last = Double.NEGATIVE_INFINITY;
@@ -89,6 +92,8 @@ public final class MeasuredRunBuilder {
         measured.values().forEach(values -> values.add(NOTHING));
         deviations.values().forEach(values -> values.add(NOTHING));
         quaternions.add(Double.NaN, Double.NaN, Double.NaN, Double.NaN);
+        accelerations.add(Double.NaN);
+        rates.add(Double.NaN);
         levels.forEach(level -> level.add(0));
         return this;
     }
@@ -117,6 +122,16 @@ public final class MeasuredRunBuilder {
         return this;
     }
 
+    /**
+     * What tells how the body shakes, as it was measured: one axis of an accelerometer and one of a
+     * gyro, in any units that are the same in all runs; NaN where there is none.
+     */
+    public MeasuredRunBuilder shaking(double acceleration, double rate) {
+        accelerations.setLast(1, new double[] {acceleration});
+        rates.setLast(1, new double[] {rate});
+        return this;
+    }
+
     /** There is one for each channel. */
     private static Numbers of(Map<Channel, Numbers> numbers, Channel channel) {
         return Objects.requireNonNull(numbers.get(channel));
@@ -140,9 +155,14 @@ public final class MeasuredRunBuilder {
         return this;
     }
 
-    /** An error of what a channel tells along or about an axis (0 to 2) that lasts over samples. */
+    /**
+     * One more error of what a channel tells along or about an axis (0 to 2) that lasts over
+     * samples.
+     */
     public MeasuredRunBuilder lastingError(Channel channel, int axis, LastingError error) {
-        lasting.computeIfAbsent(channel, _ -> new TreeMap<>()).put(axis, error);
+        lasting.computeIfAbsent(channel, _ -> new TreeMap<>())
+                .computeIfAbsent(axis, _ -> new ArrayList<>())
+                .add(error);
         return this;
     }
 
@@ -204,11 +224,13 @@ public final class MeasuredRunBuilder {
                         run.deviation(channel, k, 2));
                 part.frame(channel, run.frame(channel));
             }
+            part.shaking(run.acceleration(k), run.rate(k));
             run.orientation(k).ifPresent(part::keepOrientation);
             for (int c = 0; c < run.commands().size(); c++) {
                 part.command(c, run.commands().get(c).level(k));
             }
         }
+        part.whole = Optional.of(run.whole());
         part.lasting.putAll(run.lastingErrors());
         run.forces().forEach(part::force);
         if (from == 0) {

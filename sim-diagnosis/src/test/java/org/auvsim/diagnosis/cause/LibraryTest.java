@@ -179,6 +179,11 @@ class LibraryTest {
         List<String> all = library.stream().map(Cause::name).toList();
 
         assertThat(drag.price()).isCloseTo(12 - 2 * Math.log(library.size()), within(1e-12));
+        assertThat(drag.price(100, 7))
+                .isCloseTo(12 - 2 * Math.log(library.size()) + Math.log(7), within(1e-12));
+        assertThat(library.getFirst().price(100, 7))
+                .isCloseTo(
+                        12 + library.getFirst().parameters().size() * Math.log(100), within(1e-12));
         assertThat(Library.named(all, library))
                 .allSatisfy(cause -> assertThat(cause.price()).isEqualTo(12))
                 .extracting(Cause::name)

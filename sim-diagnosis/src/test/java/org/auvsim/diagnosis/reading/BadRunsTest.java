@@ -6,7 +6,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.run.CellForm;
 import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.auvsml.run.Limit;
 import org.auvsim.auvsml.run.MappedColumn;
+import org.auvsim.auvsml.run.MeasuredAxes;
+import org.auvsim.auvsml.run.ShakingColumns;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -163,6 +166,65 @@ class BadRunsTest {
                 mapping,
                 moving("y", "0"),
                 ":2: column 't': expected a time of day as 205259, but found '0.0'");
+    }
+
+    private static ColumnMapping ending(String column) {
+        return ColumnMapping.USUAL.with(
+                List.of(
+                        new MappedColumn(
+                                column,
+                                Optional.empty(),
+                                1,
+                                0,
+                                CellForm.NUMBER,
+                                false,
+                                List.of(),
+                                Optional.of(new Limit(Optional.of(9.0), Optional.empty())))));
+    }
+
+    @Test
+    void aColumnByWhichARunEndsHasNumbers() {
+        refused(
+                ending("press"),
+                moving("press", "0").replace("0.3,3,0", "0.3,3,low"),
+                ":5: column 'press': expected a number, but found 'low'");
+        refused(
+                ending("pres"),
+                moving("press", "0"),
+                ":1: column 'pres': the mapping names this column, but the header has none of this"
+                        + " name; the nearest known name is 'press'");
+    }
+
+    @Test
+    void aRunIsLongEnoughBeforeItEnds() {
+        refused(
+                ending("x"),
+                moving("y", "0"),
+                ": no 16 rows follow each other without a long gap, before a column is beyond its"
+                        + " limit; a shorter run tells nothing");
+    }
+
+    private static ColumnMapping shaking(String acceleration, String rate) {
+        return new ColumnMapping(
+                MeasuredAxes.ENU,
+                false,
+                false,
+                Optional.empty(),
+                Optional.of(new ShakingColumns(acceleration, rate)),
+                List.of());
+    }
+
+    @Test
+    void columnsThatTellOfShakingHaveNumbers() {
+        refused(
+                shaking("ax", "wy"),
+                moving("ax,wy", "0,1").replace("0.3,3,0,1", "0.3,3,0,none"),
+                ":5: column 'wy': expected a number, but found 'none'");
+        refused(
+                shaking("ay", "wy"),
+                moving("ax,wy", "0,1"),
+                ":1: column 'ay': the mapping reads shaking from this column, but the header has"
+                        + " none of this name; the nearest known names are 'ax', 'wy', 't'");
     }
 
     @Test

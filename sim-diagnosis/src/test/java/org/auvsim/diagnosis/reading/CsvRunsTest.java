@@ -7,10 +7,12 @@ import static org.assertj.core.api.Assertions.within;
 import org.auvsim.auvsml.run.CellForm;
 import org.auvsim.auvsml.run.ColumnMapping;
 import org.auvsim.auvsml.run.LastingError;
+import org.auvsim.auvsml.run.Limit;
 import org.auvsim.auvsml.run.MappedColumn;
 import org.auvsim.auvsml.run.MeasuredAxes;
 import org.auvsim.auvsml.run.RunStart;
 import org.auvsim.auvsml.run.RunStart.KnownVector;
+import org.auvsim.auvsml.run.ShakingColumns;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
@@ -327,12 +329,14 @@ class CsvRunsTest {
         MeasuredRun run =
                 Rov.run(folder, mapping, Rov.rows("x,depth,roll", 20, i -> i + ",2," + i));
 
-        assertThat(run.lastingError(Channel.POSITION, 1)).contains(new LastingError(0.1, 5));
-        assertThat(run.lastingError(Channel.POSITION, 2)).contains(new LastingError(0.2, 5));
-        assertThat(run.lastingError(Channel.POSITION, 0)).isEmpty();
-        assertThat(run.lastingError(Channel.ORIENTATION, 1).orElseThrow().deviation())
+        assertThat(run.lastingErrors(Channel.POSITION, 1))
+                .containsExactly(new LastingError(0.1, 5));
+        assertThat(run.lastingErrors(Channel.POSITION, 2))
+                .containsExactly(new LastingError(0.2, 5));
+        assertThat(run.lastingErrors(Channel.POSITION, 0)).isEmpty();
+        assertThat(run.lastingErrors(Channel.ORIENTATION, 1).getFirst().deviation())
                 .isCloseTo(Math.toRadians(3), within(1e-12));
-        assertThat(run.part("part", 2, 9).lastingError(Channel.POSITION, 1)).isPresent();
+        assertThat(run.part("part", 2, 9).lastingErrors(Channel.POSITION, 1)).isNotEmpty();
     }
 
     private static MappedColumn lasting(String name, double deviation) {
@@ -343,7 +347,83 @@ class CsvRunsTest {
                 0,
                 CellForm.NUMBER,
                 false,
-                Optional.of(new LastingError(deviation, 5)));
+                List.of(new LastingError(deviation, 5)),
+                Optional.empty());
+    }
+
+    private static ColumnMapping ending(String column, Limit limit) {
+        return ColumnMapping.USUAL
+                .ignoringOthers()
+                .with(
+                        List.of(
+                                new MappedColumn(
+                                        column,
+                                        Optional.empty(),
+                                        0.5,
+                                        0,
+                                        CellForm.NUMBER,
+                                        false,
+                                        List.of(),
+                                        Optional.of(limit))));
+    }
+
+    /** In the unit that the mapping makes of it, whether the column has a usual name or not. */
+    @Test
+    void aRunEndsBeforeANumberBeyondALimit() throws Exception {
+        String text = Rov.rows("depth,height", 40, i -> i + "," + (50 - i));
+
+        RunFile deep =
+                Rov.read(
+                        folder,
+                        ending("depth", new Limit(Optional.of(12.0), Optional.empty())),
+                        text);
+        RunFile low =
+                Rov.read(
+                        folder,
+                        ending("height", new Limit(Optional.empty(), Optional.of(14.0))),
+                        text);
+
+        assertThat(deep.runs()).extracting(MeasuredRun::size).containsExactly(25);
+        assertThat(deep.notices())
+                .contains(
+                        "run: ends 2.5 s after its first row, where 'depth' is 12.5; what follows"
+                                + " is left out");
+        assertThat(low.runs()).extracting(MeasuredRun::size).containsExactly(23);
+    }
+
+    /** What follows of it is left out, also where the number comes back; the next run is whole. */
+    @Test
+    void theNextRunOfAFileBeginsAnew() throws Exception {
+        RunFile file =
+                Rov.read(
+                        folder,
+                        ending("x", new Limit(Optional.of(8.9), Optional.empty())),
+                        Rov.rows("run,x", 60, i -> i / 40 + "," + i % 20));
+
+        assertThat(file.runs()).extracting(MeasuredRun::size).containsExactly(18, 18);
+    }
+
+    @Test
+    void whatTellsOfShakingIsTakenAsItIs() throws Exception {
+        ColumnMapping mapping =
+                new ColumnMapping(
+                        MeasuredAxes.NED,
+                        true,
+                        true,
+                        Optional.empty(),
+                        Optional.of(new ShakingColumns("a_x", "q")),
+                        List.of(MappedColumn.ignored("a_x")));
+        MeasuredRun run =
+                Rov.run(folder, mapping, Rov.rows("x,a_x,q", 20, i -> i + "," + 2 * i + ",-" + i));
+
+        assertThat(run.acceleration(3)).isEqualTo(6);
+        assertThat(run.rate(3)).isEqualTo(-3);
+        assertThat(run.part("part", 2, 19).acceleration(1)).isEqualTo(6);
+        assertThat(run.value(Channel.ANGULAR_VELOCITY, 3, 1))
+                .isCloseTo(Math.toRadians(3), within(1e-12));
+        assertThat(Rov.run(folder, ColumnMapping.USUAL, Rov.rows("x", 20, i -> "" + i)))
+                .extracting(MeasuredRun::tellsShaking)
+                .isEqualTo(false);
     }
 
     @Test

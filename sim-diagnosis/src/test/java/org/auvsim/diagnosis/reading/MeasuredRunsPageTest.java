@@ -3,9 +3,11 @@ package org.auvsim.diagnosis.reading;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.auvsml.run.Limit;
 import org.auvsim.auvsml.run.MappedColumn;
 import org.auvsim.auvsml.run.Run;
 import org.auvsim.auvsml.run.RunStart;
+import org.auvsim.auvsml.run.ShakingColumns;
 import org.auvsim.auvsml.run.TimedPush;
 import org.auvsim.core.description.ElementName;
 import org.junit.jupiter.api.Test;
@@ -40,7 +42,9 @@ class MeasuredRunsPageTest {
                                         RunStart.class,
                                         TimedPush.class,
                                         ColumnMapping.class,
-                                        MappedColumn.class)
+                                        ShakingColumns.class,
+                                        MappedColumn.class,
+                                        Limit.class)
                                 .flatMap(type -> Arrays.stream(type.getRecordComponents()))
                                 .map(RecordComponent::getName)
                                 .map(ElementName::of))

@@ -292,6 +292,43 @@ class RunFilesTest {
     }
 
     @Test
+    void referenceRunsAreBesideTheOthers() throws Exception {
+        List<Path> sound = List.of(run("sound", 3), run("healthy", 4));
+
+        RunFiles runs = RunFiles.read(reader, List.of(run("dive", 1)), List.of(run("b", 2)), sound);
+
+        assertThat(runs.reference())
+                .extracting(MeasuredRun::name)
+                .containsExactly("sound", "healthy");
+        assertThat(runs.fit()).extracting(MeasuredRun::name).containsExactly("dive");
+        assertThat(runs.inParts(1).reference()).isEqualTo(runs.reference());
+        assertThat(runs.fit().getFirst().part("part", 3, 20).part("part", 1, 5).whole())
+                .isSameAs(runs.fit().getFirst());
+    }
+
+    @Test
+    void aReferenceIsNoneOfTheRunsThatAreDiagnosed() throws Exception {
+        Path dive = run("dive", 1);
+        Path sound = run("sound", 3);
+        Path copy = run("copy", 1);
+
+        assertThatThrownBy(
+                        () -> RunFiles.read(reader, List.of(dive), List.of(), List.of(sound, dive)))
+                .isInstanceOf(DocumentException.class)
+                .hasMessage(
+                        dive
+                                + " is given as a reference and to be diagnosed; no run is its own"
+                                + " measure: give another one");
+        assertThatThrownBy(
+                        () ->
+                                RunFiles.read(
+                                        reader, List.of(dive), List.of(), List.of(sound, sound)))
+                .hasMessage(sound + " is given twice as a reference; give each run once");
+        assertThatThrownBy(() -> RunFiles.read(reader, List.of(dive), List.of(), List.of(copy)))
+                .hasMessageContaining("has the same numbers as " + dive);
+    }
+
+    @Test
     void aMappingIsADocumentOfItsOwn() throws Exception {
         Path mapping =
                 Rov.write(

@@ -10,6 +10,8 @@ import com.networknt.schema.SpecificationVersion;
 
 import org.auvsim.diagnosis.result.Alternative;
 import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.shaking.Imbalance;
+import org.auvsim.diagnosis.shaking.Shaking;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -42,6 +44,7 @@ class DiagnosisJsonTest {
         return Stream.of(
                 Diagnoses.none(),
                 Diagnoses.unexplained(),
+                Imbalance.judged(Diagnoses.none(), new Shaking(3.12, 0.48, 2.6, 4, 8, 1)),
                 Diagnoses.explained(
                         List.of(Diagnoses.QUADRATIC_DRAG, Diagnoses.THRUST, Diagnoses.CURRENT),
                         100,

@@ -15,7 +15,7 @@ public final class Figures {
 
     /** Of causes of discrepancies, likewise. */
     public static Map<String, String> ofCauses() {
-        return pictures(List.of(CauseFigures.all()));
+        return pictures(List.of(CauseFigures.all(), List.of(ShakingFigure.drawn())));
     }
 
     private static Map<String, String> pictures(List<List<Figure>> figures) {

@@ -63,8 +63,8 @@ public final class Scoreboard {
                         of.heldOut(),
                         Library.of(model, of.fit()),
                         of.seed(),
-                        method,
                         progress)
+                .by(method)
                 .diagnose();
     }
 

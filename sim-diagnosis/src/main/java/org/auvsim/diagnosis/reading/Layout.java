@@ -76,6 +76,11 @@ final class Layout {
         return columns.stream().filter(c -> c.slot() == slot).findFirst();
     }
 
+    /** The names of columns by the places that they fill. */
+    Map<Integer, String> filled() {
+        return filled;
+    }
+
     /** The name of the column that fills a place; some name if none does. */
     String nameOf(int slot) {
         return filled.getOrDefault(slot, "?");
@@ -83,12 +88,19 @@ final class Layout {
 
     private void requireMapped() throws DocumentException {
         for (MappedColumn column : mapping.column()) {
-            if (!table.columns().contains(column.name())) {
+            if (!column.ignored() && !table.columns().contains(column.name())) {
                 throw table.at(
                         1,
                         column.name(),
                         "the mapping names this column, but the header has none of this name; %s"
-                                .formatted(Names.nearest(column.name(), table.columns())));
+                                .formatted(
+                                        Names.near(column.name(), table.columns())
+                                                .orElseGet(
+                                                        () ->
+                                                                "it has "
+                                                                        + String.join(
+                                                                                ", ",
+                                                                                table.columns()))));
             }
         }
     }
@@ -133,8 +145,12 @@ final class Layout {
                 column,
                 "%s; rename it to what it has, ignore it, or name a force or actuator of '%s' so"
                         .formatted(
-                                "nothing is known by the name '%s'; %s"
-                                        .formatted(meaning, Names.nearest(meaning, names)),
+                                "nothing is known by the name '%s'%s"
+                                        .formatted(
+                                                meaning,
+                                                Names.near(meaning, names)
+                                                        .map("; "::concat)
+                                                        .orElse("")),
                                 known.body()));
     }
 

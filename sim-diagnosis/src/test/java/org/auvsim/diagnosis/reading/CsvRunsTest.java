@@ -184,7 +184,10 @@ class CsvRunsTest {
 
         assertThat(file.notices())
                 .containsExactly(
-                        "run: nothing tells 'rudder' what to do: it holds the scenario's 0.0");
+                        folder.resolve("run.csv")
+                                + ":1: column 'rudder': expected the angle of the fin, but the"
+                                + " header has no such column: it holds the scenario's 0.0; add the"
+                                + " column, or rename the one that has it");
     }
 
     @Test
@@ -244,15 +247,16 @@ class CsvRunsTest {
         assertThat(run.time(80) - run.time(0)).isCloseTo(10, within(1e-9));
         assertThat(file.notices())
                 .contains(
-                        "run: times are whole seconds with several rows each; read as a constant"
-                                + " rate of 8 Hz");
+                        folder.resolve("run.csv")
+                                + ": column 't': times are whole seconds with several rows each;"
+                                + " read as a constant rate of 8 Hz");
     }
 
     /** The usual interval of these is 0.1 s. */
     static Stream<Arguments> stamps() {
         Random lot = new Random(7);
         return Stream.of(
-                Arguments.of("uneven", (IntToDoubleFunction) i -> i / 3 + 0.1 * (i % 3)),
+                Arguments.of("uneven", (IntToDoubleFunction) i -> Math.floorDiv(i, 3) + 0.1 * (i % 3)),
                 Arguments.of(
                         "jittered", (IntToDoubleFunction) i -> 0.1 * i + 0.08 * lot.nextDouble()),
                 Arguments.of(
@@ -426,7 +430,9 @@ class CsvRunsTest {
                 .anyMatch(
                         text1 ->
                                 text1.equals(
-                                        "run: 10.1 s without a row after 1.9 s; what follows is"
+                                        folder.resolve("run.csv")
+                                                + ":22: column 't': 10.1 s without a row after 1.9"
+                                                + " s; what follows is"
                                                 + " read as another run"));
     }
 
@@ -447,8 +453,9 @@ class CsvRunsTest {
         assertThat(run.value(Channel.POSITION, 1, 0)).isEqualTo(5);
         assertThat(file.notices())
                 .contains(
-                        "run: of 100000 rows each 5th is taken, and all that command something"
-                                + " anew");
+                        folder.resolve("run.csv")
+                                + ": of 100000 rows each 5th is taken, and all that command"
+                                + " something anew");
     }
 
     private static List<Double> changes(MeasuredRun run) {

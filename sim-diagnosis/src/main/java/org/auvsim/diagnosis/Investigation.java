@@ -78,7 +78,7 @@ public record Investigation(
                 method == Method.GENETIC ? Optional.of(new Evolution(seed)) : Optional.empty();
         Diagnosis diagnosis =
                 new Examination(model, fit, heldOut, causes, seed, contest, progress).diagnosis();
-        return proposing(diagnosis);
+        return proposing(diagnosis).toldAsFarAsItCame();
     }
 
     /** With what imitates the misfit, where nothing that is known fits and the search ended. */

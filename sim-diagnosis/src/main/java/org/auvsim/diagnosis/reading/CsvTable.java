@@ -155,9 +155,9 @@ final class CsvTable implements Closeable {
                                     row.get().getFieldCount(),
                                     hasCommas
                                             ? ": do its numbers have decimal commas? Write 1.5, not"
-                                                  + " 1,5"
+                                                    + " 1,5"
                                             : "; complete the row, or take it out if the file was"
-                                                  + " cut off"));
+                                                    + " cut off"));
         }
         return row;
     }

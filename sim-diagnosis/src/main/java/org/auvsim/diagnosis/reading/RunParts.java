@@ -83,7 +83,7 @@ final class RunParts {
                                         keepsCommands
                                                 ? "and all that command something anew"
                                                 : "its commands included; those between are left"
-                                                      + " out, as"
+                                                        + " out, as"
                                                         + " there are %d"
                                                                 .formatted(extent.changes()))));
     }

@@ -93,7 +93,7 @@ final class Survey {
                 time,
                 "a time after %s s".formatted(last),
                 "sort the rows by their times, take this one out, or give rows of another run a"
-                    + " file of their own or a column 'run'");
+                        + " file of their own or a column 'run'");
     }
 
     /** Refuses 205259, 205300: a clock's digits are no seconds. */

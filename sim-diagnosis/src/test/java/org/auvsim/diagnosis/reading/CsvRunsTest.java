@@ -256,7 +256,8 @@ class CsvRunsTest {
     static Stream<Arguments> stamps() {
         Random lot = new Random(7);
         return Stream.of(
-                Arguments.of("uneven", (IntToDoubleFunction) i -> Math.floorDiv(i, 3) + 0.1 * (i % 3)),
+                Arguments.of(
+                        "uneven", (IntToDoubleFunction) i -> Math.floorDiv(i, 3) + 0.1 * (i % 3)),
                 Arguments.of(
                         "jittered", (IntToDoubleFunction) i -> 0.1 * i + 0.08 * lot.nextDouble()),
                 Arguments.of(

@@ -36,7 +36,8 @@ import java.util.concurrent.Callable;
         },
         footer = {
             "",
-            "Ctrl-C ends it early; what has been judged is written.",
+            "Ctrl-C ends it early, with 130; what has been judged is written, and told to be"
+                    + " incomplete. Ctrl-C once more ends it at once.",
             "",
             "Example: auvsim bench diagnosis --seed 1000 --cases 40 --noise 0.01"
         })
@@ -97,6 +98,7 @@ final class BenchDiagnosis implements Callable<Integer> {
                             outcome -> tell(ScoreTable.line(outcome)),
                             interruption::isRequested);
             tell("");
+            plan.shortfall(outcomes.size()).ifPresent(this::tell);
             ScoreTable.lines(Scores.of(plan, outcomes)).forEach(this::tell);
             ScoreFiles.write(folder, plan, outcomes);
             tell(Rows.written(outcomes.size(), folder.resolve("cases.csv")));

@@ -50,7 +50,9 @@ import java.util.concurrent.Callable;
             "",
             "Ends with 0 for any verdict, 2 for input that cannot be used; with"
                     + " --fail-on-discrepancy with 1 unless the verdict is that nothing is wrong.",
-            "Ctrl-C ends the search early; what it has found is reported.",
+            "Ctrl-C ends the search early; what it has found is reported, and the command ends with"
+                    + " 130, whatever the verdict. Ctrl-C once more ends it at once, without a"
+                    + " report.",
             "",
             "Example: auvsim diagnose --scenario examples/diagnosis/model.xml --fit"
                     + " examples/diagnosis/run1.csv examples/diagnosis/run2.csv --holdout"
@@ -142,7 +144,8 @@ final class Diagnose implements Callable<Integer> {
             paramLabel = "ID",
             description =
                     "Looks for these causes only, as docs/causes.md names them; of one thruster:"
-                            + " \"thruster_gain (port)\".")
+                            + " \"thruster_gain (port)\". Of several that share a name, as a"
+                            + " thruster's angle and tilt, all.")
     private List<String> causes = new ArrayList<>();
 
     @Option(
@@ -171,6 +174,7 @@ final class Diagnose implements Callable<Integer> {
     public Integer call() throws DocumentException {
         PrintWriter err = spec.commandLine().getErr();
         BelievedModel model = model(ScenarioFile.load(scenarioFile, err));
+        requireKnown(model);
         AuvsmlMapper mapper = AuvsmlMapper.load(ContextClasses.loader());
         RunReader reader = between(new RunReader(model, format.mapping(mapper), mapper));
         RunFiles runs = inParts(RunFiles.read(reader, fit, heldOut, reference));
@@ -239,6 +243,17 @@ final class Diagnose implements Callable<Integer> {
         List<Cause> library = Library.of(model, runs.fit());
         try {
             return causes.isEmpty() ? library : Library.named(causes, library);
+        } catch (IllegalArgumentException e) {
+            throw new UserError("--causes: " + e.getMessage(), e);
+        }
+    }
+
+    /** Before runs are read. */
+    private void requireKnown(BelievedModel model) {
+        try {
+            if (!causes.isEmpty()) {
+                Library.requireKnown(causes, model);
+            }
         } catch (IllegalArgumentException e) {
             throw new UserError("--causes: " + e.getMessage(), e);
         }

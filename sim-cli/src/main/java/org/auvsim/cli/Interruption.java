@@ -1,12 +1,18 @@
 package org.auvsim.cli;
 
+import org.jline.utils.Signals;
+
 import java.util.concurrent.CountDownLatch;
 
 /**
  * Ctrl-C, or a request to end from elsewhere, for as long as this is open: the process ends only
- * when it is closed, so that what is under way can be brought to a good end.
+ * when it is closed, so that what is under way can be brought to a good end. Ctrl-C once more ends
+ * it at once. Either way its exit code is that of a process which was interrupted.
  */
 final class Interruption implements AutoCloseable {
+    /** What a shell is told of a process that Ctrl-C ended. */
+    static final int EXIT_CODE = 130;
+
     private final CountDownLatch done = new CountDownLatch(1);
     private final Thread hook;
     private volatile boolean requested;
@@ -23,6 +29,7 @@ final class Interruption implements AutoCloseable {
     }
 
     private void finish(Runnable end) {
+        Signals.register("INT", () -> Runtime.getRuntime().halt(EXIT_CODE));
         requested = true;
         end.run();
         try {

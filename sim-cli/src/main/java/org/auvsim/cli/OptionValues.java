@@ -48,6 +48,11 @@ final class OptionValues {
      */
     static Optional<String> refusal(ParameterException e) {
         ArgSpec argument = e.getArgSpec();
+        if (argument != null && String.valueOf(e.getMessage()).startsWith("Value for option ")) {
+            return Optional.of(
+                    "%s: expected %s, but found '%s'."
+                            .formatted(shown(argument), argument.paramLabel(), e.getValue()));
+        }
         if (argument == null || !String.valueOf(e.getMessage()).startsWith("Invalid value ")) {
             return Optional.empty();
         }

@@ -186,8 +186,16 @@ class DiagnoseTest {
                                 folder.resolve("report")))
                 .isEqualTo(2);
         assertThat(auvsim.err())
-                .contains("--causes: no cause 'rust' can be looked for in these runs")
+                .contains("--causes: no cause 'rust' is known of 'Ball'; those that are known are")
                 .contains("quadratic_drag");
+    }
+
+    /** Reading long runs takes its time. */
+    @Test
+    void aCauseThatIsUnknownIsToldBeforeRunsAreRead() throws IOException {
+        assertThat(diagnose(BALL, "--fit", folder.resolve("none.csv"), "--causes", "rust"))
+                .isEqualTo(2);
+        assertThat(auvsim.err()).contains("'rust'").doesNotContain("none.csv");
     }
 
     @Test
@@ -256,7 +264,21 @@ class DiagnoseTest {
                         "--degrees");
 
         assertThat(code).isEqualTo(2);
-        assertThat(auvsim.err()).contains("run.csv: expected at least 16 rows, but found 1");
+        assertThat(auvsim.err()).contains("run.csv:2: expected at least 16 rows, but found 1");
+    }
+
+    @Test
+    void aNewNameNeedsAnOldOne() throws IOException {
+        assertThat(diagnose(BALL, "--fit", fall("run.csv", 0), "--rename", "x")).isEqualTo(2);
+        assertThat(auvsim.err().lines())
+                .first()
+                .isEqualTo("--rename: expected NAME=USUAL, but found 'x'.");
+    }
+
+    @Test
+    void aFolderIsNoRun() throws IOException {
+        assertThat(diagnose(BALL, "--fit", folder)).isEqualTo(2);
+        assertThat(auvsim.err()).contains(folder + " is a folder; expected a file, name one in it");
     }
 
     @Test

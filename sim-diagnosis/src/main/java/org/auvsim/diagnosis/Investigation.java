@@ -101,7 +101,7 @@ public record Investigation(
                 method == Method.GENETIC ? Optional.of(new Evolution(seed)) : Optional.empty();
         Diagnosis diagnosis =
                 new Examination(model, fit, heldOut, causes, seed, contest, progress).diagnosis();
-        return shaken(proposing(diagnosis));
+        return shaken(proposing(diagnosis)).toldAsFarAsItCame();
     }
 
     /** With what the body's shaking says, all of each run long. */

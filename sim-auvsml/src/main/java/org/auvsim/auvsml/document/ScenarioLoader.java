@@ -78,7 +78,11 @@ public final class ScenarioLoader {
         } catch (NoSuchFileException e) {
             throw new DocumentException(file + ": there is no such file", e);
         } catch (IOException e) {
-            throw new DocumentException(file + " cannot be read: " + e.getMessage(), e);
+            throw new DocumentException(
+                    Files.isDirectory(file)
+                            ? file + " is a folder; expected a file, name one in it"
+                            : file + " cannot be read: " + e.getMessage(),
+                    e);
         }
     }
 

@@ -3,6 +3,8 @@ package org.auvsim.auvsml.mapping;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.function.ToIntFunction;
 
 /** How a name that somebody wrote is shown, and which known names it comes near. */
@@ -35,6 +37,22 @@ public final class Names {
             case 1 -> "the nearest known name is " + best.getFirst();
             default -> "the nearest known names are " + String.join(", ", best);
         };
+    }
+
+    /**
+     * The same of those alone that the unknown one may well be a slip of: a letter of four, or
+     * capitals; empty if there is none.
+     */
+    public static Optional<String> near(String unknown, Collection<String> known) {
+        String small = unknown.toLowerCase(Locale.ROOT);
+        List<String> near =
+                known.stream()
+                        .filter(
+                                name ->
+                                        distance(small, name.toLowerCase(Locale.ROOT))
+                                                <= (small.length() + 1) / 4)
+                        .toList();
+        return near.isEmpty() ? Optional.empty() : Optional.of(nearest(unknown, near));
     }
 
     /** 0 if the known one holds what was written, else their edit distance. */

@@ -30,10 +30,6 @@ public final class Account {
                             lines.add("");
                             lines.add("A proposal, not a named cause: " + proposal.text());
                         });
-        if (!diagnosis.isComplete()) {
-            lines.add("");
-            lines.add("It was stopped early: this is the best it had.");
-        }
         return lines;
     }
 

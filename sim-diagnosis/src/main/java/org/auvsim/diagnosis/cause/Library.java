@@ -66,22 +66,39 @@ public final class Library {
      * @throws IllegalArgumentException if a name is that of none
      */
     public static List<Cause> named(List<String> names, List<Cause> library) {
-        for (String name : names) {
-            if (library.stream().noneMatch(cause -> isNamed(cause, name))) {
-                throw new IllegalArgumentException(
-                        "no cause '%s' can be looked for in these runs; those that can are %s"
-                                .formatted(
-                                        name,
-                                        library.stream()
-                                                .map(Cause::name)
-                                                .collect(Collectors.joining(", "))));
-            }
-        }
+        require(names, library, "can be looked for in these runs; those that can are");
         List<Cause> some =
                 library.stream()
                         .filter(cause -> names.stream().anyMatch(name -> isNamed(cause, name)))
                         .toList();
         return Chosen.of(some, library);
+    }
+
+    /**
+     * Refuses names that are those of no cause of a model's body, whatever was measured of it: so
+     * they are told before runs are read, which takes its time.
+     *
+     * @throws IllegalArgumentException if a name is that of none
+     */
+    public static void requireKnown(List<String> names, BelievedModel model) {
+        List<Cause> all = of(model, List.of(AllMeasured.of(model)));
+        require(names, all, "is known of '%s'; those that are known are".formatted(model.body()));
+    }
+
+    private static void require(List<String> names, List<Cause> library, String known) {
+        for (String name : names) {
+            if (library.stream().noneMatch(cause -> isNamed(cause, name))) {
+                throw new IllegalArgumentException(
+                        "no cause '%s' %s %s"
+                                .formatted(
+                                        name,
+                                        known,
+                                        library.stream()
+                                                .map(Cause::name)
+                                                .distinct()
+                                                .collect(Collectors.joining(", "))));
+            }
+        }
     }
 
     private static boolean isNamed(Cause cause, String name) {

@@ -13,6 +13,11 @@ final class Cells {
     private static final Pattern TIME_OF_DAY =
             Pattern.compile("(\\d{2})(\\d{2})(\\d{2}(\\.\\d*)?)");
 
+    private static final Pattern DECIMAL_COMMA = Pattern.compile("[+-]?\\d*,\\d+([eE][+-]?\\d+)?");
+
+    private static final String MENDING =
+            "correct it, or leave the cell empty if nothing was measured";
+
     private final CsvTable table;
 
     Cells(CsvTable table) {
@@ -47,7 +52,9 @@ final class Cells {
         } catch (NumberFormatException _) {
             // said below, as for numbers that are not finite
         }
-        throw expected(row, column, "a number");
+        throw column.slot() == Slots.TIME || column.slot() == Slots.RUN
+                ? expected(row, column, "a number", "correct it, or take the row out")
+                : expected(row, column, "a number", MENDING);
     }
 
     private double timeOfDay(CsvRecord row, BoundColumn column, String text)
@@ -67,5 +74,20 @@ final class Cells {
                 row.getStartingLineNumber(),
                 column.name(),
                 "expected %s, but found '%s'".formatted(what, text(row, column)));
+    }
+
+    /** The same, with what to do. */
+    DocumentException expected(CsvRecord row, BoundColumn column, String what, String whatToDo) {
+        String text = text(row, column);
+        return DECIMAL_COMMA.matcher(text).matches()
+                ? table.at(
+                        row.getStartingLineNumber(),
+                        column.name(),
+                        "expected %s, but found '%s': is that a decimal comma? Write %s"
+                                .formatted(what, text, text.replace(',', '.')))
+                : table.at(
+                        row.getStartingLineNumber(),
+                        column.name(),
+                        "expected %s, but found '%s'; %s".formatted(what, text, whatToDo));
     }
 }

@@ -1,8 +1,8 @@
 package org.auvsim.diagnosis.reading;
 
 /**
- * The times of rows. Whole seconds with several rows each are read as a constant rate, which begins
- * anew where seconds are missing.
+ * The times of rows: their stamps, exactly. Only whole seconds with several rows each are read as a
+ * constant rate, which begins anew where seconds are missing.
  */
 final class Clock {
     /** Stamps that are further apart (s) leave seconds out. */
@@ -26,8 +26,15 @@ final class Clock {
 
     /** The time (s) of the next row, whose stamp this is. */
     double next(double stamp) {
-        boolean goesOn = isEven && hasBegun && stamp - this.stamp < NEXT;
-        time = goesOn ? time + interval : Math.max(stamp, hasBegun ? time + interval : stamp);
+        if (!isEven) {
+            return stamp;
+        }
+        if (hasBegun) {
+            boolean goesOn = stamp - this.stamp < NEXT;
+            time = goesOn ? time + interval : Math.max(stamp, time + interval);
+        } else {
+            time = stamp;
+        }
         this.stamp = stamp;
         hasBegun = true;
         return time;

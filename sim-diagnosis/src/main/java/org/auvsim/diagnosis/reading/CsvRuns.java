@@ -2,6 +2,9 @@ package org.auvsim.diagnosis.reading;
 
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.core.actuator.Fin;
+import org.auvsim.core.actuator.Propulsor;
+import org.auvsim.core.entity.Actuator;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.io.IOException;
@@ -21,6 +24,8 @@ final class CsvRuns {
     private final MeasuredBody body;
     private final KnownOfRun known;
     private final List<String> notices = new ArrayList<>();
+    private List<Source> sources = List.of();
+    private Source longest;
 
     CsvRuns(Path file, String name, ColumnMapping mapping, MeasuredBody body, KnownOfRun known) {
         this.file = file;
@@ -28,6 +33,7 @@ final class CsvRuns {
         this.mapping = mapping;
         this.body = body;
         this.known = known;
+        this.longest = Source.of(file);
     }
 
     /**
@@ -41,22 +47,29 @@ final class CsvRuns {
         List<MeasuredRun> runs = runs(survey);
         if (survey.rows() < RunParts.FEWEST) {
             throw new DocumentException(
-                    "%s: expected at least %d rows, but found %d; a shorter run tells nothing"
-                            .formatted(file, RunParts.FEWEST, survey.rows()));
+                    "%s:%d: expected at least %d rows, but found %d; a shorter run tells nothing: give a longer one"
+                            .formatted(file, survey.lastLine(), RunParts.FEWEST, survey.rows()));
         }
         if (runs.isEmpty()) {
             throw new DocumentException(
-                    "%s: no %d rows follow each other without a long gap%s; a shorter run tells nothing"
-                            .formatted(
-                                    file,
-                                    RunParts.FEWEST,
-                                    hasLimits() ? ", before a column is beyond its limit" : ""));
+                    longest.says(
+                            "no %d rows follow each other without a long gap%s; a shorter run tells nothing: give a longer one"
+                                    .formatted(
+                                            RunParts.FEWEST,
+                                            hasLimits()
+                                                    ? ", before a column is beyond its limit"
+                                                    : "")));
         }
         return runs;
     }
 
     private boolean hasLimits() {
         return mapping.column().stream().anyMatch(column -> column.runEnds().isPresent());
+    }
+
+    /** Where each of the runs is. */
+    List<Source> sources() {
+        return sources;
     }
 
     /** What was done to the data, and what looks wrong with it. */
@@ -67,31 +80,47 @@ final class CsvRuns {
     private Survey survey() throws DocumentException {
         try (CsvTable table = CsvTable.open(file)) {
             Layout layout = new Layout(table, mapping, body.commands());
-            body.undirected(layout.commands()).forEach(text -> notices.add(name + ": " + text));
+            body.undirected(layout.commands()).forEach(actuator -> notices.add(lacks(actuator)));
             return Survey.of(table, layout);
         } catch (IOException e) {
             throw CsvTable.unreadable(file, e);
         }
     }
 
+    private String lacks(Actuator actuator) {
+        String expected =
+                switch (actuator) {
+                    case Propulsor _ -> "the level of the propulsor, -1 to 1";
+                    case Fin _ -> "the angle of the fin";
+                    default -> "what the actuator was told";
+                };
+        return "%s:1: column '%s': expected %s, but the header has no such column: it holds the scenario's %s; add the column, or rename the one that has it"
+                .formatted(file, actuator.name(), expected, actuator.command());
+    }
+
     private void tell(Survey survey) {
+        String time = survey.timeColumn();
         if (survey.hasWholeSeconds()) {
             notices.add(
-                    "%s: times are whole seconds with several rows each; read as a constant rate of %s Hz"
-                            .formatted(name, Figures.shown(1 / survey.interval())));
+                    "%s: column '%s': times are whole seconds with several rows each; read as a constant rate of %s Hz"
+                            .formatted(file, time, Figures.shown(1 / survey.interval())));
         }
         if (survey.looksLikeMilliseconds()) {
             notices.add(
-                    "%s: rows are %s s apart by whole numbers: are these milliseconds? If so, map '%s' with a scale of 0.001"
-                            .formatted(name, Figures.shown(survey.interval()), Slots.TIME_NAME));
+                    "%s:2: column '%s': rows are %s s apart by whole numbers: are these milliseconds? If so, map '%s' with a scale of 0.001"
+                            .formatted(file, time, Figures.shown(survey.interval()), time));
         }
     }
 
-    private void tellAngles(double largest) {
-        if (largest > SEVERAL_TURNS && !mapping.degrees()) {
+    private void tellAngles(RowReader rows) {
+        if (rows.largestAngle() > SEVERAL_TURNS && !mapping.degrees()) {
             notices.add(
-                    "%s: angles go up to %s rad: are they in degrees (--degrees)?"
-                            .formatted(name, Figures.shown(largest)));
+                    "%s:%d: column '%s': angles go up to %s rad: are they in degrees (--degrees)?"
+                            .formatted(
+                                    file,
+                                    rows.angleRow(),
+                                    rows.angleColumn(),
+                                    Figures.shown(rows.largestAngle())));
         }
     }
 
@@ -107,7 +136,13 @@ final class CsvRuns {
                             body.usualOrientation(),
                             layout.lastingErrors());
             RunParts parts =
-                    new RunParts(name, layout.commands(), samples, survey.extent(), known::tell);
+                    new RunParts(
+                            name,
+                            Source.of(file, layout, Axes.of(mapping.axes())),
+                            layout.commands(),
+                            samples,
+                            survey.extent(),
+                            known::tell);
             Clock clock = new Clock(survey);
             for (Optional<double[]> row = rows.next(); row.isPresent(); row = rows.next()) {
                 if (rows.isOfAnotherRun()) {
@@ -115,12 +150,15 @@ final class CsvRuns {
                     known.restart();
                     parts.restart();
                 }
+                parts.from(rows.line());
                 double time = clock.next(row.get()[Slots.TIME]);
                 rows.beyond().ifPresent(why -> parts.endBefore(time, why));
                 parts.add(time, row.get(), true, rows.isToldOtherwise());
             }
-            tellAngles(rows.largestAngle());
+            tellAngles(rows);
             List<MeasuredRun> runs = parts.runs();
+            sources = parts.sources();
+            longest = parts.longest();
             notices.addAll(parts.notices());
             return runs;
         } catch (IOException e) {

@@ -13,6 +13,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.CharacterCodingException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -27,13 +28,15 @@ final class CsvTable implements Closeable {
     private final Path file;
     private final CloseableIterator<CsvRecord> rows;
     private final List<String> header;
+    private final char separator;
 
     private CsvTable(Path file) throws IOException, DocumentException {
         this.file = file;
+        this.separator = separator(file);
         CsvReader<CsvRecord> csv =
                 CsvReader.builder()
                         .detectBomHeader(true)
-                        .fieldSeparator(separator(file))
+                        .fieldSeparator(separator)
                         .missingFieldStrategy(FieldMismatchStrategy.IGNORE)
                         .extraFieldStrategy(FieldMismatchStrategy.IGNORE)
                         .ofCsvRecord(file);
@@ -73,8 +76,15 @@ final class CsvTable implements Closeable {
                     new DocumentException(file + ": there is no such file", reason);
             case CharacterCodingException _ ->
                     new DocumentException(file + " is no text in UTF-8, as CSV must be", reason);
+            case AccessDeniedException _ ->
+                    new DocumentException(
+                            file + " cannot be read: you may not; change its permissions", reason);
             default ->
-                    new DocumentException(file + " cannot be read: " + reason.getMessage(), reason);
+                    new DocumentException(
+                            Files.isDirectory(file)
+                                    ? file + " is a folder; expected a file, name one in it"
+                                    : file + " cannot be read: " + reason.getMessage(),
+                            reason);
         };
     }
 
@@ -135,16 +145,29 @@ final class CsvTable implements Closeable {
             throw unreadable(file, e);
         }
         if (row.isPresent() && row.get().getFieldCount() != header.size()) {
+            boolean hasCommas = looksLikeDecimalCommas(row.get());
             throw new DocumentException(
-                    ("%s:%d: expected %d fields as in the header, but found %d; complete the row,"
-                                    + " or take it out if the file was cut off")
+                    "%s:%d: expected %d fields as in the header, but found %d%s"
                             .formatted(
                                     file,
                                     row.get().getStartingLineNumber(),
                                     header.size(),
-                                    row.get().getFieldCount()));
+                                    row.get().getFieldCount(),
+                                    hasCommas
+                                            ? ": do its numbers have decimal commas? Write 1.5, not"
+                                                    + " 1,5"
+                                            : "; complete the row, or take it out if the file was"
+                                                    + " cut off"));
         }
         return row;
+    }
+
+    /** Whether a row has too many numbers, and no decimal point in any of them. */
+    private boolean looksLikeDecimalCommas(CsvRecord row) {
+        return separator == ','
+                && row.getFieldCount() > header.size()
+                && row.getFields().stream()
+                        .allMatch(cell -> cell.strip().matches("([+-]?\\d+([eE][+-]?\\d+)?)?"));
     }
 
     private Optional<CsvRecord> next() throws DocumentException {

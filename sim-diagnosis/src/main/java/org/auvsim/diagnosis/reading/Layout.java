@@ -87,6 +87,11 @@ final class Layout {
         return columns.stream().filter(c -> c.slot() == slot).findFirst();
     }
 
+    /** The names of columns by the places that they fill. */
+    Map<Integer, String> filled() {
+        return filled;
+    }
+
     /** The name of the column that fills a place; some name if none does. */
     String nameOf(int slot) {
         return filled.getOrDefault(slot, "?");
@@ -94,7 +99,9 @@ final class Layout {
 
     private void requireMapped() throws DocumentException {
         for (MappedColumn column : mapping.column()) {
-            requireThere(column.name(), "the mapping names this column");
+            if (!column.ignored()) {
+                requireThere(column.name(), "the mapping names this column");
+            }
         }
     }
 
@@ -104,7 +111,15 @@ final class Layout {
                     1,
                     column,
                     "%s, but the header has none of this name; %s"
-                            .formatted(why, Names.nearest(column, table.columns())));
+                            .formatted(
+                                    why,
+                                    Names.near(column, table.columns())
+                                            .orElseGet(
+                                                    () ->
+                                                            "it has "
+                                                                    + String.join(
+                                                                            ", ",
+                                                                            table.columns()))));
         }
     }
 
@@ -178,8 +193,12 @@ final class Layout {
                 column,
                 "%s; rename it to what it has, ignore it, or name a force or actuator of '%s' so"
                         .formatted(
-                                "nothing is known by the name '%s'; %s"
-                                        .formatted(meaning, Names.nearest(meaning, names)),
+                                "nothing is known by the name '%s'%s"
+                                        .formatted(
+                                                meaning,
+                                                Names.near(meaning, names)
+                                                        .map("; "::concat)
+                                                        .orElse("")),
                                 known.body()));
     }
 

@@ -5,7 +5,6 @@ import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Quat;
 
-import java.util.ArrayList;
 import java.util.List;
 
 /** What of a measured body's model matters to its measurements. */
@@ -32,17 +31,11 @@ final class MeasuredBody {
         return definition.orientation();
     }
 
-    /** A sentence for each actuator that nothing tells what to do. */
-    List<String> undirected(List<String> told) {
-        List<String> sentences = new ArrayList<>();
+    /** The actuators that nothing tells what to do. */
+    List<Actuator> undirected(List<String> told) {
         boolean actsByItself = definition.component().stream().anyMatch(Behavior.class::isInstance);
-        for (Actuator actuator : commands.actuators()) {
-            if (!told.contains(actuator.name()) && !actsByItself) {
-                sentences.add(
-                        "nothing tells '%s' what to do: it holds the scenario's %s"
-                                .formatted(actuator.name(), actuator.command()));
-            }
-        }
-        return sentences;
+        return actsByItself
+                ? List.of()
+                : commands.actuators().stream().filter(a -> !told.contains(a.name())).toList();
     }
 }

@@ -77,16 +77,16 @@ final class RecordedRuns {
                         time ->
                                 notices.add(
                                         "%s: at %s s the world was replaced; what follows is left out"
-                                                .formatted(name, Figures.shown(time, 9))));
+                                                .formatted(file, Figures.shown(time, 9))));
         if (rows.leftOut() > 0) {
             notices.add(
                     "%s: parts of %d measurements are left out: places in body axes are relative to a state that no recording has, and velocities are taken in one kind of axes"
-                            .formatted(name, rows.leftOut()));
+                            .formatted(file, rows.leftOut()));
         }
         if (each > 1) {
             notices.add(
                     "%s: of %d measured instants one in %d is taken"
-                            .formatted(name, rows.times(), each));
+                            .formatted(file, rows.times(), each));
         }
     }
 
@@ -100,6 +100,7 @@ final class RecordedRuns {
         RunParts parts =
                 new RunParts(
                         name,
+                        Source.of(file),
                         actuators,
                         samples,
                         extent,

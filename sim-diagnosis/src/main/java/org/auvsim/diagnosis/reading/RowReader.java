@@ -22,6 +22,9 @@ final class RowReader {
     private boolean isToldOtherwise;
     private boolean isOfAnotherRun;
     private double largestAngle;
+    private String angleColumn = "";
+    private long angleRow;
+    private long line;
 
     RowReader(CsvTable table, Layout layout, CommandNames known) {
         this.table = table;
@@ -44,6 +47,7 @@ final class RowReader {
         if (row.isEmpty()) {
             return Optional.empty();
         }
+        line = row.get().getStartingLineNumber();
         isToldOtherwise = false;
         double runBefore = numbers[Slots.RUN];
         for (BoundColumn column : layout.columns()) {
@@ -83,12 +87,29 @@ final class RowReader {
         boolean isAngle = column.slot() >= Slots.ANGLES && column.slot() < Slots.ANGLES + 3;
         if (isAngle && Math.abs(numbers[column.slot()]) > largestAngle) {
             largestAngle = Math.abs(numbers[column.slot()]);
+            angleColumn = column.name();
+            angleRow = line;
         }
     }
 
     /** The largest of roll, pitch and yaw (rad) so far, without its sign. */
     double largestAngle() {
         return largestAngle;
+    }
+
+    /** The column that it stands in. */
+    String angleColumn() {
+        return angleColumn;
+    }
+
+    /** The row that it stands in, as an editor counts it. */
+    long angleRow() {
+        return angleRow;
+    }
+
+    /** The last row, as an editor counts it. */
+    long line() {
+        return line;
     }
 
     private void command(CsvRecord row, BoundColumn column) throws DocumentException {

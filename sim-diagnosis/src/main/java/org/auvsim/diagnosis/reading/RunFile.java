@@ -11,14 +11,20 @@ import java.util.Optional;
  * What was read from one file.
  *
  * @param runs one, or several if it has long gaps
+ * @param sources where each of them stands in it
  * @param role what the document beside it says that it is there for
  * @param notices what was done to the data, and what looks wrong with it
  */
 public record RunFile(
-        Path file, List<MeasuredRun> runs, Optional<RunRole> role, List<String> notices) {
+        Path file,
+        List<MeasuredRun> runs,
+        List<Source> sources,
+        Optional<RunRole> role,
+        List<String> notices) {
     /** The lists cannot be changed. */
     public RunFile {
         runs = List.copyOf(runs);
+        sources = List.copyOf(sources);
         notices = List.copyOf(notices);
     }
 }

@@ -77,6 +77,7 @@ public record RunFiles(
                 (isHeldOut ? toJudge : toFit).addAll(file.runs());
             }
         }
+        ToldAlike.require(read);
         return told(toFit, toJudge, sound, notices, all.subList(0, asked));
     }
 
@@ -206,21 +207,30 @@ public record RunFiles(
     }
 
     private static void requireNew(RunFile file, List<RunFile> before) throws DocumentException {
-        for (RunFile other : before) {
-            if (isSame(file.runs(), other.runs())) {
-                throw new DocumentException(
-                        "%s has the same numbers as %s; a copy neither tells nor judges anything: leave one of them out"
-                                .formatted(file.file(), other.file()));
+        for (int i = 0; i < file.runs().size(); i++) {
+            for (RunFile other : before) {
+                for (int j = 0; j < other.runs().size(); j++) {
+                    if (isSame(file.runs().get(i), other.runs().get(j))) {
+                        throw copy(file.sources().get(i), other.sources().get(j));
+                    }
+                }
+            }
+            for (int j = 0; j < i; j++) {
+                if (isSame(file.runs().get(i), file.runs().get(j))) {
+                    throw copy(file.sources().get(i), file.sources().get(j));
+                }
             }
         }
     }
 
-    private static boolean isSame(List<MeasuredRun> some, List<MeasuredRun> others) {
-        boolean same = some.size() == others.size();
-        for (int i = 0; same && i < some.size(); i++) {
-            same = isSame(some.get(i), others.get(i));
-        }
-        return same;
+    private static DocumentException copy(Source one, Source other) {
+        String has = one.isTable() ? one.span() + "have" : "it has";
+        String those = other.isTable() ? other.span() + "of " : "";
+        return new DocumentException(
+                one.says(
+                        one.measured(),
+                        "%s the same numbers as %s%s; a copy neither tells nor judges anything: leave one of them out"
+                                .formatted(has, those, other.file())));
     }
 
     private static boolean isSame(MeasuredRun one, MeasuredRun other) {

@@ -26,6 +26,7 @@ final class RunParts {
     private static final double LEAST_GAP = 1;
 
     private final String name;
+    private final Source source;
     private final List<String> commands;
     private final RowSample samples;
     private final double longest;
@@ -34,11 +35,17 @@ final class RunParts {
     private final Consumer<MeasuredRunBuilder> known;
     private final List<String> notices = new ArrayList<>();
     private final List<MeasuredRunBuilder> parts = new ArrayList<>();
+    private final List<Source> sources = new ArrayList<>();
     private Optional<MeasuredRunBuilder> part = Optional.empty();
     private int inPart;
     private double first;
     private double last;
     private long row;
+    private long line;
+    private long firstLine;
+    private long lastLine;
+    private Optional<Source> longestPart = Optional.empty();
+    private int inLongest;
 
     /** Whether the run has ended before its last row. */
     private boolean hasEnded;
@@ -46,15 +53,18 @@ final class RunParts {
     /**
      * For so many rows.
      *
+     * @param source where they are
      * @param known tells a run what its document says
      */
     RunParts(
             String name,
+            Source source,
             List<String> commands,
             RowSample samples,
             Extent extent,
             Consumer<MeasuredRunBuilder> known) {
         this.name = name;
+        this.source = source;
         this.commands = commands;
         this.samples = samples;
         this.known = known;
@@ -69,15 +79,22 @@ final class RunParts {
             return;
         }
         notices.add(
-                "%s: of %d rows each %s is taken, %s"
-                        .formatted(
-                                name,
-                                extent.rows(),
-                                each == 2 ? "second" : each == 3 ? "third" : each + "th",
-                                keepsCommands
-                                        ? "and all that command something anew"
-                                        : "its commands included; those between are left out, as"
-                                                + " there are %d".formatted(extent.changes())));
+                source.says(
+                        "of %d rows each %s is taken, %s"
+                                .formatted(
+                                        extent.rows(),
+                                        each == 2 ? "second" : each == 3 ? "third" : each + "th",
+                                        keepsCommands
+                                                ? "and all that command something anew"
+                                                : "its commands included; those between are left"
+                                                        + " out, as"
+                                                        + " there are %d"
+                                                                .formatted(extent.changes()))));
+    }
+
+    /** The row that comes next stands there in the file. */
+    void from(long line) {
+        this.line = line;
     }
 
     /**
@@ -89,8 +106,12 @@ final class RunParts {
     void add(double time, double[] numbers, boolean isMeasured, boolean isToldOtherwise) {
         if (part.isPresent() && time - last > longest) {
             notices.add(
-                    "%s: %s s without a row after %s s; what follows is read as another run"
-                            .formatted(name, Figures.shown(time - last), Figures.shown(last, 9)));
+                    source.says(
+                            line,
+                            List.of(source.time()),
+                            "%s s without a row after %s s; what follows is read as another run"
+                                    .formatted(
+                                            Figures.shown(time - last), Figures.shown(last, 9))));
             end();
         }
         if (hasEnded) {
@@ -110,6 +131,7 @@ final class RunParts {
         }
         if (isMeasured) {
             last = time;
+            lastLine = line;
             row++;
         }
     }
@@ -143,17 +165,25 @@ final class RunParts {
         known.accept(run);
         part = Optional.of(run);
         first = time;
+        firstLine = line;
         inPart = 0;
         return run;
     }
 
     private void end() {
+        Source rows = source.rows(firstLine, lastLine);
         if (part.isPresent() && inPart >= FEWEST) {
             parts.add(part.get());
+            sources.add(rows);
         } else if (part.isPresent()) {
             notices.add(
-                    "%s: %d rows before a gap or the end are too few, and are left out"
-                            .formatted(name, inPart));
+                    rows.says(
+                            "the %d samples %sbefore a gap or the end are too few, and are left out; expected %d at least"
+                                    .formatted(inPart, rows.span(), FEWEST)));
+        }
+        if (part.isPresent() && inPart > inLongest) {
+            inLongest = inPart;
+            longestPart = Optional.of(rows);
         }
         part = Optional.empty();
     }
@@ -162,6 +192,16 @@ final class RunParts {
     List<MeasuredRun> runs() {
         end();
         return parts.stream().map(MeasuredRunBuilder::build).toList();
+    }
+
+    /** Where each of the runs is. */
+    List<Source> sources() {
+        return sources;
+    }
+
+    /** The rows that follow each other without a gap and are most. */
+    Source longest() {
+        return longestPart.orElse(source);
     }
 
     /** What was done to the rows. */

@@ -15,6 +15,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 
 /**
@@ -110,15 +111,21 @@ public final class RunReader {
         CsvRuns csv = new CsvRuns(file, name, mapping, body, known);
         List<MeasuredRun> runs = csv.read();
         notices.addAll(csv.notices());
-        return checked(file, runs, document, notices);
+        return checked(file, runs, csv.sources(), document, notices);
     }
 
-    private RunFile checked(Path file, List<MeasuredRun> runs, Run document, List<String> notices)
+    private RunFile checked(
+            Path file,
+            List<MeasuredRun> runs,
+            List<Source> sources,
+            Run document,
+            List<String> notices)
             throws DocumentException {
-        for (MeasuredRun run : runs) {
-            notices.addAll(new Plausibility(model, run).notices(file));
+        for (int i = 0; i < runs.size(); i++) {
+            notices.addAll(new Plausibility(model, runs.get(i), sources.get(i)).notices());
         }
-        return new RunFile(file, stretch.of(runs, file), document.role(), notices);
+        notices.addAll(new StatedPlausibility(beside(file), document, runs, sources).notices());
+        return new RunFile(file, stretch.of(runs, sources), sources, document.role(), notices);
     }
 
     private RunFile recorded(Path file, String name) throws DocumentException {
@@ -128,19 +135,26 @@ public final class RunReader {
         RecordedRuns recorded = new RecordedRuns(file, name, body, mapper, known);
         List<MeasuredRun> runs = recorded.read();
         notices.addAll(recorded.notices());
-        return checked(file, runs, document, notices);
+        List<Source> sources = Collections.nCopies(runs.size(), Source.of(file));
+        return checked(file, runs, sources, document, notices);
+    }
+
+    /** Where a document is that says something of a file's runs, if there is one. */
+    private static Path beside(Path file) {
+        return file.resolveSibling(nameOf(file) + ".xml");
     }
 
     /** What the XML file of the same name says; a scenario of that name is no such document. */
     private Run documentBeside(Path file, String name, List<String> notices)
             throws DocumentException {
-        Path beside = file.resolveSibling(nameOf(file) + ".xml");
+        Path beside = beside(file);
         if (!Files.exists(beside)) {
             return Run.NOTHING_KNOWN;
         }
         if (kind(beside) == DocumentKind.SCENARIO) {
             notices.add(
-                    "%s: %s is a scenario, and says nothing of the run".formatted(name, beside));
+                    "%s: is a scenario, and says nothing of the run '%s' beside it"
+                            .formatted(beside, name));
             return Run.NOTHING_KNOWN;
         }
         Run document = documents.read(Run.class, beside);

@@ -3,7 +3,6 @@ package org.auvsim.diagnosis.reading;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -33,29 +32,38 @@ record Stretch(double from, double until) {
      *
      * @throws DocumentException if too little of a run is left
      */
-    List<MeasuredRun> of(List<MeasuredRun> runs, Path file) throws DocumentException {
+    List<MeasuredRun> of(List<MeasuredRun> runs, List<Source> sources) throws DocumentException {
         if (equals(WHOLE)) {
             return runs;
         }
         List<MeasuredRun> parts = new ArrayList<>();
-        for (MeasuredRun run : runs) {
+        for (int i = 0; i < runs.size(); i++) {
+            MeasuredRun run = runs.get(i);
             int first = before(run, from);
             int last = before(run, until + 2 * ROUNDED) - 1;
             if (last - first + 1 < RunParts.FEWEST) {
-                throw new DocumentException(
-                        "%s: run '%s' has %d rows from %s s until %s s after its first, of its %s s; expected %d at least"
-                                .formatted(
-                                        file,
-                                        run.name(),
-                                        Math.max(0, last - first + 1),
-                                        Figures.shown(from),
-                                        Figures.shown(until),
-                                        Figures.shown(run.duration()),
-                                        RunParts.FEWEST));
+                throw tooShort(run, sources.get(i), Math.max(0, last - first + 1));
             }
             parts.add(run.part(run.name(), first, last));
         }
         return parts;
+    }
+
+    private DocumentException tooShort(MeasuredRun run, Source source, int rows) {
+        String end =
+                Double.isInfinite(until)
+                        ? "to its end"
+                        : "until %s s after it".formatted(Figures.shown(until));
+        return new DocumentException(
+                source.says(
+                        "run '%s' has %d rows from %s s after its first row %s, of its %s s; expected %d at least: take more of it"
+                                .formatted(
+                                        run.name(),
+                                        rows,
+                                        Figures.shown(from),
+                                        end,
+                                        Figures.shown(run.duration()),
+                                        RunParts.FEWEST)));
     }
 
     /** How many rows are before a time (s) after the first. */

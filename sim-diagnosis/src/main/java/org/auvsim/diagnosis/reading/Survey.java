@@ -22,6 +22,7 @@ final class Survey {
     private final String[] told;
     private final PSquarePercentile intervals = new PSquarePercentile(50);
     private long rows;
+    private long line = 1;
     private long changes;
     private double first;
     private double last = Double.NEGATIVE_INFINITY;
@@ -60,6 +61,7 @@ final class Survey {
     }
 
     private void take(CsvRecord row) throws DocumentException {
+        line = row.getStartingLineNumber();
         double now = cells.number(row, time);
         if (run.isPresent() && !Cells.text(row, run.get()).equals(ofRun)) {
             ofRun = Cells.text(row, run.get());
@@ -86,7 +88,12 @@ final class Survey {
     }
 
     private DocumentException notLater(CsvRecord row) {
-        return cells.expected(row, time, "a time after %s s".formatted(last));
+        return cells.expected(
+                row,
+                time,
+                "a time after %s s".formatted(last),
+                "sort the rows by their times, take this one out, or give rows of another run a"
+                        + " file of their own or a column 'run'");
     }
 
     /** Refuses 205259, 205300: a clock's digits are no seconds. */
@@ -115,6 +122,16 @@ final class Survey {
 
     long rows() {
         return rows;
+    }
+
+    /** The last row, as an editor counts it; that of the header if there is no other. */
+    long lastLine() {
+        return line;
+    }
+
+    /** The column that has the time. */
+    String timeColumn() {
+        return time.name();
     }
 
     /** How much there is. */

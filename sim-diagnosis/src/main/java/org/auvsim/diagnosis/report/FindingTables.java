@@ -11,6 +11,7 @@ import org.auvsim.diagnosis.result.Proposal;
 import org.auvsim.diagnosis.result.QuantityGroup;
 import org.auvsim.diagnosis.result.Ranked;
 import org.auvsim.diagnosis.result.Sentence;
+import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.plot.page.Block;
 import org.auvsim.plot.page.Block.Table;
@@ -37,7 +38,7 @@ final class FindingTables {
         if (!of.selected().isEmpty()) {
             blocks.add(selected());
         }
-        of.discrepancy().map(FindingTables::discrepancy).ifPresent(blocks::add);
+        of.discrepancy().map(this::discrepancy).ifPresent(blocks::add);
         of.proposal().map(FindingTables::proposal).ifPresent(blocks::add);
         return blocks;
     }
@@ -70,7 +71,7 @@ final class FindingTables {
         return text.replace("+-", "\u00b1");
     }
 
-    private static Table discrepancy(Discrepancy seen) {
+    private Table discrepancy(Discrepancy seen) {
         List<List<String>> rows = new ArrayList<>();
         rows.add(List.of("shows most in", Sentence.words(seen.channel()) + ", " + seen.axis()));
         rows.add(List.of("largest in run", seen.run()));
@@ -81,7 +82,8 @@ final class FindingTables {
         return new Table(
                 List.of("what is known of the misfit", ""),
                 rows,
-                "No set of known causes leaves residuals that look like noise and predicts the"
+                (of.isComplete() ? "No set of known causes" : "No set of causes tried so far")
+                        + " leaves residuals that look like noise and predicts the"
                         + " held-out runs; the best ones are in the ranking below.");
     }
 
@@ -137,7 +139,19 @@ final class FindingTables {
     }
 
     List<Block> next() {
-        return of.nextExperiment().map(FindingTables::next).map(List::of).orElse(List.of());
+        return List.of(of.nextExperiment().map(FindingTables::next).orElseGet(this::noNext));
+    }
+
+    private Block noNext() {
+        return new Text(
+                !of.isComplete()
+                        ? "The search was stopped before it could tell what another run would show."
+                        : of.verdict() == Verdict.UNEXPLAINED
+                                ? "No run is proposed: there are no known causes left that it would"
+                                        + " have to tell apart."
+                                : "Nothing is left open: no other known causes explain these runs"
+                                        + " about as well, so there is nothing that another run"
+                                        + " would have to tell apart.");
     }
 
     private static Block next(NextExperiment experiment) {

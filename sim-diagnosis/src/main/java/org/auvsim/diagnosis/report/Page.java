@@ -56,6 +56,10 @@ final class Page {
     }
 
     private String verdict() {
+        return of.isComplete() ? reached() : reached() + " so far, stopped early";
+    }
+
+    private String reached() {
         return switch (of.verdict()) {
             case EXPLAINED -> "explained";
             case NONE -> "nothing missing";
@@ -64,10 +68,7 @@ final class Page {
     }
 
     private String summary() {
-        String sentence = of.sentence().replace("+-", "\u00b1").replace("->", "\u2192") + ".";
-        return of.isComplete()
-                ? sentence
-                : "The search was stopped early; this is the best so far. " + sentence;
+        return of.sentence().replace("+-", "\u00b1").replace("->", "\u2192") + ".";
     }
 
     private List<Section> section(String heading, List<Block> blocks) {

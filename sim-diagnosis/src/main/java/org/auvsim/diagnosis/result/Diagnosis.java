@@ -64,16 +64,21 @@ public record Diagnosis(
         notices = List.copyOf(notices);
     }
 
+    /** The same, said of a search that was stopped before its end, if it was. */
+    public Diagnosis toldAsFarAsItCame() {
+        return isComplete ? this : with(Sentence.stopped(sentence), proposal, notices);
+    }
+
     /** The same with a formula or field that imitates the misfit. */
     public Diagnosis proposing(Proposal other) {
-        return with(Optional.of(other), notices);
+        return with(sentence, Optional.of(other), notices);
     }
 
     /** The same with notices before its own: what reading the runs had to say. */
     public Diagnosis noticing(List<String> more) {
         List<String> all = new ArrayList<>(more);
         all.addAll(notices);
-        return with(proposal, all);
+        return with(sentence, proposal, all);
     }
 
     /** The same with a cause that changes nothing of the motion, where that lacks nothing. */
@@ -81,8 +86,8 @@ public record Diagnosis(
         return with(Verdict.EXPLAINED, words, List.of(found), sets, proposal, notices);
     }
 
-    private Diagnosis with(Optional<Proposal> proposed, List<String> noticed) {
-        return with(verdict, sentence, selected, ranked, proposed, noticed);
+    private Diagnosis with(String said, Optional<Proposal> proposed, List<String> noticed) {
+        return with(verdict, said, selected, ranked, proposed, noticed);
     }
 
     private Diagnosis with(

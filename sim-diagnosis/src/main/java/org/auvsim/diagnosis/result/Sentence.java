@@ -12,6 +12,9 @@ import java.util.stream.Collectors;
 /** Says a verdict in one sentence for people, in ASCII and without a full stop. */
 public final class Sentence {
     private static final Collector<CharSequence, ?, String> AND = Collectors.joining(" and ");
+    private static final String NOTHING = "Nothing is missing that this data could show";
+    private static final String SOMETHING = "Something is missing that no known cause explains";
+    private static final String BEST = "; the best known causes take ";
 
     private final Optional<Map.Entry<Channel, Gain>> error;
     private final String runs;
@@ -103,7 +106,7 @@ public final class Sentence {
 
     /** Nothing is wrong that shows. */
     public String none() {
-        return "Nothing is missing that this data could show"
+        return NOTHING
                 + error.map(
                                 e ->
                                         "; %s %s error %s, noise is %s"
@@ -117,9 +120,24 @@ public final class Sentence {
 
     /** No known cause explains the runs. */
     public String unexplained(Optional<Discrepancy> discrepancy) {
-        return "Something is missing that no known cause explains"
-                + discrepancy.map(Sentence::known).orElse("")
-                + gain();
+        return SOMETHING + discrepancy.map(Sentence::known).orElse("") + gain();
+    }
+
+    /**
+     * What one of these sentences still says when the search was stopped before its end: nothing of
+     * causes that were not tried.
+     */
+    public static String stopped(String sentence) {
+        return "Stopped before the end; the best so far: "
+                + Phrases.inside(
+                        sentence.replace(
+                                        NOTHING,
+                                        "The model as it is, for no cause that was tried gains"
+                                                + " enough")
+                                .replace(
+                                        SOMETHING,
+                                        "Something is missing that no cause tried so far explains")
+                                .replace(BEST, "; the best of these take "));
     }
 
     private static String known(Discrepancy of) {
@@ -128,7 +146,7 @@ public final class Sentence {
                         ? ", mostly at %s Hz"
                                 .formatted(Numbers.rounded(of.frequency().getAsDouble()))
                         : "";
-        return "; it shows most in the %s %s %s, at %s s of %s%s; the best known causes take %s of it away"
+        return "; it shows most in the %s %s %s, at %s s of %s%s%s%s of it away"
                 .formatted(
                         words(of.channel()),
                         isTurning(of.channel()) ? "about" : "along",
@@ -136,6 +154,7 @@ public final class Sentence {
                         Numbers.rounded(of.time(), 3),
                         of.run(),
                         frequency,
+                        BEST,
                         Numbers.percent(of.share()));
     }
 

@@ -50,8 +50,12 @@ public record Split(List<MeasuredRun> fit, List<MeasuredRun> heldOut, String not
         return new Split(
                 fit,
                 heldOut,
-                "no run was said to be held out: %s is, and %d are fitted"
-                        .formatted(names(heldOut), fit.size()));
+                "nobody said which runs are held out: %s %s, and %d %s fitted"
+                        .formatted(
+                                names(heldOut),
+                                heldOut.size() == 1 ? "is" : "are",
+                                fit.size(),
+                                fit.size() == 1 ? "is" : "are"));
     }
 
     private static String names(List<MeasuredRun> runs) {

@@ -98,6 +98,20 @@ class LibraryTest {
                 .doesNotContain("coulomb_torque");
     }
 
+    /** So that no name is refused before runs are read that would not be afterwards. */
+    @Test
+    void whatCanBeLookedForInRunsIsKnownWithoutThem() {
+        for (BelievedModel model : List.of(VEHICLE, STEERED, PENDULUM, Tank.bare())) {
+            Library.requireKnown(library(model).stream().map(Cause::name).toList(), model);
+        }
+        assertThatThrownBy(() -> Library.requireKnown(List.of("thruster_gain"), PENDULUM))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageStartingWith(
+                        "no cause 'thruster_gain' is known of '%s'; those that are known are"
+                                .formatted(PENDULUM.body()))
+                .hasMessageContaining("linear_drag");
+    }
+
     @Test
     void causesThatMakeNoSenseAreLeftOut() {
         assertThat(library(PENDULUM).stream().map(Cause::id))
@@ -165,6 +179,11 @@ class LibraryTest {
                 .extracting(Cause::name)
                 .containsExactly("mass_error", "thruster_gain (port)");
         assertThat(Library.named(List.of("thruster_gain"), library)).hasSize(3);
+        assertThat(Library.named(List.of("thruster_misalignment (port)"), library))
+                .extracting(cause -> cause.parameters().getFirst().name())
+                .containsExactly("angle", "tilt");
+        assertThatThrownBy(() -> Library.named(List.of("mess"), library))
+                .hasMessageContaining("thruster_misalignment (port), thruster_loss (port)");
         assertThatThrownBy(() -> Library.named(List.of("mass_error", "mess"), library))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("no cause 'mess' can be looked for in these runs")

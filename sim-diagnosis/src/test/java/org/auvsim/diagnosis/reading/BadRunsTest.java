@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -23,6 +24,9 @@ import java.util.Optional;
 /** Each sentence has the file, the row as an editor counts it, and the column. */
 class BadRunsTest {
     private static final int ENOUGH = 20;
+    private static final String SORTING =
+            "; sort the rows by their times, take this one out, or give rows of another run a file"
+                    + " of their own or a column 'run'";
 
     @TempDir private Path folder;
 
@@ -36,6 +40,10 @@ class BadRunsTest {
                 .hasMessage(folder.resolve("run.csv") + sentence);
     }
 
+    private String at(String place) {
+        return folder.resolve("run.csv") + place;
+    }
+
     private static String moving(String header, String cells) {
         return Rov.rows("x," + header, ENOUGH, i -> i + "," + cells);
     }
@@ -47,6 +55,45 @@ class BadRunsTest {
                 ":1: column 'yaww': nothing is known by the name 'yaww'; the nearest known name"
                         + " is 'yaw'; rename it to what it has, ignore it, or name a"
                         + " force or actuator of 'Rov' so");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"temperature", "pwm1", "q8"})
+    void aNameThatIsNearToNoneHasNone(String name) {
+        refused(
+                moving(name, "0"),
+                ":1: column '%s': nothing is known by the name '%s'; rename it to what it has,"
+                                .formatted(name, name)
+                        + " ignore it, or name a force or actuator of 'Rov' so");
+    }
+
+    @Test
+    void capitalsAreASlip() {
+        refused(
+                moving("Yaw", "0"),
+                ":1: column 'Yaw': nothing is known by the name 'Yaw'; the nearest known name is"
+                        + " 'yaw'; rename it to what it has, ignore it, or name a force or"
+                        + " actuator of 'Rov' so");
+    }
+
+    @ParameterizedTest
+    @ValueSource(chars = {',', ';'})
+    void decimalCommasAreSuspected(char separator) {
+        String text = moving("y", "0").replace(',', separator).replace('.', ',');
+        refused(
+                text,
+                separator == ','
+                        ? ":2: expected 3 fields as in the header, but found 4: do its numbers have"
+                                + " decimal commas? Write 1.5, not 1,5"
+                        : ":2: column 't': expected a number, but found '0,0': is that a decimal"
+                                + " comma? Write 0.0");
+    }
+
+    @Test
+    void aFolderIsNoRun() {
+        assertThatThrownBy(() -> Rov.reader(ColumnMapping.USUAL).read(folder))
+                .isInstanceOf(DocumentException.class)
+                .hasMessage(folder + " is a folder; expected a file, name one in it");
     }
 
     @Test
@@ -122,24 +169,28 @@ class BadRunsTest {
     @CsvSource({"far,far", "1e999,1e999", "inf,inf"})
     void aNumberIsFinite(String cell, String told) {
         String text = moving("y", "0").replace("0.3,3,0", "0.3,3," + cell);
-        refused(text, ":5: column 'y': expected a number, but found '" + told + "'");
+        refused(
+                text,
+                ":5: column 'y': expected a number, but found '"
+                        + told
+                        + "'; correct it, or leave the cell empty if nothing was measured");
     }
 
     @Test
     void aTimeIsThere() {
         refused(
                 moving("y", "0").replace("0.3,3,0", ",3,0"),
-                ":5: column 't': expected a number, but found ''");
+                ":5: column 't': expected a number, but found ''; correct it, or take the row out");
     }
 
     @Test
     void timeIncreases() {
         refused(
                 moving("y", "0").replace("0.3,3,0", "0.1,3,0"),
-                ":5: column 't': expected a time after 0.2 s, but found '0.1'");
+                ":5: column 't': expected a time after 0.2 s, but found '0.1'" + SORTING);
         refused(
                 moving("y", "0").replace("0.3,3,0", "0.2,3,0"),
-                ":5: column 't': expected a time after 0.2 s, but found '0.2'");
+                ":5: column 't': expected a time after 0.2 s, but found '0.2'" + SORTING);
     }
 
     @Test
@@ -239,7 +290,8 @@ class BadRunsTest {
     void aRunIsLongEnough() {
         refused(
                 Rov.rows("x", 15, i -> "" + i),
-                ": expected at least 16 rows, but found 15; a shorter run tells nothing");
+                ":16: expected at least 16 rows, but found 15; a shorter run tells nothing: give a"
+                        + " longer one");
     }
 
     @Test
@@ -248,7 +300,8 @@ class BadRunsTest {
         String gaps = text.replaceAll("(?m)^2\\.(\\d),", "99.$1,");
         refused(
                 gaps,
-                ": no 16 rows follow each other without a long gap; a shorter run tells nothing");
+                ":2: no 16 rows follow each other without a long gap; a shorter run tells nothing:"
+                        + " give a longer one");
     }
 
     @Test
@@ -299,8 +352,9 @@ class BadRunsTest {
     void nothingIsLearntFromARunThatNeverChanges() {
         refused(
                 Rov.rows("x,yaw,main", ENOUGH, i -> "1,2,0." + i % 2),
-                ": every measured number of run 'run' is the same from its first row to its last;"
-                        + " nothing can be learnt from it");
+                ":2: columns 'x', 'yaw': every measured number of run 'run' is the same from its"
+                        + " first row to its last; nothing can be learnt from it: leave it out, or"
+                        + " look at what wrote it");
     }
 
     @Test
@@ -312,8 +366,8 @@ class BadRunsTest {
                         i -> "0," + 1000 * 0.5 * 20 / 30 * 0.01 * i * i + ",0,1,0");
 
         assertThat(Rov.read(folder, ColumnMapping.USUAL, text).notices())
-                .anyMatch(notice -> notice.contains("times as far as the model from rest"))
-                .anyMatch(notice -> notice.contains("are positions in mm"));
+                .anyMatch(notice -> notice.contains("1000 times less far"))
+                .anyMatch(notice -> notice.contains("are these positions in mm"));
     }
 
     @Test
@@ -335,8 +389,9 @@ class BadRunsTest {
                 .anyMatch(
                         notice ->
                                 notice.equals(
-                                        "run: positions go 0.001 times as far as velocities say: is"
-                                                + " one of them in another unit?"));
+                                        at(":2: columns 'x', 'vx': ")
+                                                + "positions go 0.001 times as far as velocities"
+                                                + " say: is one of them in another unit?"));
     }
 
     @Test
@@ -348,8 +403,9 @@ class BadRunsTest {
 
         assertThat(Rov.read(folder, ColumnMapping.USUAL, text.toString()).notices())
                 .contains(
-                        "run: rows are 50 s apart by whole numbers: are these milliseconds? If so,"
-                                + " map 't' with a scale of 0.001");
+                        at(":2: column 't': ")
+                                + "rows are 50 s apart by whole numbers: are these milliseconds? If"
+                                + " so, map 't' with a scale of 0.001");
     }
 
     @Test
@@ -361,7 +417,10 @@ class BadRunsTest {
                                         Rov.rows("yaw,r", ENOUGH, i -> 9 * i + "," + 3 * i))
                                 .notices())
                 .contains(
-                        "run: angles go up to 171 rad: are they in degrees (--degrees)?",
-                        "run: p, q, r differ by up to 57 rad/s: are they in degrees (--degrees)?");
+                        at(":21: column 'yaw': ")
+                                + "angles go up to 171 rad: are they in degrees (--degrees)?",
+                        at(":2: column 'r': ")
+                                + "p, q, r differ by up to 57 rad/s: are they in degrees"
+                                + " (--degrees)?");
     }
 }

@@ -22,11 +22,19 @@ import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Random;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 class CsvRunsTest {
     private static final Vec3 AHEAD = new Vec3(1, 0, 0);
@@ -178,7 +186,10 @@ class CsvRunsTest {
 
         assertThat(file.notices())
                 .containsExactly(
-                        "run: nothing tells 'rudder' what to do: it holds the scenario's 0.0");
+                        folder.resolve("run.csv")
+                                + ":1: column 'rudder': expected the angle of the fin, but the"
+                                + " header has no such column: it holds the scenario's 0.0; add the"
+                                + " column, or rename the one that has it");
     }
 
     @Test
@@ -238,8 +249,67 @@ class CsvRunsTest {
         assertThat(run.time(80) - run.time(0)).isCloseTo(10, within(1e-9));
         assertThat(file.notices())
                 .contains(
-                        "run: times are whole seconds with several rows each; read as a constant"
-                                + " rate of 8 Hz");
+                        folder.resolve("run.csv")
+                                + ": column 't': times are whole seconds with several rows each;"
+                                + " read as a constant rate of 8 Hz");
+    }
+
+    /** The usual interval of these is 0.1 s. */
+    static Stream<Arguments> stamps() {
+        Random lot = new Random(7);
+        return Stream.of(
+                Arguments.of(
+                        "uneven", (IntToDoubleFunction) i -> Math.floorDiv(i, 3) + 0.1 * (i % 3)),
+                Arguments.of(
+                        "jittered", (IntToDoubleFunction) i -> 0.1 * i + 0.08 * lot.nextDouble()),
+                Arguments.of(
+                        "two after a late one",
+                        (IntToDoubleFunction) i -> i % 10 == 4 ? 0.1 * i + 0.07 : 0.1 * i),
+                Arguments.of("lost rows", (IntToDoubleFunction) i -> 0.1 * (i + i / 4)),
+                Arguments.of("faster", (IntToDoubleFunction) i -> i < 30 ? 0.1 * i : 0.01 * i + 3),
+                Arguments.of(
+                        "a gap", (IntToDoubleFunction) i -> i < 20 ? 0.1 * i : 0.1 * i + 5.004),
+                Arguments.of("whole seconds, once each", (IntToDoubleFunction) i -> i + i / 7));
+    }
+
+    /** Whatever their intervals are. */
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("stamps")
+    void timesAreThoseOfTheFile(String kind, IntToDoubleFunction stamp) throws Exception {
+        List<Double> stamps = IntStream.range(0, 60).mapToDouble(stamp).boxed().toList();
+        StringBuilder text = new StringBuilder("t,x\n");
+        stamps.forEach(t -> text.append(t).append(',').append(3 * t).append('\n'));
+
+        List<MeasuredRun> runs = Rov.read(folder, ColumnMapping.USUAL, text.toString()).runs();
+
+        assertThat(runs).hasSize(kind.equals("a gap") ? 2 : 1);
+        List<Double> times = new ArrayList<>();
+        for (MeasuredRun run : runs) {
+            IntStream.range(0, run.size()).forEach(k -> times.add(run.time(k)));
+        }
+        assertThat(times).isEqualTo(stamps);
+    }
+
+    /** Seconds with 3, 5 and 4 rows; then some are missing, and the rate begins anew. */
+    @Test
+    void aConstantRateBeginsAnewWhereSecondsAreMissing() throws Exception {
+        StringBuilder text = new StringBuilder("t,x\n");
+        int row = 0;
+        for (int second = 0; second < 24; second++) {
+            int stamp = second < 12 ? second : second + 60;
+            for (int i = 0; i < new int[] {3, 5, 4}[second % 3]; i++) {
+                text.append(stamp).append(',').append(row++).append('\n');
+            }
+        }
+
+        List<MeasuredRun> runs = Rov.read(folder, ColumnMapping.USUAL, text.toString()).runs();
+
+        assertThat(runs).hasSize(2);
+        double interval = runs.getFirst().time(1);
+        assertThat(interval).isCloseTo(0.25, within(0.01));
+        assertThat(runs.getFirst().time(47)).isCloseTo(47 * interval, within(1e-9));
+        assertThat(runs.get(1).time(0)).isEqualTo(72);
+        assertThat(runs.get(1).time(47)).isCloseTo(72 + 47 * interval, within(1e-9));
     }
 
     @Test
@@ -260,7 +330,9 @@ class CsvRunsTest {
         RunFile file = Rov.read(folder, mapping, crossing);
 
         assertThat(file.runs()).hasSize(1);
-        assertThat(file.runs().getFirst().time(0)).isEqualTo(20 * 3600 + 52 * 60 + 50);
+        MeasuredRun run = file.runs().getFirst();
+        assertThat(run.time(0)).isEqualTo(20 * 3600 + 52 * 60 + 50);
+        assertThat(run.time(39) - run.time(0)).isCloseTo(39 * 0.25, within(1e-9));
     }
 
     @Test
@@ -439,7 +511,9 @@ class CsvRunsTest {
                 .anyMatch(
                         text1 ->
                                 text1.equals(
-                                        "run: 10.1 s without a row after 1.9 s; what follows is"
+                                        folder.resolve("run.csv")
+                                                + ":22: column 't': 10.1 s without a row after 1.9"
+                                                + " s; what follows is"
                                                 + " read as another run"));
     }
 
@@ -460,8 +534,9 @@ class CsvRunsTest {
         assertThat(run.value(Channel.POSITION, 1, 0)).isEqualTo(5);
         assertThat(file.notices())
                 .contains(
-                        "run: of 100000 rows each 5th is taken, and all that command something"
-                                + " anew");
+                        folder.resolve("run.csv")
+                                + ": of 100000 rows each 5th is taken, and all that command"
+                                + " something anew");
     }
 
     private static List<Double> changes(MeasuredRun run) {

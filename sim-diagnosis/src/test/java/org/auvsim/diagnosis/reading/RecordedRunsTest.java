@@ -201,7 +201,8 @@ class RecordedRunsTest {
         assertThat(run.measures(Channel.POSITION)).isFalse();
         assertThat(run.frame(Channel.VELOCITY)).isEqualTo(Frame.BODY);
         assertThat(run.vector(Channel.VELOCITY, 3)).contains(new Vec3(3, 5, 6));
-        assertThat(file.notices()).anyMatch(n -> n.startsWith("dive: parts of 20 measurements"));
+        assertThat(file.notices())
+                .anyMatch(n -> n.contains("dive.auvsml: parts of 20 measurements"));
     }
 
     @Test
@@ -214,7 +215,9 @@ class RecordedRunsTest {
 
         assertThat(file.runs().getFirst().size()).isEqualTo(20);
         assertThat(file.notices())
-                .containsExactly("dive: at 2 s the world was replaced; what follows is left out");
+                .containsExactly(
+                        folder.resolve("dive.auvsml")
+                                + ": at 2 s the world was replaced; what follows is left out");
     }
 
     @Test

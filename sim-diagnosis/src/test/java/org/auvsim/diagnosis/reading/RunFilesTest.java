@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.auvsml.run.MappedColumn;
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Vec3;
@@ -113,8 +114,11 @@ class RunFilesTest {
                 .isInstanceOf(DocumentException.class)
                 .hasMessage(
                         file
-                                + ": run 'dive' has 10 rows from 5 s until 60 s after its first, of"
-                                + " its 5.9 s; expected 16 at least");
+                                + ":2: run 'dive' has 10 rows from 5 s after its first row until 60"
+                                + " s after it, of its 5.9 s; expected 16 at least: take more of"
+                                + " it");
+        assertThatThrownBy(() -> reader.between(5, Double.POSITIVE_INFINITY).read(file))
+                .hasMessageContaining("has 10 rows from 5 s after its first row to its end, of");
         assertThatThrownBy(() -> reader.between(4, 4))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("until 4 s");
@@ -173,7 +177,7 @@ class RunFilesTest {
 
         assertThat(reader.read(file).notices())
                 .containsExactly(
-                        "dive: %s is a scenario, and says nothing of the run"
+                        "%s: is a scenario, and says nothing of the run 'dive' beside it"
                                 .formatted(folder.resolve("dive.xml")));
     }
 
@@ -228,7 +232,7 @@ class RunFilesTest {
         assertThat(files.fit()).extracting(MeasuredRun::name).containsExactly("one", "two");
         assertThat(files.heldOut()).extracting(MeasuredRun::name).containsExactly("three");
         assertThat(files.notices())
-                .containsExactly("no run was said to be held out: three is, and 2 are fitted");
+                .containsExactly("nobody said which runs are held out: three is, and 2 are fitted");
     }
 
     @Test
@@ -265,10 +269,122 @@ class RunFilesTest {
         assertThatThrownBy(() -> RunFiles.read(reader, List.of(one), List.of(copy)))
                 .hasMessage(
                         copy
-                                + " has the same numbers as "
+                                + ":2: column 'x': rows 2 to 61 have the same numbers as rows 2 to"
+                                + " 61 of "
                                 + one
                                 + "; a copy neither tells nor judges anything: leave one of them"
                                 + " out");
+    }
+
+    @Test
+    void copiesWithinAFileAreTold() throws Exception {
+        Path file =
+                Rov.write(
+                        folder.resolve("runs.csv"),
+                        Rov.rows("run,x", 60, i -> i / 20 + "," + i % 40 * (i / 20)));
+
+        assertThatThrownBy(() -> RunFiles.read(reader, List.of(run("one", 1), file), List.of()))
+                .hasMessageContaining(
+                        "runs.csv:2: column 'x': every measured number of run 'runs' is the same");
+        Rov.write(file, Rov.rows("run,x,main,rudder", 60, i -> i / 20 + "," + i % 20 + ",0,0"));
+        assertThatThrownBy(() -> RunFiles.read(reader, List.of(run("one", 1), file), List.of()))
+                .hasMessageStartingWith(
+                        file
+                                + ":22: column 'x': rows 22 to 41 have the same numbers as rows 2"
+                                + " to 21 of ");
+    }
+
+    @Test
+    void whatOneRunWasToldIsKnownOfAll() throws Exception {
+        Path one = run("one", 0);
+        Path other = Rov.write(folder.resolve("other.csv"), Rov.rows("x,main", 60, i -> -i + ",0"));
+        String refusal =
+                other
+                        + ":1: column 'rudder': expected what 'rudder' was told, for "
+                        + one
+                        + " has it, but the header has no such column; add it, rename the one that"
+                        + " has it, or leave it out of all runs (--ignore \"rudder\")";
+
+        assertThatThrownBy(() -> RunFiles.read(reader, List.of(one), List.of(other)))
+                .isInstanceOf(DocumentException.class)
+                .hasMessage(refusal);
+        assertThatThrownBy(() -> RunFiles.read(reader, List.of(other, one), List.of()))
+                .hasMessage(refusal);
+
+        RunReader ignoring =
+                Rov.reader(ColumnMapping.USUAL.with(List.of(MappedColumn.ignored("rudder"))));
+        assertThat(RunFiles.read(ignoring, List.of(one), List.of(other)).notices())
+                .containsExactly(holding(one, "0.0"), holding(other, "0.0"));
+    }
+
+    private static String holding(Path file, String angle) {
+        return file
+                + ":1: column 'rudder': expected the angle of the fin, but the header has no such"
+                + " column: it holds the scenario's "
+                + angle
+                + "; add the column, or rename the one that has it";
+    }
+
+    @Test
+    void aForceIsToldByColumnsOrByADocument() throws Exception {
+        Path one =
+                Rov.write(
+                        folder.resolve("one.csv"),
+                        Rov.rows("x,push,main,rudder", 60, i -> i + ",3,0,0"));
+        Path other = run("other", 5);
+
+        assertThatThrownBy(() -> RunFiles.read(reader, List.of(one), List.of(other)))
+                .hasMessageStartingWith(
+                        other + ":1: column 'push': expected what 'push.x' was told, for " + one);
+
+        document(
+                "other",
+                """
+                <run><scheduled-force name="push" from="1" until="2"><vector x="1" y="0" z="0"/>
+                </scheduled-force></run>
+                """);
+        assertThat(RunFiles.read(reader, List.of(one), List.of(other)).heldOut()).hasSize(1);
+    }
+
+    /** Rows are from 0 to 5.9 s, and x goes from 0 to 59 m. */
+    @Test
+    void whatADocumentStatesOfAnotherRunIsTold() throws Exception {
+        Path file = run("dive", 0);
+        document(
+                "dive",
+                """
+                <run>
+                  <start>
+                    <position x="1200" y="0" z="0" deviation="5"/>
+                    <velocity x="900" y="0" z="0" deviation="5"/>
+                  </start>
+                  <scheduled-force name="tow" from="5.9" until="7"><vector x="1" y="0" z="0"/>
+                  </scheduled-force>
+                  <scheduled-force name="pull" from="5.8" until="7"><vector x="1" y="0" z="0"/>
+                  </scheduled-force>
+                </run>
+                """);
+        Path document = folder.resolve("dive.xml");
+
+        assertThat(reader.read(file).notices())
+                .containsExactly(
+                        document
+                                + ": scheduled-force 'tow': acts from 5.9 s until 7 s, but the rows"
+                                + " of "
+                                + file
+                                + " are from 0 s until 5.9 s, so that it does nothing; state its"
+                                + " times by the rows' clock",
+                        document
+                                + ": start/position: x is 1200 m, but "
+                                + file
+                                + ":2: column 'x': the first that is measured is 0 m, and all of"
+                                + " the run is within 59 m: is it the start of another run, or in"
+                                + " other axes?");
+
+        document(
+                "dive",
+                "<run><start><position x=\"200\" y=\"0\" z=\"0\" deviation=\"5\"/></start></run>");
+        assertThat(reader.read(file).notices()).isEmpty();
     }
 
     @Test

@@ -301,6 +301,21 @@ final class Diagnoses {
 
     /** The same of a body of another name. */
     static Diagnosis renamed(Diagnosis of, String body) {
+        return with(of, body, of.nextExperiment(), of.isComplete());
+    }
+
+    /** The same of a search that was stopped before its end. */
+    static Diagnosis stopped(Diagnosis of) {
+        return with(of, of.body(), of.nextExperiment(), false).toldAsFarAsItCame();
+    }
+
+    /** The same without anything that is left open. */
+    static Diagnosis settled(Diagnosis of) {
+        return with(of, of.body(), Optional.empty(), of.isComplete());
+    }
+
+    private static Diagnosis with(
+            Diagnosis of, String body, Optional<NextExperiment> next, boolean isComplete) {
         return new Diagnosis(
                 of.verdict(),
                 of.sentence(),
@@ -315,12 +330,12 @@ final class Diagnoses {
                 of.runs(),
                 of.discrepancy(),
                 of.proposal(),
-                of.nextExperiment(),
+                next,
                 of.identifiability(),
                 of.extended(),
                 of.notices(),
                 of.seed(),
-                of.isComplete());
+                isComplete);
     }
 
     private static List<Ranked> ranked(List<Finding> selected) {

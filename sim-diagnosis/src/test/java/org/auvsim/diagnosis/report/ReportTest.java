@@ -102,6 +102,21 @@ class ReportTest {
     }
 
     @Test
+    void whereNothingIsLeftOpenThePageSaysSo() throws IOException {
+        assertThat(page(Diagnoses.settled(Diagnoses.none())))
+                .contains("<h2>What to measure next</h2>", "<p>Nothing is left open: ");
+    }
+
+    @Test
+    void thePageOfASearchThatWasStoppedSaysNoMore() throws IOException {
+        assertThat(page(Diagnoses.stopped(Diagnoses.unexplained())))
+                .contains("<h1>sledge: unexplained so far, stopped early</h1>")
+                .contains("<p class=\"summary\">Stopped before the end; the best so far: ")
+                .contains("No set of causes tried so far leaves")
+                .doesNotContain("No set of known causes");
+    }
+
+    @Test
     void thePageOfTheUnexplainedSaysWhatIsKnown() throws IOException {
         assertThat(page(Diagnoses.unexplained()))
                 .contains("<h1>sledge: unexplained</h1>")

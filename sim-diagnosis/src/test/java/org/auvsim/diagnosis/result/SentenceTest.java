@@ -42,6 +42,26 @@ class SentenceTest {
                                 + " 0.010 m");
     }
 
+    /** Of what was not tried nothing is said. */
+    @Test
+    void aSearchThatWasStopped() {
+        assertThat(Sentence.stopped(sentence.explained(List.of(DRAG), 0.991, List.of())))
+                .startsWith(
+                        "Stopped before the end; the best so far: quadratic drag is missing: 12.4");
+        assertThat(Sentence.stopped(sentence.none()))
+                .startsWith(
+                        "Stopped before the end; the best so far: the model as it is, for no cause"
+                                + " that was tried gains enough; held-out position error 0.83 m");
+        Discrepancy seen =
+                new Discrepancy(Channel.POSITION, 'x', "run1", 3, OptionalDouble.empty(), 0.4);
+        assertThat(Sentence.stopped(sentence.unexplained(Optional.of(seen))))
+                .startsWith(
+                        "Stopped before the end; the best so far: something is missing that no"
+                            + " cause tried so far explains; it shows most in the position along x,"
+                            + " at 3.00 s of run1; the best of these take 40.0 % of it away;")
+                .doesNotContain("known");
+    }
+
     @Test
     void twoCauses() {
         assertThat(sentence.explained(List.of(DRAG, CURRENT), 0.9, List.of()))

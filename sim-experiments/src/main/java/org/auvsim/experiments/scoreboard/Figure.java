@@ -24,12 +24,12 @@ public enum Figure {
     ALIAS_PRECISION("aliases, precision", "95 %"),
     /** Of what is to be told. */
     ALIAS_RECALL("aliases, recall", "95 %"),
-    /** Median of the parameters' relative errors. */
+    /** Median of the parameters' relative errors; for people in per cent, as its target is. */
     PARAMETER_ERROR("parameter error, median", "0.05 / 0.25 / 1.5 %"),
     /** Parameters within their 95 % intervals. */
     COVERAGE("coverage of 95 % intervals", "93-97 %"),
-    /** Model error left on held-out runs. */
-    ERROR_LEFT("held-out error left, median", "0.001 / 0.004 / 0.015"),
+    /** Model error left on held-out runs, as a share. */
+    ERROR_LEFT("held-out error left, median (1: no gain)", "0.001 / 0.004 / 0.015"),
     /** Single effects that sparse regression names, and nothing else. */
     BASELINE_NAMED("sparse regression: named", ""),
     /** Pairs that it names, and nothing else. */
@@ -86,6 +86,8 @@ public enum Figure {
     public String of(Scores scores) {
         return switch (value(scores)) {
             case Double d when Double.isNaN(d) -> "-";
+            case Double d when this == PARAMETER_ERROR ->
+                    String.format(Locale.ROOT, "%.3g %%", 100 * d);
             case Double d -> String.format(Locale.ROOT, "%.3g", d);
             case Object share -> share.toString();
         };
@@ -100,7 +102,10 @@ public enum Figure {
                 parts.put("high", share.high());
                 parts.put("of", share.of());
             }
-            case Double d when !Double.isNaN(d) -> parts.put("value", d);
+            case Double d when !Double.isNaN(d) -> {
+                parts.put("value", d);
+                parts.put("unit", this == SECONDS ? "s" : "1");
+            }
             case Object _ -> parts.put("of", 0);
         }
         return parts;

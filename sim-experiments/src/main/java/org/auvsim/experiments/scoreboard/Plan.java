@@ -5,6 +5,7 @@ import org.auvsim.experiments.hidden.CaseKind;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Which cases are drawn.
@@ -56,6 +57,18 @@ public record Plan(long seed, int cases, List<CaseKind> kinds, List<Double> nois
     /** Those that are compared. */
     List<Method> methods() {
         return genetic == 0 ? List.of(Method.SHOOTING) : List.of(Method.values());
+    }
+
+    /**
+     * That not all cases were judged, in a sentence; empty if they were.
+     *
+     * @param judged so many outcomes there are
+     */
+    public Optional<String> shortfall(int judged) {
+        int all = drawings().size();
+        return judged == all
+                ? Optional.empty()
+                : Optional.of("Incomplete: %d of %d diagnoses were judged.".formatted(judged, all));
     }
 
     /** All cases; the noises of a case follow one another. */

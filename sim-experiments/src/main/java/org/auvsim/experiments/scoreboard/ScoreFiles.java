@@ -30,7 +30,7 @@ public final class ScoreFiles {
         Files.createDirectories(folder);
         cases(folder.resolve("cases.csv"), outcomes);
         List<Scores> scores = Scores.of(plan, outcomes);
-        Files.writeString(folder.resolve("scores.json"), json(plan, scores));
+        Files.writeString(folder.resolve("scores.json"), json(plan, scores, outcomes));
         ReportPage.write(folder, ScoreReport.of(plan, scores, outcomes));
     }
 
@@ -69,15 +69,19 @@ public final class ScoreFiles {
         }
     }
 
-    private static String json(Plan plan, List<Scores> scores) {
+    private static String json(Plan plan, List<Scores> scores, List<Outcome> outcomes) {
         Map<String, Object> all = new LinkedHashMap<>();
         all.put("seed", plan.seed());
         all.put("cases", plan.cases());
+        all.put("complete", plan.shortfall(outcomes.size()).isEmpty());
+        all.put("diagnoses", plan.drawings().size());
+        all.put("judged", outcomes.size());
         List<Map<String, Object>> byNoise = new ArrayList<>();
         for (Scores at : scores) {
             Map<String, Object> figures = new LinkedHashMap<>();
             figures.put("noise", at.noise());
             figures.put("method", at.method().toString());
+            figures.put("judged", outcomes.stream().filter(at::counts).count());
             for (Figure figure : Figure.values()) {
                 figures.put(figure.key(), figure.forMachines(at));
             }

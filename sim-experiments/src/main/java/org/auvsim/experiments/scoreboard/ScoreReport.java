@@ -19,7 +19,8 @@ final class ScoreReport {
         long right = own.stream().filter(Outcome::isRight).count();
         return new Report(
                 "Diagnosis: how well it finds what is hidden",
-                "%d of %d cases are right.".formatted(right, own.size()),
+                plan.shortfall(outcomes.size()).map(sentence -> sentence + " ").orElse("")
+                        + "%d of %d cases are right.".formatted(right, own.size()),
                 List.of(figures(plan, scores), mistakes(outcomes)));
     }
 

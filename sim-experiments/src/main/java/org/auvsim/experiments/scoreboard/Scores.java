@@ -50,8 +50,7 @@ public record Scores(
         double seconds) {
     /** Those of a method at a noise among outcomes. */
     public static Scores of(double noise, Method method, List<Outcome> all) {
-        List<Outcome> at =
-                all.stream().filter(o -> o.noise() == noise && o.method() == method).toList();
+        List<Outcome> at = all.stream().filter(o -> counts(noise, method, o)).toList();
         List<Outcome> singles = of(at, CaseKind.SINGLE);
         List<Outcome> pairs = of(at, CaseKind.PAIR);
         List<Outcome> nulls = of(at, CaseKind.NULL);
@@ -83,6 +82,15 @@ public record Scores(
                 share(pairs, Outcome::isBaselineRight),
                 share(nulls, o -> !o.isBaselineRight()),
                 median(at.stream().map(Outcome::seconds).toList()));
+    }
+
+    private static boolean counts(double noise, Method method, Outcome outcome) {
+        return outcome.noise() == noise && outcome.method() == method;
+    }
+
+    /** Whether an outcome is one of theirs. */
+    boolean counts(Outcome outcome) {
+        return counts(noise, method, outcome);
     }
 
     /** At each noise of a plan, of each method. */

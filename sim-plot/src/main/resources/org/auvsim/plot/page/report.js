@@ -8,16 +8,20 @@
 
   const hasLine = curve => curve.mark !== 'points' && curve.mark !== 'dots';
 
-  const paint = (curve, k) => colour(curve.mark === 'dots' ? '--quiet' : '--curve-' + k % 5);
+  // Dots are wider than lines: what is measured shows on both sides of one that is drawn over it.
+  const radius = { points: 4, dots: 2.5 };
+
+  const paint = (curve, k) => colour(curve.mark === 'dots' ? '--measured' : '--curve-' + k % 5);
 
   const dataset = (curve, k) => ({
     label: curve.name,
     data: curve.x.map((x, i) => ({ x, y: curve.y[i] })),
     showLine: hasLine(curve),
-    pointStyle: hasLine(curve) ? 'line' : 'circle',
+    pointStyle: 'circle',
     borderDash: curve.mark === 'dashed' ? [6, 4] : [],
     borderWidth: curve.mark === 'dashed' ? 2 : 1.6,
-    pointRadius: { points: 4, dots: 1.2 }[curve.mark] ?? 0,
+    pointRadius: radius[curve.mark] ?? 0,
+    pointBorderWidth: 0,
     pointHitRadius: 6,
     borderColor: paint(curve, k),
     backgroundColor: paint(curve, k),
@@ -30,11 +34,39 @@
     grid: { color: colour('--rule') },
   });
 
-  const legend = () => ({
+  // A legend shows marks as they are drawn; the library's own has neither dots nor dashes.
+  const mark = (curve, k) => {
+    const image = document.createElement('canvas');
+    image.width = 24;
+    image.height = 10;
+    const ink = image.getContext('2d');
+    ink.fillStyle = paint(curve, k);
+    ink.strokeStyle = paint(curve, k);
+    if (hasLine(curve)) {
+      ink.lineWidth = 2;
+      ink.setLineDash(curve.mark === 'dashed' ? [6, 3] : []);
+      ink.moveTo(0, 5);
+      ink.lineTo(24, 5);
+      ink.stroke();
+    }
+    for (const x of { dots: [4, 12, 20], points: [12] }[curve.mark] ?? []) {
+      ink.beginPath();
+      ink.arc(x, 5, radius[curve.mark], 0, 2 * Math.PI);
+      ink.fill();
+    }
+    return image;
+  };
+
+  const legend = curves => ({
     color: colour('--ink'),
     usePointStyle: true,
     pointStyleWidth: 24,
     boxHeight: 6,
+    generateLabels: chart => Chart.defaults.plugins.legend.labels.generateLabels(chart)
+      .map(label => ({
+        ...label,
+        pointStyle: mark(curves[label.datasetIndex], label.datasetIndex),
+      })),
   });
 
   const extent = (chart, key) => {
@@ -70,7 +102,7 @@
         maintainAspectRatio: false,
         onResize: chart.map ? rescale : undefined,
         scales: { x: axis(chart.x), y: axis(chart.y) },
-        plugins: { legend: { labels: legend() } },
+        plugins: { legend: { labels: legend(chart.curves) } },
       },
     });
     if (chart.map) scaleAlike(place);

@@ -96,6 +96,20 @@ class ReportPageTest {
         assertThat(page).doesNotContain("<link").doesNotContain(" src=");
     }
 
+    /** Of the size and colour that they have in the chart, wide enough to show beside a line. */
+    @Test
+    void dotsAreInTheLegendAsTheyAreDrawn() {
+        String script = page.substring(page.lastIndexOf("<script>"));
+        assertThat(script)
+                .contains("generateLabels", "pointRadius: radius[curve.mark]")
+                .contains("ink.arc(x, 5, radius[curve.mark], 0, 2 * Math.PI)")
+                .contains("'dots' ? '--measured'");
+        double radius = Double.parseDouble(first("dots: ([0-9.]+) }", script));
+        double line = Double.parseDouble(first("borderWidth: .* : ([0-9.]+),", script));
+        assertThat(2 * radius).isGreaterThan(2 * line);
+        assertThat(page).contains("--measured: #");
+    }
+
     private static String first(String pattern, String text) {
         Matcher matcher = Pattern.compile(pattern, Pattern.DOTALL).matcher(text);
         assertThat(matcher.find()).as(pattern).isTrue();

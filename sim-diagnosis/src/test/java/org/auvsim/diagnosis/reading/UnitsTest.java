@@ -2,6 +2,10 @@ package org.auvsim.diagnosis.reading;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import org.auvsim.auvsml.AuvsmlException;
+import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.run.ColumnMapping;
 import org.auvsim.diagnosis.model.BelievedModel;
@@ -45,11 +49,10 @@ class UnitsTest {
         return new BelievedModel(parsed(scenario), "Rov");
     }
 
-    private static org.auvsim.auvsml.document.Scenario parsed(String scenario) {
+    private static Scenario parsed(String scenario) {
         try {
-            return ScenarioLoader.load(Rov.LOADER)
-                    .parse(scenario.getBytes(java.nio.charset.StandardCharsets.UTF_8));
-        } catch (org.auvsim.auvsml.AuvsmlException e) {
+            return ScenarioLoader.load(Rov.LOADER).parse(scenario.getBytes(UTF_8));
+        } catch (AuvsmlException e) {
             throw new IllegalStateException(e);
         }
     }

@@ -26,8 +26,11 @@ public final class Noise {
     /** Numbers in a file are rounded: noise below this share of the largest cannot be told. */
     private static final double ROUNDED = 1e-9;
 
-    /** Axes whose noise differs by no more than this factor have the same: it is better known. */
-    private static final double ALIKE = 1.5;
+    /**
+     * Axes whose noise differs by no more than this factor have the same: it is better known, and a
+     * smooth motion leaves more along one than along another.
+     */
+    private static final double ALIKE = 4;
 
     /** By axis; NaN along or about an axis that tells nothing. */
     private final Map<Channel, double[]> deviations;

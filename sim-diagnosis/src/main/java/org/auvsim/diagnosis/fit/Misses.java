@@ -103,7 +103,7 @@ final class Misses {
         boolean[] shown = new boolean[RigidMotion.SIZE];
         boolean showsTurns =
                 tells(Channel.ANGULAR_VELOCITY)
-                        || !tells(Channel.ORIENTATION) && count(Channel.POSITION) > 1;
+                        || (!tells(Channel.ORIENTATION) && count(Channel.POSITION) > 1);
         for (int axis = 0; axis < 3; axis++) {
             boolean isPlaced =
                     rows.contains(new Row(Channel.POSITION, axis)) || tells(Channel.VELOCITY);

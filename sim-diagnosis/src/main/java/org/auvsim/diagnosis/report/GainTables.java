@@ -65,7 +65,7 @@ final class GainTables {
                                 curve("with what was found", Mark.LINE, Gain::after),
                                 curve("noise", Mark.DASHED, Gain::noise)),
                         "From eight states along each held-out run, fitted by the extended"
-                            + " model."));
+                                + " model."));
     }
 
     private Curve curve(String name, Mark mark, ToDoubleFunction<Gain> of) {

@@ -238,7 +238,8 @@ class BadRunsTest {
         refused(
                 ending("press"),
                 moving("press", "0").replace("0.3,3,0", "0.3,3,low"),
-                ":5: column 'press': expected a number, but found 'low'");
+                ":5: column 'press': expected a number, but found 'low'; correct it, or leave the"
+                    + " cell empty if nothing was measured");
         refused(
                 ending("pres"),
                 moving("press", "0"),
@@ -251,8 +252,8 @@ class BadRunsTest {
         refused(
                 ending("x"),
                 moving("y", "0"),
-                ": no 16 rows follow each other without a long gap, before a column is beyond its"
-                        + " limit; a shorter run tells nothing");
+                ":2: no 16 rows follow each other without a long gap, before a column is beyond its"
+                        + " limit; a shorter run tells nothing: give a longer one");
     }
 
     private static ColumnMapping shaking(String acceleration, String rate) {
@@ -270,7 +271,8 @@ class BadRunsTest {
         refused(
                 shaking("ax", "wy"),
                 moving("ax,wy", "0,1").replace("0.3,3,0,1", "0.3,3,0,none"),
-                ":5: column 'wy': expected a number, but found 'none'");
+                ":5: column 'wy': expected a number, but found 'none'; correct it, or leave the"
+                    + " cell empty if nothing was measured");
         refused(
                 shaking("ay", "wy"),
                 moving("ax,wy", "0,1"),

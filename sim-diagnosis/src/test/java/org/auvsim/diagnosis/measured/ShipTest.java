@@ -29,7 +29,15 @@ class ShipTest {
 
     /** What water does to a ship in a calm tank. */
     private static final Set<String> OF_HULL_AND_RUDDER =
-            Set.of("anisotropic_drag", "hull_lift", "fin_gain", "fin_race");
+            Set.of(
+                    "linear_drag",
+                    "quadratic_drag",
+                    "anisotropic_drag",
+                    "rotational_drag",
+                    "added_mass",
+                    "hull_lift",
+                    "fin_gain",
+                    "fin_race");
 
     private final DataSet data = DataSet.named("ship-kvlcc2");
 

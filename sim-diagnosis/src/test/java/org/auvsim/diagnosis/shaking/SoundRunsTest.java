@@ -69,7 +69,7 @@ class SoundRunsTest {
     void soundRunsRaiseFewAlarms() {
         int alarms = 0;
         for (int i = 0; i < 500; i++) {
-            List<MeasuredRun> all = runs(SOUND, 1000L + 9 * i, 9);
+            List<MeasuredRun> all = runs(SOUND, 1000L + 9L * i, 9);
             alarms += compared(all.subList(0, 8), all.subList(8, 9)).isTooMuch() ? 1 : 0;
         }
 

@@ -64,7 +64,8 @@ final class GainTables {
                                 curve("as believed", Mark.LINE, Gain::before),
                                 curve("with what was found", Mark.LINE, Gain::after),
                                 curve("noise", Mark.DASHED, Gain::noise)),
-                        "From eight states along each held-out run, fitted by the extended model."));
+                        "From eight states along each held-out run, fitted by the extended"
+                                + " model."));
     }
 
     private Curve curve(String name, Mark mark, ToDoubleFunction<Gain> of) {

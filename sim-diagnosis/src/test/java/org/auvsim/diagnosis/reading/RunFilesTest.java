@@ -441,7 +441,7 @@ class RunFilesTest {
                                         reader, List.of(dive), List.of(), List.of(sound, sound)))
                 .hasMessage(sound + " is given twice as a reference; give each run once");
         assertThatThrownBy(() -> RunFiles.read(reader, List.of(dive), List.of(), List.of(copy)))
-                .hasMessageContaining("has the same numbers as " + dive);
+                .hasMessageContaining("have the same numbers as rows 2 to 61 of " + dive);
     }
 
     @Test

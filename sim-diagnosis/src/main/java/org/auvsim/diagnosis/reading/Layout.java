@@ -99,7 +99,7 @@ final class Layout {
 
     private void requireMapped() throws DocumentException {
         for (MappedColumn column : mapping.column()) {
-            if (!column.ignored()) {
+            if (!column.ignored() || column.runEnds().isPresent()) {
                 requireThere(column.name(), "the mapping names this column");
             }
         }

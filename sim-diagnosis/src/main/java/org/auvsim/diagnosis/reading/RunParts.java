@@ -144,9 +144,13 @@ final class RunParts {
     void endBefore(double time, String why) {
         if (!hasEnded) {
             notices.add(
-                    "%s: ends %s s after its first row, where %s; what follows is left out"
-                            .formatted(
-                                    name, Figures.shown(part.isPresent() ? time - first : 0), why));
+                    source.says(
+                            line,
+                            List.of(),
+                            "the run ends %s s after its first row, where %s; what follows is left out"
+                                    .formatted(
+                                            Figures.shown(part.isPresent() ? time - first : 0),
+                                            why)));
             end();
             hasEnded = true;
         }
@@ -164,8 +168,8 @@ final class RunParts {
         samples.tell(run);
         known.accept(run);
         part = Optional.of(run);
-        first = time;
         firstLine = line;
+        first = time;
         inPart = 0;
         return run;
     }

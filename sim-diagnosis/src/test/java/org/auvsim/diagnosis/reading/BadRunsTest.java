@@ -24,6 +24,8 @@ import java.util.Optional;
 /** Each sentence has the file, the row as an editor counts it, and the column. */
 class BadRunsTest {
     private static final int ENOUGH = 20;
+    private static final String MENDING =
+            "; correct it, or leave the cell empty if nothing was measured";
     private static final String SORTING =
             "; sort the rows by their times, take this one out, or give rows of another run a file"
                     + " of their own or a column 'run'";
@@ -169,11 +171,7 @@ class BadRunsTest {
     @CsvSource({"far,far", "1e999,1e999", "inf,inf"})
     void aNumberIsFinite(String cell, String told) {
         String text = moving("y", "0").replace("0.3,3,0", "0.3,3," + cell);
-        refused(
-                text,
-                ":5: column 'y': expected a number, but found '"
-                        + told
-                        + "'; correct it, or leave the cell empty if nothing was measured");
+        refused(text, ":5: column 'y': expected a number, but found '" + told + "'" + MENDING);
     }
 
     @Test
@@ -238,10 +236,33 @@ class BadRunsTest {
         refused(
                 ending("press"),
                 moving("press", "0").replace("0.3,3,0", "0.3,3,low"),
-                ":5: column 'press': expected a number, but found 'low'; correct it, or leave the"
-                    + " cell empty if nothing was measured");
+                ":5: column 'press': expected a number, but found 'low'" + MENDING);
         refused(
                 ending("pres"),
+                moving("press", "0"),
+                ":1: column 'pres': the mapping names this column, but the header has none of this"
+                        + " name; the nearest known name is 'press'");
+    }
+
+    /** One that is left out may be missing, but not if runs end by it. */
+    @Test
+    void aColumnThatIsLeftOutMayBeMissing() throws IOException, DocumentException {
+        ColumnMapping leavingOut = ColumnMapping.USUAL.with(List.of(MappedColumn.ignored("pres")));
+        assertThat(Rov.read(folder, leavingOut, moving("y", "0")).runs()).hasSize(1);
+
+        MappedColumn ending = ending("pres").column().getFirst();
+        refused(
+                ColumnMapping.USUAL.with(
+                        List.of(
+                                new MappedColumn(
+                                        "pres",
+                                        Optional.empty(),
+                                        1,
+                                        0,
+                                        CellForm.NUMBER,
+                                        true,
+                                        List.of(),
+                                        ending.runEnds()))),
                 moving("press", "0"),
                 ":1: column 'pres': the mapping names this column, but the header has none of this"
                         + " name; the nearest known name is 'press'");
@@ -271,13 +292,12 @@ class BadRunsTest {
         refused(
                 shaking("ax", "wy"),
                 moving("ax,wy", "0,1").replace("0.3,3,0,1", "0.3,3,0,none"),
-                ":5: column 'wy': expected a number, but found 'none'; correct it, or leave the"
-                    + " cell empty if nothing was measured");
+                ":5: column 'wy': expected a number, but found 'none'" + MENDING);
         refused(
                 shaking("ay", "wy"),
                 moving("ax,wy", "0,1"),
                 ":1: column 'ay': the mapping reads shaking from this column, but the header has"
-                        + " none of this name; the nearest known names are 'ax', 'wy', 't'");
+                        + " none of this name; it has t, x, ax, wy");
     }
 
     @Test

@@ -458,8 +458,9 @@ class CsvRunsTest {
         assertThat(deep.runs()).extracting(MeasuredRun::size).containsExactly(25);
         assertThat(deep.notices())
                 .contains(
-                        "run: ends 2.5 s after its first row, where 'depth' is 12.5; what follows"
-                                + " is left out");
+                        folder.resolve("run.csv")
+                                + ":27: the run ends 2.5 s after its first row, where 'depth' is"
+                                + " 12.5; what follows is left out");
         assertThat(low.runs()).extracting(MeasuredRun::size).containsExactly(23);
     }
 

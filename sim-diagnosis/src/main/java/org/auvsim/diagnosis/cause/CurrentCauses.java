@@ -20,6 +20,7 @@ final class CurrentCauses {
     private static final double[] CORES = {0.15, 0.4};
 
     private static final int VORTICES = 4;
+    private static final int FEWEST_OSCILLATIONS = 24;
 
     private CurrentCauses() {}
 
@@ -54,7 +55,7 @@ final class CurrentCauses {
 
     /** Of a sine and a cosine, as both are linear. */
     private static Cause oscillating(Setting s, double scale) {
-        Swing swing = new Swing(s, "u", "m/s", scale, new Frequencies(s).told());
+        Swing swing = new Swing(s, "u", "m/s", scale, new Frequencies(s).told(FEWEST_OSCILLATIONS));
         return Change.of(
                         "current_oscillating",
                         swing.parameters(),

@@ -28,9 +28,9 @@ final class Frequencies {
     }
 
     /** Half as many: a search that begins at one of them still comes to those beside it. */
-    double[] told() {
+    double[] told(int fewest) {
         double asFarAsTold = (HIGHEST - LOWEST) * duration / 6;
-        return spread((int) Math.max(FEWEST / 2, Math.min(MOST, asFarAsTold)));
+        return spread((int) Math.max(fewest, Math.min(MOST, asFarAsTold)));
     }
 
     double[] spread(int count) {

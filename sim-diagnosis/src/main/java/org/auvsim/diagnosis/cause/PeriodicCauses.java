@@ -10,7 +10,8 @@ import java.util.List;
 /** Forces that come again and again. */
 final class PeriodicCauses {
     private static final double GRAVITY = 9.80665;
-    private static final int DIRECTIONS = 6;
+    private static final int DIRECTIONS = 4;
+    private static final int FEWEST_WAVES = 12;
 
     private PeriodicCauses() {}
 
@@ -50,7 +51,7 @@ final class PeriodicCauses {
                         frequencies.parameter(),
                         new Parameter("dispersion", "1", 0.1, 0, 10));
         List<Guess> guesses = new ArrayList<>();
-        for (double omega : frequencies.told()) {
+        for (double omega : frequencies.told(FEWEST_WAVES)) {
             for (int i = 0; i < DIRECTIONS; i++) {
                 double direction = 2 * Math.PI * i / DIRECTIONS;
                 guesses.add(

@@ -7,19 +7,12 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Chooses the steps that a model is simulated in: half of them must make no difference that the
- * data could show, else the integrator's error would be taken for a cause. Finer ones than that,
- * which a scenario may state, only cost time.
+ * Shortens the model's steps until half of them makes no difference that the data could show: else
+ * the integrator's error would be taken for a cause.
  */
 final class StepLength {
     /** Half the step may move a prediction by this share of the noise. */
     private static final double SHARE = 0.1;
-
-    /** Steps longer than the scenario's may move it by so much. */
-    private static final double TINY_SHARE = 0.02;
-
-    /** None is made longer than this (s), in which most scenarios are simulated. */
-    private static final double USUAL = 0.05;
 
     /** Steps that do for differences may move it by so much noise. */
     private static final double ROUGH = 1;
@@ -33,7 +26,7 @@ final class StepLength {
 
     /** The model with steps that are short enough, judged over windows that follow the runs. */
     static Stepping converged(Fit following) {
-        BelievedModel now = lengthened(following);
+        BelievedModel now = following.model();
         for (int h = 0; h < MOST_HALVINGS; h++) {
             Stepping finer = new Stepping(now, now.stepping(step(now, following) / 2));
             if (difference(finer, following) < SHARE) {
@@ -46,20 +39,6 @@ final class StepLength {
                 .filter(longer -> cuts(longer, following) < FEW_CUTS)
                 .findFirst()
                 .orElse(Stepping.exact(now));
-    }
-
-    /** The model in the longest steps that tell the same as its own. */
-    private static BelievedModel lengthened(Fit following) {
-        BelievedModel model = following.model();
-        double own = step(model, following);
-        for (double step = step(model.stepping(USUAL), following); step > own; step /= 2) {
-            BelievedModel longer = model.stepping(step);
-            if (difference(new Stepping(longer, model), following) < TINY_SHARE
-                    && cuts(new Stepping(model, longer), following) < FEW_CUTS) {
-                return longer;
-            }
-        }
-        return model;
     }
 
     /** The most of any run. */

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.auvsim.core.effect.Damping;
 import org.auvsim.core.effect.Kick;
 import org.auvsim.core.entity.Effect;
-import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Guess;
@@ -14,13 +13,10 @@ import org.auvsim.diagnosis.cause.Parameter;
 import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
-import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
-import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
-import java.util.Random;
 
 /** Steps are as long as the data allows, and those of differences longer where they can be. */
 class StepLengthTest {
@@ -61,34 +57,6 @@ class StepLengthTest {
         Stepping stepping = StepLength.converged(following(coarse, tumbling));
 
         assertThat(step(stepping.model())).isBetween(0.003, 0.026);
-    }
-
-    /** A scenario may state finer steps than its motion needs. */
-    @Test
-    void stepsAreNotFinerThanTheDataCouldShow() throws Exception {
-        BelievedModel fine = MeasuredVehicle.model(0.005);
-
-        Stepping stepping = StepLength.converged(following(fine, noisy(MeasuredVehicle.run(fine))));
-
-        assertThat(step(stepping.model())).isBetween(0.02, 0.051);
-    }
-
-    /** Positions and turns with noise, as sensors have it. */
-    private static MeasuredRun noisy(MeasuredRun run) {
-        Random random = new Random(8);
-        MeasuredRunBuilder noisy =
-                MeasuredRun.named("noisy").commands(List.of("port", "starboard"));
-        for (int k = 0; k < run.size(); k++) {
-            Vec3 place = run.vector(Channel.POSITION, k).orElseThrow();
-            Vec3 axis = new Vec3(random.nextGaussian(), random.nextGaussian(), 1).normalized();
-            Quat turn = Quat.ofAxisAngle(axis, 0.01 * random.nextGaussian());
-            noisy.at(run.time(k))
-                    .position(place.x(), place.y(), place.z())
-                    .orientation(turn.times(run.orientation(k).orElseThrow()))
-                    .command(0, 0.6)
-                    .command(1, k / 40 % 2 == 0 ? 0.3 : 0.8);
-        }
-        return noisy.build();
     }
 
     @Test

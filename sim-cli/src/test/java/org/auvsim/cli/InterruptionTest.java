@@ -1,7 +1,6 @@
 package org.auvsim.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
@@ -12,7 +11,6 @@ import org.junit.jupiter.api.condition.OS;
 
 import java.io.BufferedReader;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.CountDownLatch;
 
@@ -43,7 +41,6 @@ class InterruptionTest {
 
     /** Signals that whoever runs the tests ignores are as usual again. */
     private static Process start(String manner) throws IOException {
-        assumeTrue(Files.isExecutable(ENV));
         return new ProcessBuilder(
                         ENV.toString(),
                         "--default-signal=INT",

@@ -65,15 +65,7 @@ final class FrictionCauses {
                                 "contact_friction",
                                 List.of(new Parameter("mu", "1", 0.1, -mu, 10)),
                                 (v, t) -> v.with(b -> b.friction(mu + t[0])))
-                        .from(frictions(mu))
+                        .from(List.of(Change.secant(0.05)))
                         .told(t -> List.of(new Quantity("mu", "1", mu + t[0]))));
-    }
-
-    /** What sticks sticks with more friction as well: only with much less does it slip. */
-    private static List<Guess> frictions(double mu) {
-        Guess more = Change.secant(0.05);
-        return mu > 0
-                ? List.of(more, Change.secant(-0.5 * mu), Change.secant(-0.9 * mu))
-                : List.of(more);
     }
 }

@@ -22,19 +22,10 @@ import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.Arguments;
-import org.junit.jupiter.params.provider.MethodSource;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
-import java.util.Random;
-import java.util.function.IntToDoubleFunction;
-import java.util.stream.IntStream;
-import java.util.stream.Stream;
 
 class CsvRunsTest {
     private static final Vec3 AHEAD = new Vec3(1, 0, 0);
@@ -236,106 +227,6 @@ class CsvRunsTest {
     }
 
     @Test
-    void wholeSecondsWithSeveralRowsAreAConstantRate() throws Exception {
-        StringBuilder text = new StringBuilder("t,x\n");
-        for (int i = 0; i < 100; i++) {
-            text.append((i + 3) / 8).append(',').append(i).append('\n');
-        }
-
-        RunFile file = Rov.read(folder, ColumnMapping.USUAL, text.toString());
-
-        MeasuredRun run = file.runs().getFirst();
-        assertThat(run.size()).isEqualTo(100);
-        assertThat(run.time(80) - run.time(0)).isCloseTo(10, within(1e-9));
-        assertThat(file.notices())
-                .contains(
-                        folder.resolve("run.csv")
-                                + ": column 't': times are whole seconds with several rows each;"
-                                + " read as a constant rate of 8 Hz");
-    }
-
-    /** The usual interval of these is 0.1 s. */
-    static Stream<Arguments> stamps() {
-        Random lot = new Random(7);
-        return Stream.of(
-                Arguments.of(
-                        "uneven", (IntToDoubleFunction) i -> Math.floorDiv(i, 3) + 0.1 * (i % 3)),
-                Arguments.of(
-                        "jittered", (IntToDoubleFunction) i -> 0.1 * i + 0.08 * lot.nextDouble()),
-                Arguments.of(
-                        "two after a late one",
-                        (IntToDoubleFunction) i -> i % 10 == 4 ? 0.1 * i + 0.07 : 0.1 * i),
-                Arguments.of("lost rows", (IntToDoubleFunction) i -> 0.1 * (i + i / 4)),
-                Arguments.of("faster", (IntToDoubleFunction) i -> i < 30 ? 0.1 * i : 0.01 * i + 3),
-                Arguments.of(
-                        "a gap", (IntToDoubleFunction) i -> i < 20 ? 0.1 * i : 0.1 * i + 5.004),
-                Arguments.of("whole seconds, once each", (IntToDoubleFunction) i -> i + i / 7));
-    }
-
-    /** Whatever their intervals are. */
-    @ParameterizedTest(name = "{0}")
-    @MethodSource("stamps")
-    void timesAreThoseOfTheFile(String kind, IntToDoubleFunction stamp) throws Exception {
-        List<Double> stamps = IntStream.range(0, 60).mapToDouble(stamp).boxed().toList();
-        StringBuilder text = new StringBuilder("t,x\n");
-        stamps.forEach(t -> text.append(t).append(',').append(3 * t).append('\n'));
-
-        List<MeasuredRun> runs = Rov.read(folder, ColumnMapping.USUAL, text.toString()).runs();
-
-        assertThat(runs).hasSize(kind.equals("a gap") ? 2 : 1);
-        List<Double> times = new ArrayList<>();
-        for (MeasuredRun run : runs) {
-            IntStream.range(0, run.size()).forEach(k -> times.add(run.time(k)));
-        }
-        assertThat(times).isEqualTo(stamps);
-    }
-
-    /** Seconds with 3, 5 and 4 rows; then some are missing, and the rate begins anew. */
-    @Test
-    void aConstantRateBeginsAnewWhereSecondsAreMissing() throws Exception {
-        StringBuilder text = new StringBuilder("t,x\n");
-        int row = 0;
-        for (int second = 0; second < 24; second++) {
-            int stamp = second < 12 ? second : second + 60;
-            for (int i = 0; i < new int[] {3, 5, 4}[second % 3]; i++) {
-                text.append(stamp).append(',').append(row++).append('\n');
-            }
-        }
-
-        List<MeasuredRun> runs = Rov.read(folder, ColumnMapping.USUAL, text.toString()).runs();
-
-        assertThat(runs).hasSize(2);
-        double interval = runs.getFirst().time(1);
-        assertThat(interval).isCloseTo(0.25, within(0.01));
-        assertThat(runs.getFirst().time(47)).isCloseTo(47 * interval, within(1e-9));
-        assertThat(runs.get(1).time(0)).isEqualTo(72);
-        assertThat(runs.get(1).time(47)).isCloseTo(72 + 47 * interval, within(1e-9));
-    }
-
-    @Test
-    void timesOfDayCountInSeconds() throws Exception {
-        ColumnMapping mapping =
-                ColumnMapping.USUAL.with(
-                        List.of(
-                                new MappedColumn(
-                                        "t", Optional.empty(), 1, 0, CellForm.HHMMSS, false)));
-        StringBuilder text = new StringBuilder("t,x\n");
-        for (int i = 0; i < 40; i++) {
-            int seconds = 50 + i / 4;
-            text.append(String.format(Locale.ROOT, "2052%02d", seconds)).append(',').append(i);
-            text.append('\n');
-        }
-        String crossing = text.toString().replace("205260", "205300");
-
-        RunFile file = Rov.read(folder, mapping, crossing);
-
-        assertThat(file.runs()).hasSize(1);
-        MeasuredRun run = file.runs().getFirst();
-        assertThat(run.time(0)).isEqualTo(20 * 3600 + 52 * 60 + 50);
-        assertThat(run.time(39) - run.time(0)).isCloseTo(39 * 0.25, within(1e-9));
-    }
-
-    @Test
     void rowsThatSayOfWhichRunTheyAreBeginItAnew() throws Exception {
         StringBuilder text = new StringBuilder("run,t,x\n");
         for (int row = 0; row < 40; row++) {
@@ -497,25 +388,6 @@ class CsvRunsTest {
         assertThat(Rov.run(folder, ColumnMapping.USUAL, Rov.rows("x", 20, i -> "" + i)))
                 .extracting(MeasuredRun::tellsShaking)
                 .isEqualTo(false);
-    }
-
-    @Test
-    void aLongGapBeginsAnotherRun() throws Exception {
-        String text = Rov.rows("x", 40, i -> "" + i);
-        String late = text.replaceAll("(?m)^(2|3)\\.(\\d),", "1$1.$2,");
-
-        RunFile file = Rov.read(folder, ColumnMapping.USUAL, late);
-
-        assertThat(file.runs()).extracting(MeasuredRun::name).containsExactly("run", "run-2");
-        assertThat(file.runs()).extracting(MeasuredRun::size).containsExactly(20, 20);
-        assertThat(file.notices())
-                .anyMatch(
-                        text1 ->
-                                text1.equals(
-                                        folder.resolve("run.csv")
-                                                + ":22: column 't': 10.1 s without a row after 1.9"
-                                                + " s; what follows is"
-                                                + " read as another run"));
     }
 
     @Test

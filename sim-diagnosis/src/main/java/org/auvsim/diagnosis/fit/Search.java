@@ -126,6 +126,7 @@ final class Search {
         if (!isWhite(best) && contest.isEmpty() && course.goesOn()) {
             best = rescued(best, specific);
         }
+        best = contest.isEmpty() ? plainer(best) : best;
         best = isByChance(none, best) ? none : best;
         List<Cause> plain = library.stream().filter(c -> !hasManyGuesses(c)).toList();
         for (Judged more = completed(best); !more.equals(best); more = completed(best)) {
@@ -225,6 +226,17 @@ final class Search {
             best = more;
         }
         return best;
+    }
+
+    /** One cause that can imitate others, where it says as much as several specific ones do. */
+    private Judged plainer(Judged best) {
+        Hypothesis of = best.fit().hypothesis();
+        List<Cause> generic = library.stream().filter(Cause::isGeneric).toList();
+        if (of.causes().size() < 2 || of.isGeneric() || generic.isEmpty() || !course.goesOn()) {
+            return best;
+        }
+        Screen screen = new Screen(base, generic, guesses, asBelieved());
+        return tournament(screen.starts(1, cause -> true), best, 0.8, 0.85);
     }
 
     private List<Screen.Start> competing(Arena.Contest models, List<Cause> causes) {

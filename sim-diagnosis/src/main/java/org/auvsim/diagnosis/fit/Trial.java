@@ -15,7 +15,6 @@ import java.util.Map;
 /** Held-out runs judge a hypothesis, which had no part in choosing it. */
 final class Trial {
     private static final int STEPS = 12;
-    private static final int ADJUSTMENTS = 4;
 
     /** A channel may be missed by so many times what it is missed by in the runs of the fit. */
     private static final double MOST_RATIO = 1.3;
@@ -55,13 +54,12 @@ final class Trial {
                         .fit()
                         .with(fitted.fit().hypothesis(), predicted.fit().windows())
                         .knowing(known);
-        Judged adjusted = Refinement.converge(Judged.of(fit), ADJUSTMENTS);
+        Judged adjusted = Refinement.converge(Judged.of(fit), STEPS);
         double worst = before.outcome().deviance() + Cause.PRICE;
         return isConfirmed(before.outcome().misses(), List.of(adjusted), fitted)
                 && predicted.outcome().deviance() < worst
                 && adjusted.outcome().deviance() < worst
-                && Search.whiteness(adjusted) < LIMIT
-                && worstRatio(adjusted.outcome(), fitted.outcome()) < MOST_RATIO;
+                && holds(adjusted, fitted);
     }
 
     /**
@@ -74,14 +72,14 @@ final class Trial {
         List<Judged> predictions = LeaveOneOut.adjusted(fitted);
         return !restsOnOneRun(none, fitted)
                 && isConfirmed(none.outcome().misses(), predictions, fitted)
-                && predictions.stream()
-                        .allMatch(
-                                prediction ->
-                                        Search.whiteness(prediction) < LIMIT
-                                                && worstRatio(
-                                                                prediction.outcome(),
-                                                                fitted.outcome())
-                                                        < MOST_RATIO);
+                && predictions.stream().allMatch(prediction -> holds(prediction, fitted));
+    }
+
+    /** Whether what is missed of other runs, parameters held to what the fit says, is noise. */
+    private static boolean holds(Judged prediction, Judged fitted) {
+        return Search.whiteness(prediction) < LIMIT
+                && worstRatio(prediction.outcome(), fitted.outcome()) < MOST_RATIO
+                && Agreement.of(prediction);
     }
 
     /** Whether causes would not be worth their price without the run that gains most by them. */

@@ -2,7 +2,6 @@ package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.BelievedModel;
-import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -55,7 +54,8 @@ final class Following {
         this(shooting, noise, Course.UNHEARD);
     }
 
-    private Following(Shooting shooting, Noise noise, Course course) {
+    /** The same, as far as it has come once it was told to stop. */
+    Following(Shooting shooting, Noise noise, Course course) {
         this.shooting = shooting;
         this.model = shooting.stepping().model();
         this.data = shooting.of();
@@ -79,13 +79,21 @@ final class Following {
             List<Misses> data,
             Noise noise,
             Course course) {
-        Variant variant = hypothesis.in(stepping.variant());
         List<List<Window>> windows =
                 data.parallelStream()
-                        .map(run -> new Shooting(stepping, variant, run))
-                        .map(shooting -> new Following(shooting, noise, course).windows())
+                        .map(run -> of(stepping, hypothesis, run, noise, course))
                         .toList();
         return new Fit(stepping, data, hypothesis, windows, Knowledge.NONE);
+    }
+
+    private static List<Window> of(
+            Stepping stepping, Hypothesis hypothesis, Misses run, Noise noise, Course course) {
+        UnseenHeading heading = new UnseenHeading(stepping, hypothesis, run, noise, course);
+        if (heading.isUnseen()) {
+            return heading.windows();
+        }
+        Shooting shooting = new Shooting(stepping, hypothesis.in(stepping.variant()), run);
+        return new Following(shooting, noise, course).windows();
     }
 
     /** A window as it was fitted, and by how much it misses. */

@@ -185,8 +185,9 @@ final class ModelUnits {
     private static boolean fits(UnitTrial trial, Suspicion of) {
         double otherwise = trial.misfit(of, of.axes());
         double asTold = trial.misfit(UnitTrial.AS_TOLD, of.axes());
-        return trial.areAlike(of, of.axes(), ALIKE, TIMES)
-                || (otherwise <= FITS && asTold >= Math.max(FITS_NOT, BETTER * otherwise));
+        boolean isFar = asTold >= Math.max(FITS_NOT, BETTER * otherwise);
+        return !trial.isNoise(of.axes())
+                && (trial.areAlike(of, of.axes(), ALIKE, TIMES) || (otherwise <= FITS && isFar));
     }
 
     /** Those of a hypothesis' axes along which the model bends, too. */
@@ -194,6 +195,7 @@ final class ModelUnits {
         double most = of.axes().stream().mapToDouble(a -> trial.forces(of, a)).max().orElse(0);
         return of.axes().stream()
                 .filter(axis -> trial.forces(of, axis) > MATTERS * most)
+                .filter(axis -> !trial.isNoise(List.of(axis)))
                 .filter(axis -> !fitsAsTold(trial, List.of(axis)))
                 .toList();
     }

@@ -26,6 +26,9 @@ final class UnitTrial {
     /** So many of them tell how a path bends. */
     private static final int MOST = 60;
 
+    /** Steps between samples of noise alone are 2 (von Neumann 1941), of a path that bends 0. */
+    private static final double OF_NOISE = 1;
+
     /** So many steps of the model tell as much as more. */
     private static final int STEPS = 1500;
 
@@ -51,16 +54,23 @@ final class UnitTrial {
      * @param both the product of these two
      * @param fromRest simulated from rest
      * @param misfit of measured less simulated
+     * @param steps squares of the differences from one measured sample to the next
      */
     private record Bend(
-            double told, double simulated, double both, double fromRest, double misfit) {
+            double told,
+            double simulated,
+            double both,
+            double fromRest,
+            double misfit,
+            double steps) {
         Bend plus(Bend o) {
             return new Bend(
                     told + o.told,
                     simulated + o.simulated,
                     both + o.both,
                     fromRest + o.fromRest,
-                    misfit + o.misfit);
+                    misfit + o.misfit,
+                    steps + o.steps);
         }
 
         /** What forces do, moving or at rest. */
@@ -231,9 +241,25 @@ final class UnitTrial {
             }
             double[] squares = Arrays.stream(lines).mapToDouble(UnitTrial::besideLine).toArray();
             double product = (besideLine(both) - squares[0] - squares[1]) / 2;
-            all.add(new Bend(squares[0], squares[1], product, squares[2], squares[3]));
+            double steps = steps(h, axis, lines[0]);
+            all.add(new Bend(squares[0], squares[1], product, squares[2], squares[3], steps));
         }
         return all;
+    }
+
+    /** Sum of squares of the differences between samples of what is left beside a line. */
+    private double steps(ModelUnits.Suspicion h, int axis, SimpleRegression line) {
+        double sum = 0;
+        double before = Double.NaN;
+        for (int sample : samples) {
+            double told = factor(h, axis) * run.value(Channel.POSITION, sample, axis);
+            double left = told - line.predict(run.time(sample) - run.time(samples[0]));
+            if (!Double.isNaN(left - before)) {
+                sum += (left - before) * (left - before);
+            }
+            before = left;
+        }
+        return sum;
     }
 
     /** Sum of squares of what is left beside a straight line. */
@@ -259,6 +285,12 @@ final class UnitTrial {
         return of.both() >= together * Math.sqrt(of.told() * of.simulated())
                 && size <= times
                 && size >= 1 / times;
+    }
+
+    /** Whether what was measured along axes bends no more than noise does. */
+    boolean isNoise(Collection<Integer> axes) {
+        Bend of = bend(AS_TOLD, axes);
+        return of.steps() > OF_NOISE * of.told();
     }
 
     /** The misfit along axes, as a share of what forces do; infinite where that is lost. */

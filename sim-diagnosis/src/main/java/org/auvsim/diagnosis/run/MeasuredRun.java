@@ -198,6 +198,11 @@ public final class MeasuredRun {
         return start;
     }
 
+    /** The same, of whose start this is known. */
+    public MeasuredRun startingAt(KnownStart known) {
+        return MeasuredRunBuilder.startingAt(this, known);
+    }
+
     /** What was known to be different in this run. */
     public KnownDifferences differences() {
         return differences;

@@ -206,6 +206,14 @@ public final class MeasuredRunBuilder {
     }
 
     static MeasuredRun part(MeasuredRun run, String name, int from, int to) {
+        return copy(run, name, from, to).build();
+    }
+
+    static MeasuredRun startingAt(MeasuredRun run, KnownStart known) {
+        return copy(run, run.name(), 0, run.size() - 1).start(known).build();
+    }
+
+    private static MeasuredRunBuilder copy(MeasuredRun run, String name, int from, int to) {
         MeasuredRunBuilder part =
                 new MeasuredRunBuilder(name)
                         .commands(run.commands().stream().map(Command::name).toList());
@@ -236,7 +244,7 @@ public final class MeasuredRunBuilder {
         if (from == 0) {
             run.start().ifPresent(part::start);
         }
-        return part.differences(run.differences()).build();
+        return part.differences(run.differences());
     }
 
     private void keepOrientation(Quat q) {

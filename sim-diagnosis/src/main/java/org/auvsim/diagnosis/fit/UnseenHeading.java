@@ -1,0 +1,153 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.KnownStart;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.server.feedback.RigidMotion;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/**
+ * Finds how a body is turned when a run begins, where neither angles nor the start are measured:
+ * the path tells it. From a heading that is far off a fit does not find the right one, and a body
+ * that may tumble fits many a path. So it is taken to be about as upright and as slow in turning as
+ * the scenario has it, and tried at headings all around, for as long as that fits any better than
+ * one that may tumble.
+ */
+final class UnseenHeading {
+    private static final int AROUND = 8;
+    private static final int YAW = 5;
+    private static final int STEPS = 12;
+
+    /** So many samples tell where it is and how fast. */
+    private static final int BEGINNING = 8;
+
+    /** How far a start may be from the scenario's in roll and pitch (rad) and in rates (rad/s). */
+    private static final double TILT = 0.1;
+
+    private static final double RATE = 0.1;
+    private static final double YAW_RATE = 0.3;
+
+    /** A motion fits if chi squared a number is below this. */
+    private static final double FITS = 1.5;
+
+    private final Stepping stepping;
+    private final Hypothesis hypothesis;
+    private final Misses data;
+    private final Noise noise;
+    private final Course course;
+
+    /** Of a run under a hypothesis. */
+    UnseenHeading(
+            Stepping stepping, Hypothesis hypothesis, Misses data, Noise noise, Course course) {
+        this.stepping = stepping;
+        this.hypothesis = hypothesis;
+        this.data = data;
+        this.noise = noise;
+        this.course = course;
+    }
+
+    /** Whether there is something to find. */
+    boolean isUnseen() {
+        MeasuredRun run = data.run();
+        return run.start().isEmpty()
+                && !run.measures(Channel.ORIENTATION)
+                && data.shown()[YAW]
+                && turnsFreely(stepping.model());
+    }
+
+    private static boolean turnsFreely(BelievedModel model) {
+        double[] yaw = new double[RigidMotion.SIZE];
+        yaw[YAW] = 1;
+        return model.free(yaw)[YAW] == 1;
+    }
+
+    /** Windows that follow from the heading that was found. */
+    List<Window> windows() {
+        RigidMotion stated = begun(stepping.model().start());
+        Judged first = whole(upright(stated));
+        if (fits(first)) {
+            return again(first);
+        }
+        Judged best =
+                IntStream.range(1, AROUND)
+                        .parallel()
+                        .mapToObj(i -> turned(stated, 2 * Math.PI * i / AROUND))
+                        .map(this::upright)
+                        .map(this::whole)
+                        .min(Comparator.comparingDouble(Judged::cost))
+                        .filter(other -> other.cost() < first.cost())
+                        .orElse(first);
+        return fits(best) ? again(best) : tumbling().orElseGet(() -> again(best));
+    }
+
+    private static boolean fits(Judged judged) {
+        return judged.cost() < FITS * judged.outcome().count();
+    }
+
+    /** The run, of whose start is known that it is nearly so. */
+    private Misses upright(RigidMotion start) {
+        List<Double> deviations =
+                new ArrayList<>(Collections.nCopies(RigidMotion.SIZE, Double.POSITIVE_INFINITY));
+        for (int axis = 0; axis < 2; axis++) {
+            deviations.set(3 + axis, TILT);
+            deviations.set(9 + axis, RATE);
+        }
+        deviations.set(9 + 2, YAW_RATE);
+        MeasuredRun held = data.run().startingAt(new KnownStart(start, deviations));
+        return Misses.of(List.of(held), noise).getFirst();
+    }
+
+    /** Where the run begins, and as fast, turned and turning as the scenario has it. */
+    private RigidMotion begun(RigidMotion stated) {
+        int few = Math.min(BEGINNING, data.run().size() - 1);
+        RigidMotion measured = LocalMotion.at(data.run(), stated, 0, few);
+        return new RigidMotion(
+                measured.position(),
+                stated.orientation(),
+                measured.velocity(),
+                stated.angularVelocity());
+    }
+
+    private static RigidMotion turned(RigidMotion motion, double by) {
+        Quat turn = Quat.ofAxisAngle(new Vec3(0, 0, 1), by);
+        return new RigidMotion(
+                motion.position(),
+                turn.times(motion.orientation()),
+                motion.velocity(),
+                motion.angularVelocity());
+    }
+
+    /** The windows of a run from where the whole of it fits best. */
+    private List<Window> again(Judged whole) {
+        return following(upright(whole.fit().windows().getFirst().getFirst().start()));
+    }
+
+    private Optional<List<Window>> tumbling() {
+        List<Window> windows = following(data);
+        return Optional.of(windows).filter(w -> fits(whole(data, w)));
+    }
+
+    private List<Window> following(Misses of) {
+        Shooting shooting = new Shooting(stepping, hypothesis.in(stepping.variant()), of);
+        return new Following(shooting, noise, course).windows();
+    }
+
+    private Judged whole(Misses of) {
+        return whole(of, following(of));
+    }
+
+    private Judged whole(Misses of, List<Window> windows) {
+        Fit fit = new Fit(stepping, List.of(of), hypothesis, List.of(windows), Knowledge.NONE);
+        Judged near = Refinement.approach(fit, 1, course);
+        return Refinement.converge(near, STEPS, Double.POSITIVE_INFINITY, course);
+    }
+}

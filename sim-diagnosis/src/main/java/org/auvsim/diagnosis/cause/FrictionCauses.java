@@ -20,7 +20,7 @@ final class FrictionCauses {
     static List<Cause> of(Setting s) {
         List<Cause> causes = new ArrayList<>();
         if (s.body().mount().filter(Pinned.class::isInstance).isPresent()) {
-            double slip = SLIP * s.rate();
+            double slip = pivotSlip(s);
             causes.add(
                     Change.of(
                             "coulomb_torque",
@@ -45,6 +45,15 @@ final class FrictionCauses {
             causes.addAll(contacts(s.body()));
         }
         return causes;
+    }
+
+    /** That of a friction which the model has; else a share of the typical rate (rad/s). */
+    private static double pivotSlip(Setting s) {
+        return s.body().effect().stream()
+                .filter(PivotFriction.class::isInstance)
+                .mapToDouble(effect -> ((PivotFriction) effect).slipRate())
+                .findFirst()
+                .orElse(SLIP * s.rate());
     }
 
     private static boolean mayTouch(Setting s) {

@@ -1,8 +1,10 @@
 package org.auvsim.diagnosis.cause;
 
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -19,7 +21,7 @@ final class SensorCauses {
 
     static List<Cause> of(Setting s) {
         List<Cause> causes = new ArrayList<>();
-        if (s.runs().stream().anyMatch(SensorCauses::measuresYaw)) {
+        if (yaws(s.model()) && s.runs().stream().anyMatch(SensorCauses::measuresYaw)) {
             causes.add(
                     Change.of(
                             "sensor_bias",
@@ -95,6 +97,13 @@ final class SensorCauses {
             all[axes[i]] = along[i];
         }
         return new Vec3(all[0], all[1], all[2]);
+    }
+
+    /** A heading that cannot change tells nothing of its sensor. */
+    private static boolean yaws(BelievedModel model) {
+        double[] turn = new double[RigidMotion.SIZE];
+        turn[3 + YAW] = 1;
+        return model.free(turn)[3 + YAW] != 0;
     }
 
     private static boolean measuresYaw(MeasuredRun run) {

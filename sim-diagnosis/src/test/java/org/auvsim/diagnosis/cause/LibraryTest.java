@@ -9,6 +9,7 @@ import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.effect.PivotFriction;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.BelievedModel;
@@ -116,9 +117,32 @@ class LibraryTest {
     void causesThatMakeNoSenseAreLeftOut() {
         assertThat(library(PENDULUM).stream().map(Cause::id))
                 .contains("coulomb_torque")
-                .doesNotContain("coulomb_friction", "thruster_gain", "restitution", "cob_offset");
+                .doesNotContain("coulomb_friction", "thruster_gain", "restitution", "cob_offset")
+                .doesNotContain("sensor_bias", "sensor_drift");
         assertThat(library(Tank.bare()).stream().map(Cause::id))
                 .doesNotContain("thruster_lag", "contact_friction");
+    }
+
+    /** What sticks creeps at the rate that the scenario states for it. */
+    @Test
+    void dryFrictionSlipsAsThatOfTheScenario() {
+        BelievedModel creeping =
+                Tank.model(
+                        "",
+                        """
+                        <centre-of-mass x="0" y="0" z="-0.5"/>
+                        <pinned><axis x="0" y="1" z="0"/></pinned>
+                        <gravity/>
+                        <pivot-friction viscous="0.1" slip-rate="0.07"/>
+                        """);
+        Cause friction =
+                library(creeping).stream()
+                        .filter(cause -> cause.id().equals("coulomb_torque"))
+                        .findFirst()
+                        .orElseThrow();
+
+        assertThat(friction.in(creeping.variant(), new double[] {2}).body().effect())
+                .contains(new PivotFriction(2, 0, 0.07));
     }
 
     /** A speed that is measured along one axis alone is one, too. */

@@ -59,14 +59,19 @@ final class MeasuredVehicle {
 
     /** The same from another angular velocity (rad/s). */
     static MeasuredRun run(BelievedModel model, Vec3 angularVelocity) {
-        Random random = new Random(5);
-        MeasuredRun commands = measured(random, new RigidMotion[0]);
-        RigidMotion start =
+        return run(
+                model,
                 new RigidMotion(
                         new Vec3(0.4, -0.3, 0.2),
                         new Quat(0.96, 0.1, -0.15, 0.2).normalized(),
                         new Vec3(0.5, -0.2, 0.1),
-                        angularVelocity);
+                        angularVelocity));
+    }
+
+    /** The same from another start. */
+    static MeasuredRun run(BelievedModel model, RigidMotion start) {
+        Random random = new Random(5);
+        MeasuredRun commands = measured(random, new RigidMotion[0]);
         RigidMotion[] motion =
                 Ensemble.simulate(
                         model,

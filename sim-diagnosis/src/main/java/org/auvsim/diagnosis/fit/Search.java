@@ -271,12 +271,13 @@ final class Search {
      * of two it is that the data cannot tell apart is not to depend on which was tried. Beside
      * others it is exchanged for the most promising ones, too: it may have been found before them,
      * and have stood for them. A specific cause stays before a generic one that fits about as well,
-     * which is told beside it.
+     * which is told beside it. Where as many as there may be miss something, others will, too.
      */
     private Judged exchanged(Judged found, Traces traces) {
         Judged best = found;
         Hypothesis of = found.fit().hypothesis();
-        for (int c = 0; c < of.causes().size() && contest.isEmpty() && course.goesOn(); c++) {
+        boolean isWorthIt = contest.isEmpty() && (hasRoom(found) || isWhite(found));
+        for (int c = 0; c < of.causes().size() && isWorthIt && course.goesOn(); c++) {
             List<Screen.Start> starts =
                     insteadOf(of.causes().get(c), of.without(c), traces.alike(of.causes().get(c)));
             if (!starts.isEmpty()) {

@@ -11,31 +11,31 @@ import java.util.List;
 final class Arbitration {
     private Arbitration() {}
 
-    /** The model that predicts left-out runs best. */
-    static Judged decided(Judged best, List<Judged> competitors) {
+    /** The model that predicts left-out runs best; the best of the fit, if it is told to stop. */
+    static Judged decided(Judged best, List<Judged> competitors, Course course) {
         List<MeasuredRun> runs = best.fit().data().stream().map(Misses::run).toList();
         if (competitors.isEmpty() || !LeaveOneOut.canJudge(runs)) {
             return best;
         }
         Judged decided = best;
-        double least = leftOut(best);
+        double least = leftOut(best, course);
         for (Judged other : competitors) {
             if (Alternatives.areSame(best, other)) {
                 continue; // no run of these tells them apart
             }
-            double deviance = leftOut(other);
+            double deviance = leftOut(other, course);
             if (deviance < least) {
                 least = deviance;
                 decided = other;
             }
         }
-        return decided;
+        return course.goesOn() ? decided : best;
     }
 
     /** The deviance of all runs, each by what the others make of the model, whatever its start. */
-    private static double leftOut(Judged judged) {
+    private static double leftOut(Judged judged, Course course) {
         double sum = judged.fit().hypothesis().price(); // a cause more has to be worth it here, too
-        for (Judged prediction : LeaveOneOut.predictions(judged)) {
+        for (Judged prediction : LeaveOneOut.predictions(judged, course)) {
             sum += prediction.outcome().deviance() + Starts.fineness(prediction.fit());
         }
         return sum;

@@ -33,7 +33,7 @@ record Choice(List<Judged> judged, List<Cause> library) {
     /** What is believed, if that was found. */
     Judged instead(Judged found, Course course) {
         Judged best = specific(likeliest(found));
-        best = course.goesOn() ? Arbitration.decided(best, competitors(best)) : best;
+        best = course.goesOn() ? Arbitration.decided(best, competitors(best), course) : best;
         return Alternatives.commonest(best, competitors(best), library);
     }
 

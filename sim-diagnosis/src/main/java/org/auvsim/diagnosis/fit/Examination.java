@@ -122,7 +122,7 @@ public final class Examination {
                 && Search.isWhite(best)
                 && (ofFit.best().isNone()
                         || !LeaveOneOut.canJudge(allRuns())
-                        || Trial.holdsLeftOut(all.none(), best));
+                        || Trial.holdsLeftOut(all.none(), best, course));
     }
 
     private List<MeasuredRun> allRuns() {
@@ -152,7 +152,7 @@ public final class Examination {
                         .toList();
         Map<Channel, Gain> gains =
                 usedHeldOut
-                        ? Trial.leftOut(found.none(), best, found.noise())
+                        ? Trial.leftOut(found.none(), best, found.noise(), course)
                         : trial.gains(before, after);
         Optional<Discrepancy> discrepancy =
                 verdict == Verdict.UNEXPLAINED

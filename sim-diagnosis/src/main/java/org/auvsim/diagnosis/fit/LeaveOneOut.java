@@ -24,14 +24,17 @@ final class LeaveOneOut {
                         || runs.stream().anyMatch(run -> !run.whole().equals(first)));
     }
 
-    /** The hypothesis as fitted to all runs but one, and that one predicted by it, for each. */
-    static List<Judged> predictions(Judged judged) {
+    /**
+     * The hypothesis as fitted to all runs but one, and that one predicted by it, for each; told to
+     * stop, some as all runs together have it.
+     */
+    static List<Judged> predictions(Judged judged, Course course) {
         List<Judged> predictions = new ArrayList<>();
         for (int r = 0; r < judged.fit().data().size(); r++) {
-            Judged others = Refinement.converge(Judged.of(without(judged.fit(), r)), STEPS);
+            Judged others = converged(without(judged.fit(), r), course);
             Fit alone = only(judged.fit(), r);
             Fit settled = alone.with(others.fit().hypothesis().settled(), alone.windows());
-            predictions.add(Refinement.converge(Judged.of(settled), STEPS));
+            predictions.add(converged(settled, course));
         }
         return predictions;
     }
@@ -40,16 +43,20 @@ final class LeaveOneOut {
      * The same, but its parameters may move within what the others leave open: a run may tell more
      * of them than all others.
      */
-    static List<Judged> adjusted(Judged judged) {
+    static List<Judged> adjusted(Judged judged, Course course) {
         List<Judged> predictions = new ArrayList<>();
         for (int r = 0; r < judged.fit().data().size(); r++) {
-            Judged others = Refinement.converge(Judged.of(without(judged.fit(), r)), STEPS);
+            Judged others = converged(without(judged.fit(), r), course);
             Knowledge known = new Uncertainty(others).knowledge();
             Fit alone = only(judged.fit(), r);
             Fit open = alone.with(others.fit().hypothesis(), alone.windows()).knowing(known);
-            predictions.add(Refinement.converge(Judged.of(open), STEPS));
+            predictions.add(converged(open, course));
         }
         return predictions;
+    }
+
+    private static Judged converged(Fit fit, Course course) {
+        return Refinement.converge(Judged.of(fit), STEPS, Double.POSITIVE_INFINITY, course);
     }
 
     /** Root mean square error of a channel over all predictions, in its unit. */

@@ -68,8 +68,8 @@ final class Trial {
      *
      * @param none the model as it was believed, fitted to the same runs
      */
-    static boolean holdsLeftOut(Judged none, Judged fitted) {
-        List<Judged> predictions = LeaveOneOut.adjusted(fitted);
+    static boolean holdsLeftOut(Judged none, Judged fitted, Course course) {
+        List<Judged> predictions = LeaveOneOut.adjusted(fitted, course);
         return !restsOnOneRun(none, fitted)
                 && isConfirmed(none.outcome().misses(), predictions, fitted)
                 && predictions.stream().allMatch(prediction -> holds(prediction, fitted));
@@ -118,9 +118,10 @@ final class Trial {
     }
 
     /** Those of leaving each run out in turn, where all were searched with. */
-    static Map<Channel, Gain> leftOut(Judged before, Judged after, Noise noise) {
-        List<Judged> without = LeaveOneOut.predictions(before);
-        List<Judged> with = LeaveOneOut.predictions(after);
+    static Map<Channel, Gain> leftOut(
+            Judged before, Judged after, Noise noise, Course course) {
+        List<Judged> without = LeaveOneOut.predictions(before, course);
+        List<Judged> with = LeaveOneOut.predictions(after, course);
         Map<Channel, Gain> gains = new EnumMap<>(Channel.class);
         for (Channel channel : noise.byChannel().keySet()) {
             gains.put(

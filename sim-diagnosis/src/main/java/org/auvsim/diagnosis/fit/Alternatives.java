@@ -28,7 +28,7 @@ final class Alternatives {
 
     /**
      * Those of the best, nearest first. Beside specific causes, those that can imitate others are
-     * told where they predict the very same.
+     * told where they predict the very same, or explain the runs better.
      */
     static List<Judged> competitors(Judged best, List<Judged> judged) {
         boolean isGeneric = best.fit().hypothesis().isGeneric();
@@ -39,10 +39,11 @@ final class Alternatives {
             List<Cause> causes = other.fit().hypothesis().causes();
             boolean isNear = other.score() < best.score() + MARGIN;
             boolean isPlain = !other.fit().hypothesis().isGeneric() || isGeneric;
+            boolean isBetter = other.score() < best.score();
             if (isNear
                     && !contains(causes, best)
                     && !taken.contains(causes)
-                    && (isPlain || areSame(best, other))) {
+                    && (isPlain || isBetter || areSame(best, other))) {
                 taken.add(causes);
                 competitors.add(other);
             }

@@ -4,7 +4,9 @@ package org.auvsim.diagnosis.fit;
  * Whether runs that had no part in a fit want the same parameters as those that had. Twice the
  * logarithm of the ratio of likelihoods, parameters free by held to what the fit says of them, is a
  * chi square of as many degrees of freedom as there are parameters (Wilks 1938). A cause that
- * stands for another one can often be moved to fit other runs, but not within what it said.
+ * stands for another one can often be moved to fit other runs, but not within what it said. Nor can
+ * one that is right in a model which is only nearly so: that they disagree is a reason to ask all
+ * runs together, not to doubt what they agree on.
  */
 final class Agreement {
     private static final int STEPS = 12;

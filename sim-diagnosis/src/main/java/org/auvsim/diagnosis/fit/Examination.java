@@ -21,6 +21,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.StringJoiner;
 import java.util.stream.IntStream;
 
@@ -65,28 +66,41 @@ public final class Examination {
      * @param after what was found on them
      * @param passes whether it holds there, or where all runs were searched with, for each by the
      *     others
+     * @param agrees whether they want the same numbers
      */
     private record Judgement(
-            Search.Found found, Trial trial, Judged before, Judged after, boolean passes) {
+            Search.Found found,
+            Trial trial,
+            Judged before,
+            Judged after,
+            boolean passes,
+            boolean agrees) {
         static Judgement of(Search.Found found, Trial trial) {
             Judged best = found.best();
             Judged before = trial.prediction(Hypothesis.NONE);
             Judged after = best.isNone() ? before : trial.prediction(best.fit().hypothesis());
-            boolean passes =
-                    Search.isWhite(best)
-                            && trial.passes(best, before, after, new Uncertainty(best).knowledge());
-            return new Judgement(found, trial, before, after, passes);
+            Knowledge known = new Uncertainty(best).knowledge();
+            boolean passes = Search.isWhite(best) && trial.passes(best, before, after, known);
+            boolean agrees = passes && trial.agrees(best, after, known);
+            return new Judgement(found, trial, before, after, passes, agrees);
         }
 
         /** The same of what all runs said, which was believed. */
         Judgement convinced(Search.Found all) {
             Hypothesis best = all.best().fit().hypothesis();
-            return new Judgement(all, trial, before, trial.prediction(best), true);
+            return new Judgement(all, trial, before, trial.prediction(best), true, true);
         }
 
         /** Whether the fit is content and the held-out runs are not. */
         boolean isOfTwoMinds() {
-            return Search.isWhite(found.best()) && !passes;
+            return Search.isWhite(found.best()) && !agrees;
+        }
+
+        /** Whether what all runs say is something else than what those of the fit said. */
+        boolean isNews(Search.Found all) {
+            List<Cause> before = found.best().fit().hypothesis().causes();
+            List<Cause> now = all.best().fit().hypothesis().causes();
+            return !passes || !Set.copyOf(before).equals(Set.copyOf(now));
         }
 
         private Verdict verdict() {
@@ -105,7 +119,7 @@ public final class Examination {
                 Judgement.of(found, new Trial(found.stepping(), heldOut, found.noise()));
         if (judgement.isOfTwoMinds() && course.goesOn()) {
             Search.Found all = new Search(model, allRuns(), causes, contest, course).found();
-            if (isConvincing(all, found)) {
+            if (isConvincing(all, found) && judgement.isNews(all)) {
                 return diagnosis(judgement.convinced(all), true);
             }
         }

@@ -108,6 +108,20 @@ record Fit(
                 IntStream.range(0, data.size()).mapToObj(r -> List.of(whole(r))).toList());
     }
 
+    /** The same windows, each begun where another fit's motion is then. */
+    Fit along(Fit other) {
+        List<RigidMotion[]> motions = other.motions();
+        return with(
+                hypothesis,
+                IntStream.range(0, data.size())
+                        .mapToObj(
+                                r ->
+                                        windows.get(r).stream()
+                                                .map(w -> w.startingAt(motions.get(r)[w.from()]))
+                                                .toList())
+                        .toList());
+    }
+
     /** The motion of each run, simulated in one go from its start. */
     List<RigidMotion[]> motions() {
         return IntStream.range(0, data.size())

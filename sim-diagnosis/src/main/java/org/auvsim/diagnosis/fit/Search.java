@@ -182,6 +182,15 @@ final class Search {
         return new Screen(following(beside), causes, guesses, asBelieved());
     }
 
+    /** Along the motion of what was found, if that is sure: it tells how the body moved. */
+    private Screen screen(Hypothesis beside, List<Cause> causes, Judged found) {
+        if (!isWhite(found)) {
+            return screen(beside, causes);
+        }
+        Fit along = base.with(beside, base.windows()).along(found.fit());
+        return new Screen(along, causes, guesses, asBelieved());
+    }
+
     /** Of the model as it is believed. */
     private Outcome asBelieved() {
         return judged.getFirst().outcome();
@@ -278,8 +287,7 @@ final class Search {
         Hypothesis of = found.fit().hypothesis();
         boolean isWorthIt = contest.isEmpty() && (hasRoom(found) || isWhite(found));
         for (int c = 0; c < of.causes().size() && isWorthIt && course.goesOn(); c++) {
-            List<Screen.Start> starts =
-                    insteadOf(of.causes().get(c), of.without(c), traces.alike(of.causes().get(c)));
+            List<Screen.Start> starts = insteadOf(c, found, traces.alike(of.causes().get(c)));
             if (!starts.isEmpty()) {
                 Judged other = tournament(starts, best, 0.8, 0.9);
                 boolean isAsGood = of.isGeneric() || !other.fit().hypothesis().isGeneric();
@@ -292,31 +300,38 @@ final class Search {
 
     /**
      * Sets that were not judged yet: others with an alias of a cause, or with what promises most.
+     * Aliases are tried again whose fits ended far from it: they got lost.
      */
-    private List<Screen.Start> insteadOf(Cause cause, Hypothesis others, List<Cause> aliases) {
-        boolean isAlone = others.causes().isEmpty();
-        List<Cause> untried =
-                (isAlone ? aliases : library)
-                        .stream()
-                                .filter(o -> !o.equals(cause) && !others.causes().contains(o))
-                                .filter(o -> !isJudged(others.and(o, new double[0]).causes()))
-                                .toList();
-        if (untried.isEmpty()) {
-            return List.of();
+    private List<Screen.Start> insteadOf(int of, Judged found, List<Cause> aliases) {
+        Hypothesis others = found.fit().hypothesis().without(of);
+        List<Cause> lost =
+                aliases.stream()
+                        .filter(o -> !others.causes().contains(o))
+                        .filter(o -> !isJudged(others, o, found.score() + BESIDE))
+                        .toList();
+        List<Screen.Start> starts = new ArrayList<>(promising(others, lost, found));
+        if (!others.causes().isEmpty()) {
+            List<Cause> untried =
+                    library.stream()
+                            .filter(o -> !found.fit().hypothesis().causes().contains(o))
+                            .filter(o -> !aliases.contains(o))
+                            .filter(o -> !isJudged(others, o, Double.POSITIVE_INFINITY))
+                            .toList();
+            promising(others, untried, found).stream().limit(FORWARD).forEach(starts::add);
         }
-        List<Screen.Start> starts = promising(screen(others, untried));
-        List<Screen.Start> taken = new ArrayList<>();
-        for (Screen.Start start : starts) {
-            Cause last = start.fit().hypothesis().causes().getLast();
-            if (taken.size() < FORWARD || aliases.contains(last)) {
-                taken.add(start);
-            }
-        }
-        return taken;
+        return starts;
     }
 
-    private boolean isJudged(List<Cause> causes) {
-        return judged.stream().anyMatch(j -> isSame(j.fit().hypothesis().causes(), causes));
+    private List<Screen.Start> promising(Hypothesis beside, List<Cause> causes, Judged found) {
+        return causes.isEmpty() ? List.of() : promising(screen(beside, causes, found));
+    }
+
+    /** Whether a cause beside others was judged, and fitted as well as that. */
+    private boolean isJudged(Hypothesis others, Cause cause, double score) {
+        List<Cause> causes = others.and(cause, new double[0]).causes();
+        return judged.stream()
+                .filter(j -> j.score() < score)
+                .anyMatch(j -> isSame(j.fit().hypothesis().causes(), causes));
     }
 
     private static boolean isSame(List<Cause> some, List<Cause> others) {

@@ -14,6 +14,7 @@ import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /**
  * How alike the traces are that causes leave in the data: the smallest angle between the subspaces
@@ -33,10 +34,13 @@ final class Traces {
 
     private static final double RIDGE = 1e-9;
 
+    private final Hypothesis beside;
     private final Gram gram;
     private final List<Seed> seeds;
 
-    Traces(Gram gram, List<Seed> seeds) {
+    /** Of seeds beside a hypothesis, whose own numbers have the first columns. */
+    Traces(Hypothesis beside, Gram gram, List<Seed> seeds) {
+        this.beside = beside;
         this.gram = gram;
         this.seeds = seeds;
     }
@@ -54,7 +58,7 @@ final class Traces {
                         || (isOnce && other.first() < seed.first())) {
                     continue;
                 }
-                double angle = angle(seed, other);
+                double angle = angle(seed.columns(), other.columns());
                 if (angle < ALIKE) {
                     confusions.add(new Confusion(seed.cause().name(), other.cause().name(), angle));
                 }
@@ -63,19 +67,29 @@ final class Traces {
         return new Identifiability(nearest(confusions), unseen());
     }
 
-    /** Causes that leave nearly the same trace as one. */
+    /** Causes that leave nearly the same trace as one of the hypothesis, as that was found. */
     List<Cause> alike(Cause cause) {
+        int[] columns = columns(cause);
         Set<Cause> alike = new LinkedHashSet<>();
-        for (Seed seed : seeds) {
-            for (Seed other : seeds) {
-                if (seed.cause().equals(cause)
-                        && !other.cause().equals(cause)
-                        && angle(seed, other) < NEARLY_THE_SAME) {
-                    alike.add(other.cause());
-                }
+        for (Seed other : seeds) {
+            if (!other.cause().equals(cause)
+                    && angle(columns, other.columns()) < NEARLY_THE_SAME) {
+                alike.add(other.cause());
             }
         }
         return List.copyOf(alike);
+    }
+
+    private int[] columns(Cause cause) {
+        int first = 0;
+        for (Cause of : beside.causes()) {
+            int size = of.parameters().size();
+            if (of.equals(cause)) {
+                return IntStream.range(first, first + size).toArray();
+            }
+            first += size;
+        }
+        return new int[0];
     }
 
     private static List<Confusion> nearest(List<Confusion> all) {
@@ -115,11 +129,11 @@ final class Traces {
     }
 
     /** Degrees; 90 where one of them leaves no trace. */
-    private double angle(Seed a, Seed b) {
-        RealMatrix between = matrix(a.columns(), b.columns());
+    private double angle(int[] a, int[] b) {
+        RealMatrix between = matrix(a, b);
         try {
-            RealMatrix one = root(a.columns());
-            RealMatrix other = root(b.columns());
+            RealMatrix one = root(a);
+            RealMatrix other = root(b);
             RealMatrix cosines =
                     new LUDecomposition(one)
                             .getSolver()

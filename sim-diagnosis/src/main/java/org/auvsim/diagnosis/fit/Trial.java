@@ -49,17 +49,22 @@ final class Trial {
      * @param known of its parameters by the fit
      */
     boolean passes(Judged fitted, Judged before, Judged predicted, Knowledge known) {
-        Fit fit =
-                predicted
-                        .fit()
-                        .with(fitted.fit().hypothesis(), predicted.fit().windows())
-                        .knowing(known);
-        Judged adjusted = Refinement.converge(Judged.of(fit), STEPS);
+        Judged adjusted = adjusted(fitted, predicted, known);
         double worst = before.outcome().deviance() + Cause.PRICE;
         return isConfirmed(before.outcome().misses(), List.of(adjusted), fitted)
                 && predicted.outcome().deviance() < worst
                 && adjusted.outcome().deviance() < worst
                 && holds(adjusted, fitted);
+    }
+
+    /** Whether held-out runs want the numbers that the fit says, within what it leaves open. */
+    boolean agrees(Judged fitted, Judged predicted, Knowledge known) {
+        return Agreement.of(adjusted(fitted, predicted, known));
+    }
+
+    private static Judged adjusted(Judged fitted, Judged predicted, Knowledge known) {
+        Fit fit = predicted.fit().with(fitted.fit().hypothesis(), predicted.fit().windows());
+        return Refinement.converge(Judged.of(fit.knowing(known)), STEPS);
     }
 
     /**
@@ -78,8 +83,7 @@ final class Trial {
     /** Whether what is missed of other runs, parameters held to what the fit says, is noise. */
     private static boolean holds(Judged prediction, Judged fitted) {
         return Search.whiteness(prediction) < LIMIT
-                && worstRatio(prediction.outcome(), fitted.outcome()) < MOST_RATIO
-                && Agreement.of(prediction);
+                && worstRatio(prediction.outcome(), fitted.outcome()) < MOST_RATIO;
     }
 
     /** Whether causes would not be worth their price without the run that gains most by them. */

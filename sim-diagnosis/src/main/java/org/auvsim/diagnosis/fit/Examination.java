@@ -219,10 +219,31 @@ public final class Examination {
                     "what never changes in any run tells nothing and counts as not measured: "
                             + still);
         }
+        allRuns().forEach(run -> notices.addAll(stuck(run, found.noise())));
         for (Misses of : Misses.of(allRuns(), found.noise())) {
             HeavyTails.notice(of.run(), of.rows(), found.noise()).ifPresent(notices::add);
         }
         return notices;
+    }
+
+    /** What never changes in a run, but does in others. */
+    private static List<String> stuck(MeasuredRun run, Noise noise) {
+        List<String> stuck = new ArrayList<>();
+        for (Channel channel : Channel.values()) {
+            for (int axis = 0; axis < 3; axis++) {
+                if (run.measures(channel, axis)
+                        && noise.tells(channel, axis)
+                        && !Noise.changes(run, channel, axis)) {
+                    stuck.add(
+                            "%s: %s %s never changes, though it does in other runs; if its sensor was dead, leave the run out or empty the cells"
+                                    .formatted(
+                                            run.name(),
+                                            HeavyTails.name(channel),
+                                            "xyz".charAt(axis)));
+                }
+            }
+        }
+        return stuck;
     }
 
     /** The axes that were measured and never change. */

@@ -48,15 +48,9 @@ public final class Noise {
         for (Channel channel : Channel.values()) {
             Axis[] axes = {new Axis(), new Axis(), new Axis()};
             for (MeasuredRun run : runs) {
-                for (int k = 1; run.measures(channel) && k < run.size(); k++) {
-                    addChanges(run, channel, k, axes);
-                }
-                for (int k = 3; run.measures(channel) && k < run.size(); k++) {
-                    if (channel == Channel.ORIENTATION) {
-                        addTurns(run, k, axes);
-                    } else {
-                        addThirds(run, channel, k, axes);
-                    }
+                Axis[] ofRun = axes(run, channel);
+                for (int axis = 0; axis < 3; axis++) {
+                    axes[axis].add(ofRun[axis]);
                 }
             }
             List<Axis> telling = Arrays.stream(axes).filter(Axis::tells).toList();
@@ -65,6 +59,27 @@ public final class Noise {
             }
         }
         return new Noise(deviations);
+    }
+
+    /** What a run tells of each axis. */
+    private static Axis[] axes(MeasuredRun run, Channel channel) {
+        Axis[] axes = {new Axis(), new Axis(), new Axis()};
+        for (int k = 1; run.measures(channel) && k < run.size(); k++) {
+            addChanges(run, channel, k, axes);
+        }
+        for (int k = 3; run.measures(channel) && k < run.size(); k++) {
+            if (channel == Channel.ORIENTATION) {
+                addTurns(run, k, axes);
+            } else {
+                addThirds(run, channel, k, axes);
+            }
+        }
+        return axes;
+    }
+
+    /** Whether numbers along or about an axis ever change in a run. */
+    static boolean changes(MeasuredRun run, Channel channel, int axis) {
+        return axes(run, channel)[axis].tells();
     }
 
     /** Of each axis its own, where they differ more than chance would have it. */
@@ -131,11 +146,16 @@ public final class Noise {
 
         static Axis all(List<Axis> axes) {
             Axis all = new Axis();
-            for (Axis axis : axes) {
-                all.differences.addElements(axis.differences.getElements());
-                all.changes.addElements(axis.changes.getElements());
-            }
+            axes.forEach(all::add);
             return all;
+        }
+
+        /** With what another run, or another axis, tells; one that never changes tells nothing. */
+        void add(Axis other) {
+            if (other.tells()) {
+                differences.addElements(other.differences.getElements());
+                changes.addElements(other.changes.getElements());
+            }
         }
 
         boolean tells() {

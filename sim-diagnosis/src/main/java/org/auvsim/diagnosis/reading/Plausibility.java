@@ -22,6 +22,9 @@ final class Plausibility {
 
     private final Source source;
 
+    /** Turns by less (rad) are those of rounded angles. */
+    private static final double STILL = 1e-6;
+
     Plausibility(BelievedModel model, MeasuredRun run, Source source) {
         this.model = model;
         this.run = run;
@@ -56,7 +59,7 @@ final class Plausibility {
                 }
             }
         }
-        return largestTurn() == 0;
+        return largestTurn() < STILL;
     }
 
     /** Largest less smallest number; 0 if there is none. */

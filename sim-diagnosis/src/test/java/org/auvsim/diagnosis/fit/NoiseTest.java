@@ -81,4 +81,15 @@ class NoiseTest {
 
         assertThat(noise.tells(Channel.POSITION, 2)).isTrue();
     }
+
+    /** A sensor that is dead in two runs of three does not make the third one's noise small. */
+    @Test
+    void aRunInWhichItNeverChangesTellsNothingOfNoise() {
+        MeasuredRun dead = run(0.1, 0.1, 0, 0.02);
+        Noise noise = Noise.of(List.of(dead, run(0.1, 0.1, 0.1, 0.02), dead));
+
+        assertThat(noise.of(Channel.POSITION, 2)).isCloseTo(0.1, within(0.01));
+        assertThat(Noise.changes(dead, Channel.POSITION, 2)).isFalse();
+        assertThat(Noise.changes(dead, Channel.POSITION, 0)).isTrue();
+    }
 }

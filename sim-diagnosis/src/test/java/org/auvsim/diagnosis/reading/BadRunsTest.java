@@ -379,6 +379,16 @@ class BadRunsTest {
                         + " look at what wrote it");
     }
 
+    /** Angles that are rounded when they become quaternions still do not change. */
+    @Test
+    void norFromOneOfWhichAllAnglesAreTold() {
+        refused(
+                Rov.rows("x,roll,pitch,yaw,main", ENOUGH, i -> "1,1,1,1,0." + i % 2),
+                ":2: columns 'x', 'roll', 'pitch', 'yaw': every measured number of run 'run' is the"
+                        + " same from its first row to its last; nothing can be learnt from it: leave"
+                        + " it out, or look at what wrote it");
+    }
+
     @Test
     void millimetresAreSuspected() throws Exception {
         String text =

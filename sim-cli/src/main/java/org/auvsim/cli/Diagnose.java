@@ -181,12 +181,22 @@ final class Diagnose implements Callable<Integer> {
         runs.notices().forEach(notice -> err.println("notice: " + notice));
         err.flush();
         prepareFolder();
-        try (Interruption interruption = new Interruption(() -> {})) {
+        try (Interruption interruption = new Interruption(this::tellOfStopping)) {
             Diagnosis diagnosis = diagnosis(model, runs, interruption);
             tell(diagnosis);
             boolean isWrong = diagnosis.verdict() != Verdict.NONE;
             return failOnDiscrepancy && isWrong ? DISCREPANCY : ExitCode.OK;
         }
+    }
+
+    /** What comes takes some seconds: without a word people would press Ctrl-C once more. */
+    private void tellOfStopping() {
+        PrintWriter err = spec.commandLine().getErr();
+        err.println(
+                (StandardTerminal.isThere() ? "\n" : "")
+                        + "stopping: the best so far is judged and reported; Ctrl-C once more ends"
+                        + " at once, without a report");
+        err.flush();
     }
 
     private RunReader between(RunReader reader) {

@@ -15,20 +15,19 @@ import java.util.List;
 final class MissingForce {
     private MissingForce() {}
 
-    /** Before and after, where the windows under the believed model begin. */
+    /** Before and after, each by windows that follow the run under that model. */
     static List<ForceResidual> along(Stepping stepping, Variant after, Misses run, Noise noise) {
         Shooting before = new Shooting(stepping, stepping.variant(), run);
         Shooting with = new Shooting(stepping, after, run);
         List<Window> windows = new Following(before, noise).shortWindows();
+        List<Window> windowsWith = new Following(with, noise).shortWindows();
         List<ForceResidual> forces = new ArrayList<>();
         for (int w = 0; w + 1 < windows.size(); w++) {
-            Window window = windows.get(w);
-            Window next = windows.get(w + 1);
             forces.add(
                     new ForceResidual(
-                            run.run().time(window.to()),
-                            force(before, window, next),
-                            force(with, window, next)));
+                            run.run().time(windows.get(w).to()),
+                            force(before, windows.get(w), windows.get(w + 1)),
+                            force(with, windowsWith.get(w), windowsWith.get(w + 1))));
         }
         return forces;
     }

@@ -72,8 +72,7 @@ final class Traces {
         int[] columns = columns(cause);
         Set<Cause> alike = new LinkedHashSet<>();
         for (Seed other : seeds) {
-            if (!other.cause().equals(cause)
-                    && angle(columns, other.columns()) < NEARLY_THE_SAME) {
+            if (!other.cause().equals(cause) && angle(columns, other.columns()) < NEARLY_THE_SAME) {
                 alike.add(other.cause());
             }
         }

@@ -122,8 +122,7 @@ final class Trial {
     }
 
     /** Those of leaving each run out in turn, where all were searched with. */
-    static Map<Channel, Gain> leftOut(
-            Judged before, Judged after, Noise noise, Course course) {
+    static Map<Channel, Gain> leftOut(Judged before, Judged after, Noise noise, Course course) {
         List<Judged> without = LeaveOneOut.predictions(before, course);
         List<Judged> with = LeaveOneOut.predictions(after, course);
         Map<Channel, Gain> gains = new EnumMap<>(Channel.class);

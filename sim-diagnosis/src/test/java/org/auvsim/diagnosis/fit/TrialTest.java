@@ -50,8 +50,7 @@ class TrialTest {
     }
 
     private static Hypothesis said(double gain) throws Exception {
-        return new Hypothesis(
-                List.of(CART.cause("thruster_gain")), List.of(new double[] {gain}));
+        return new Hypothesis(List.of(CART.cause("thruster_gain")), List.of(new double[] {gain}));
     }
 
     private static Trial trial() throws Exception {

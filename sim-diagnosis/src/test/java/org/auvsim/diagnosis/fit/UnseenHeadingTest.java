@@ -47,8 +47,7 @@ class UnseenHeadingTest {
     }
 
     private static MeasuredRun path(MeasuredRun of) {
-        MeasuredRunBuilder path =
-                MeasuredRun.named("path").commands(List.of("port", "starboard"));
+        MeasuredRunBuilder path = MeasuredRun.named("path").commands(List.of("port", "starboard"));
         for (int k = 0; k < of.size(); k++) {
             Vec3 p = of.vector(Channel.POSITION, k).orElseThrow();
             path.at(of.time(k)).position(p.x(), p.y(), p.z());

@@ -385,8 +385,8 @@ class BadRunsTest {
         refused(
                 Rov.rows("x,roll,pitch,yaw,main", ENOUGH, i -> "1,1,1,1,0." + i % 2),
                 ":2: columns 'x', 'roll', 'pitch', 'yaw': every measured number of run 'run' is the"
-                        + " same from its first row to its last; nothing can be learnt from it: leave"
-                        + " it out, or look at what wrote it");
+                    + " same from its first row to its last; nothing can be learnt from it: leave"
+                    + " it out, or look at what wrote it");
     }
 
     @Test

@@ -19,8 +19,8 @@ import java.util.stream.IntStream;
  * Finds how a body is turned when a run begins, where neither angles nor the start are measured:
  * the path tells it. From a heading that is far off a fit does not find the right one, and a body
  * that may tumble fits many a path. So it is taken to be about as upright and as slow in turning as
- * the scenario has it, and tried at headings all around, for as long as that fits any better than
- * one that may tumble.
+ * the scenario has it, and tried at headings all around; one that may tumble counts where it fits
+ * and none of those does.
  */
 final class UnseenHeading {
     private static final int AROUND = 8;
@@ -34,6 +34,8 @@ final class UnseenHeading {
     private static final double TILT = 0.1;
 
     private static final double RATE = 0.1;
+
+    /** The same about the vertical, where vehicles turn most (rad/s). */
     private static final double YAW_RATE = 0.3;
 
     /** A motion fits if chi squared a number is below this. */

@@ -1,0 +1,34 @@
+package org.auvsim.diagnosis.fit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+
+/** A motor that fails soon after the beginning leaves nearly the trace of one that is weak. */
+class TracesTest {
+    private static final Cart CART = new Cart(0.8, 1e-5, 0);
+
+    @Test
+    void whatWasFoundIsComparedWhereItWasFound() throws Exception {
+        Cause loss = CART.cause("thruster_loss");
+        Cause gain = CART.cause("thruster_gain");
+        Cause drag = CART.cause("linear_drag");
+        Fit failed =
+                CART.fit(new Hypothesis(List.of(loss), List.of(new double[] {0.2, 0.3}))).whole();
+
+        Traces traces =
+                new Screen(failed, List.of(gain, drag), guesses(gain, drag), failed.outcome())
+                        .traces();
+
+        assertThat(traces.alike(loss)).containsExactly(gain);
+    }
+
+    private static List<Seed.Guesses> guesses(Cause... causes) throws Exception {
+        List<MeasuredRun> runs = List.of(CART.run());
+        return List.of(causes).stream().map(c -> new Seed.Guesses(c, c.guesses(runs))).toList();
+    }
+}

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.ToIntFunction;
+import java.util.stream.Collectors;
 
 /** How a name that somebody wrote is shown, and which known names it comes near. */
 public final class Names {
@@ -40,10 +41,10 @@ public final class Names {
     }
 
     /**
-     * The same of those alone that the unknown one may well be a slip of: a letter of four, or
-     * capitals; empty if there is none.
+     * The known names that an unknown one may well be a slip of, those that are nearest: a letter
+     * of four is another, two have changed places, or capitals differ; empty if there is none.
      */
-    public static Optional<String> near(String unknown, Collection<String> known) {
+    public static List<String> near(String unknown, Collection<String> known) {
         String small = unknown.toLowerCase(Locale.ROOT);
         List<String> near =
                 known.stream()
@@ -52,7 +53,22 @@ public final class Names {
                                         distance(small, name.toLowerCase(Locale.ROOT))
                                                 <= (small.length() + 1) / 4)
                         .toList();
-        return near.isEmpty() ? Optional.empty() : Optional.of(nearest(unknown, near));
+        ToIntFunction<String> slips =
+                name -> EditDistance.between(small, name.toLowerCase(Locale.ROOT));
+        int least = near.stream().mapToInt(slips).min().orElse(0);
+        return near.stream().filter(name -> slips.applyAsInt(name) == least).limit(3).toList();
+    }
+
+    /** "did you mean 'a' or 'b'?"; empty of no names. */
+    public static Optional<String> meant(List<String> names) {
+        return names.isEmpty()
+                ? Optional.empty()
+                : Optional.of(
+                        "did you mean %s?"
+                                .formatted(
+                                        names.stream()
+                                                .map(Names::quoted)
+                                                .collect(Collectors.joining(" or "))));
     }
 
     /** 0 if the known one holds what was written, else their edit distance. */

@@ -280,8 +280,7 @@ class AuvsmlMapperTest {
         List<String> known = Stream.of("position", "orientation", "mass", "name").toList();
         assertThat(Names.nearest("postion", known))
                 .isEqualTo("the nearest known name is 'position'");
-        assertThat(Names.nearest("naem", known))
-                .isEqualTo("the nearest known names are 'name', 'mass'");
+        assertThat(Names.nearest("naem", known)).isEqualTo("the nearest known name is 'name'");
         assertThat(Names.nearest("orient", known))
                 .isEqualTo("the nearest known name is 'orientation'");
     }

@@ -16,7 +16,9 @@ class EditDistanceTest {
         "depth, depth, 0",
         "kitten, sitting, 3",
         "saturday, sunday, 3",
-        "form, from, 2",
+        "form, from, 1",
+        "letf, left, 1",
+        "ca, abc, 3",
         "mass, masses, 2"
     })
     void wordsAreAsFarApartAsIsKnown(String one, String other, int distance) {
@@ -55,6 +57,14 @@ class EditDistanceTest {
                         + (one.charAt(0) == other.charAt(0) ? 0 : 1);
         int putIn = 1 + defined(one, other.substring(1));
         int takenOut = 1 + defined(one.substring(1), other);
-        return Math.min(replaced, Math.min(putIn, takenOut));
+        int least = Math.min(replaced, Math.min(putIn, takenOut));
+        boolean isExchanged =
+                one.length() > 1
+                        && other.length() > 1
+                        && one.charAt(0) == other.charAt(1)
+                        && one.charAt(1) == other.charAt(0);
+        return isExchanged
+                ? Math.min(least, 1 + defined(one.substring(2), other.substring(2)))
+                : least;
     }
 }

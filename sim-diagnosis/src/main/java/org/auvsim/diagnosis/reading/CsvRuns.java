@@ -94,8 +94,13 @@ final class CsvRuns {
                     case Fin _ -> "the angle of the fin";
                     default -> "what the actuator was told";
                 };
-        return "%s:1: column '%s': expected %s, but the header has no such column: it holds the scenario's %s; add the column, or rename the one that has it"
-                .formatted(file, actuator.name(), expected, actuator.command());
+        return "%s:1: column '%s': expected %s, but the header has no such column: it holds the scenario's %s; add the column, or rename the one that has it %s"
+                .formatted(
+                        file,
+                        actuator.name(),
+                        expected,
+                        actuator.command(),
+                        Remedy.renaming(Remedy.COLUMN, actuator.name()));
     }
 
     private void tell(Survey survey) {
@@ -107,7 +112,7 @@ final class CsvRuns {
         }
         if (survey.looksLikeMilliseconds()) {
             notices.add(
-                    "%s:2: column '%s': rows are %s s apart by whole numbers: are these milliseconds? If so, map '%s' with a scale of 0.001"
+                    "%s:2: column '%s': rows are %s s apart by whole numbers: are these milliseconds? If so, map '%s' with a scale of 0.001 (--mapping)"
                             .formatted(file, time, Figures.shown(survey.interval()), time));
         }
     }

@@ -99,7 +99,8 @@ final class Layout {
 
     private void requireMapped() throws DocumentException {
         for (MappedColumn column : mapping.column()) {
-            if (!column.ignored() || column.runEnds().isPresent()) {
+            boolean isRead = !column.ignored() && !Renames.isRename(column);
+            if (isRead || column.runEnds().isPresent()) {
                 requireThere(column.name(), "the mapping names this column");
             }
         }
@@ -111,15 +112,7 @@ final class Layout {
                     1,
                     column,
                     "%s, but the header has none of this name; %s"
-                            .formatted(
-                                    why,
-                                    Names.near(column, table.columns())
-                                            .orElseGet(
-                                                    () ->
-                                                            "it has "
-                                                                    + String.join(
-                                                                            ", ",
-                                                                            table.columns()))));
+                            .formatted(why, Renames.thatAre(column, table.columns())));
         }
     }
 
@@ -188,17 +181,19 @@ final class Layout {
     private DocumentException unknown(String column, String meaning) {
         List<String> names = new ArrayList<>(Slots.byName().keySet());
         names.addAll(known.names());
+        List<String> near = Names.near(meaning, names);
+        String usual = near.isEmpty() ? Remedy.USUAL : near.getFirst();
         return table.at(
                 1,
                 column,
-                "%s; rename it to what it has, ignore it, or name a force or actuator of '%s' so"
+                "nothing is known by the name '%s'; %s %s, ignore it %s, or name a force or actuator of '%s' so"
                         .formatted(
-                                "nothing is known by the name '%s'%s"
-                                        .formatted(
-                                                meaning,
-                                                Names.near(meaning, names)
-                                                        .map("; "::concat)
-                                                        .orElse("")),
+                                meaning,
+                                Names.meant(near)
+                                        .map(asked -> asked + " Rename it")
+                                        .orElse("rename it to what it has"),
+                                Remedy.renaming(column, usual),
+                                Remedy.ignoring(List.of(column)),
                                 known.body()));
     }
 
@@ -220,7 +215,8 @@ final class Layout {
             throw table.at(
                     1,
                     rule.name(),
-                    "column '%s' has the same already; ignore one of the two".formatted(other));
+                    "column '%s' has the same already; ignore one of the two %s"
+                            .formatted(other, Remedy.ignoring(List.of(rule.name()))));
         }
         CellForm form = rule.form();
         columns.add(
@@ -238,8 +234,10 @@ final class Layout {
             throw table.at(
                     1,
                     Slots.TIME_NAME,
-                    "the header has no column with the time in s, only %s; rename the one that has it"
-                            .formatted(String.join(", ", table.columns())));
+                    "the header has no column with the time in s, only %s; rename the one that has it %s"
+                            .formatted(
+                                    String.join(", ", table.columns()),
+                                    Remedy.renaming(Remedy.COLUMN, Slots.TIME_NAME)));
         }
         if (filled.keySet().stream().noneMatch(Slots::isMeasured)) {
             throw new DocumentException(
@@ -265,7 +263,8 @@ final class Layout {
             throw table.at(
                     1,
                     first(Slots.ANGLES, 3),
-                    "the orientation is there as a quaternion already; ignore one of the two");
+                    "the orientation is there as a quaternion already; ignore one of the two %s"
+                            .formatted(Remedy.ignoring(named(Slots.ANGLE_NAMES))));
         }
         requireOneFrame(Slots.VX, Slots.U, Slots.VELOCITY);
         requireOneFrame(Slots.WX, Slots.P, Slots.ANGULAR_VELOCITY);
@@ -280,9 +279,22 @@ final class Layout {
             throw table.at(
                     1,
                     first(slot, 3),
-                    "%s are in the world's axes and %s in the body's; ignore those of one kind"
-                            .formatted(String.join(", ", world), String.join(", ", body)));
+                    "%s are in the world's axes and %s in the body's; ignore those of one kind %s"
+                            .formatted(
+                                    String.join(", ", world),
+                                    String.join(", ", body),
+                                    Remedy.ignoring(named(body))));
         }
+    }
+
+    /** The columns that have one of these meanings. */
+    private List<String> named(List<String> meanings) {
+        return table.columns().stream()
+                .map(this::rule)
+                .filter(rule -> !rule.ignored())
+                .filter(rule -> meanings.contains(rule.means().orElse(rule.name())))
+                .map(MappedColumn::name)
+                .toList();
     }
 
     private static boolean isOfQuaternion(int slot) {

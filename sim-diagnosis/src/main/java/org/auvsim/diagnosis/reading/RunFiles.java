@@ -63,6 +63,7 @@ public record RunFiles(
         all.addAll(heldOut);
         int asked = all.size();
         all.addAll(reference);
+        reader.requireRenamed(all);
         List<MeasuredRun> sound = new ArrayList<>();
         List<RunFile> read = new ArrayList<>();
         for (int i = 0; i < all.size(); i++) {

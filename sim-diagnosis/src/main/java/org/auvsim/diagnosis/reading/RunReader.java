@@ -75,10 +75,34 @@ public final class RunReader {
      * @throws DocumentException naming file, row and column of what cannot be used
      */
     public RunFile read(Path file) throws DocumentException {
+        requireRenamed(List.of(file));
         return read(file, nameOf(file));
     }
 
-    /** The same under another name. */
+    /**
+     * Refuses a mapping that renames a column which none of the files has.
+     *
+     * @throws DocumentException naming it, or a file that cannot be used
+     */
+    void requireRenamed(List<Path> files) throws DocumentException {
+        Renames renames = new Renames(mapping);
+        for (Path file : renames.isEmpty() ? List.<Path>of() : files) {
+            if (kind(file) == DocumentKind.OTHER) {
+                renames.in(file, columns(file));
+            }
+        }
+        renames.require();
+    }
+
+    private static List<String> columns(Path file) throws DocumentException {
+        try (CsvTable table = CsvTable.open(file)) {
+            return table.columns();
+        } catch (IOException e) {
+            throw CsvTable.unreadable(file, e);
+        }
+    }
+
+    /** The same under another name; what the file does not have is not renamed. */
     RunFile read(Path file, String name) throws DocumentException {
         return switch (kind(file)) {
             case RECORDING -> recorded(file, name);

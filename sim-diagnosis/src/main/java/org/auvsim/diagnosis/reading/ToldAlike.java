@@ -59,7 +59,13 @@ final class ToldAlike {
                         ? "%s has it".formatted(other.file())
                         : "%s tells it".formatted(other.file());
         return new DocumentException(
-                "%s:1: column '%s': expected what '%s' was told, for %s, but the header has no such column; add it, rename the one that has it, or leave it out of all runs (--ignore \"%s\")"
-                        .formatted(file.file(), column, command, has, column));
+                "%s:1: column '%s': expected what '%s' was told, for %s, but the header has no such column; add it, rename the one that has it %s, or leave it out of all runs %s"
+                        .formatted(
+                                file.file(),
+                                column,
+                                command,
+                                has,
+                                Remedy.renaming(Remedy.COLUMN, column),
+                                Remedy.ignoring(List.of(column))));
     }
 }

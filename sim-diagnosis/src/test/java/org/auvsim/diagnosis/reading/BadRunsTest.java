@@ -54,8 +54,39 @@ class BadRunsTest {
     void anUnknownColumnHasItsNearestKnownNames() {
         refused(
                 moving("yaww", "0"),
-                ":1: column 'yaww': nothing is known by the name 'yaww'; the nearest known name"
-                        + " is 'yaw'; rename it to what it has, ignore it, or name a"
+                ":1: column 'yaww': nothing is known by the name 'yaww'; did you mean 'yaw'?"
+                        + " Rename it (--rename yaww=yaw), ignore it (--ignore yaww), or name a"
+                        + " force or actuator of 'Rov' so");
+    }
+
+    /** Two neighbours that changed places are one slip, also in a name of four letters. */
+    @Test
+    void lettersThatChangedPlacesAreASlip() {
+        refused(
+                moving("mian", "0"),
+                ":1: column 'mian': nothing is known by the name 'mian'; did you mean 'main'?"
+                        + " Rename it (--rename mian=main), ignore it (--ignore mian), or name a"
+                        + " force or actuator of 'Rov' so");
+    }
+
+    @Test
+    void whatAColumnIsRenamedToMayBeASlipToo() {
+        refused(
+                ColumnMapping.USUAL.with(List.of(MappedColumn.renamed("pwm 1", "mian"))),
+                moving("pwm 1", "0"),
+                ":1: column 'pwm 1': nothing is known by the name 'mian'; did you mean 'main'?"
+                        + " Rename it (--rename \"pwm 1=main\"), ignore it (--ignore \"pwm 1\"),"
+                        + " or name a force or actuator of 'Rov' so");
+    }
+
+    /** Options take what is between commas for a name each. */
+    @Test
+    void aNameThatNoOptionCanTellIsToldInAMapping() {
+        refused(
+                moving("\"a,b\"", "0"),
+                ":1: column 'a,b': nothing is known by the name 'a,b'; rename it to what it has (in"
+                        + " a --mapping: its name has what --rename takes for its own), ignore it"
+                        + " (in a --mapping: a name has what --ignore takes for its own), or name a"
                         + " force or actuator of 'Rov' so");
     }
 
@@ -64,17 +95,19 @@ class BadRunsTest {
     void aNameThatIsNearToNoneHasNone(String name) {
         refused(
                 moving(name, "0"),
-                ":1: column '%s': nothing is known by the name '%s'; rename it to what it has,"
+                ":1: column '%s': nothing is known by the name '%s'; rename it to what it has"
                                 .formatted(name, name)
-                        + " ignore it, or name a force or actuator of 'Rov' so");
+                        + " (--rename %s=USUAL), ignore it (--ignore %s), or name a force or"
+                                .formatted(name, name)
+                        + " actuator of 'Rov' so");
     }
 
     @Test
     void capitalsAreASlip() {
         refused(
                 moving("Yaw", "0"),
-                ":1: column 'Yaw': nothing is known by the name 'Yaw'; the nearest known name is"
-                        + " 'yaw'; rename it to what it has, ignore it, or name a force or"
+                ":1: column 'Yaw': nothing is known by the name 'Yaw'; did you mean 'yaw'? Rename"
+                        + " it (--rename Yaw=yaw), ignore it (--ignore Yaw), or name a force or"
                         + " actuator of 'Rov' so");
     }
 
@@ -103,7 +136,7 @@ class BadRunsTest {
         refused(
                 moving("y", "0").replace("t,x", "time,x").replace("time", "depth"),
                 ":1: column 't': the header has no column with the time in s, only depth, x, y;"
-                        + " rename the one that has it");
+                        + " rename the one that has it (--rename COLUMN=t)");
     }
 
     @Test
@@ -122,8 +155,8 @@ class BadRunsTest {
         refused(
                 ColumnMapping.USUAL.with(List.of(MappedColumn.renamed("hight", "z"))),
                 moving("height", "0"),
-                ":1: column 'hight': the mapping names this column, but the header has none of"
-                        + " this name; the nearest known name is 'height'");
+                ":1: column 'hight': it is to be renamed to 'z', but the header has none of this"
+                        + " name; did you mean 'height'?");
     }
 
     @Test
@@ -137,15 +170,16 @@ class BadRunsTest {
     void nothingIsStatedTwice() {
         refused(
                 moving("z,depth", "0,0"),
-                ":1: column 'depth': column 'z' has the same already; ignore one of the two");
+                ":1: column 'depth': column 'z' has the same already; ignore one of the two"
+                        + " (--ignore depth)");
         refused(
                 moving("qw,qx,qy,qz,yaw", "1,0,0,0,0"),
                 ":1: column 'yaw': the orientation is there as a quaternion already; ignore one of"
-                        + " the two");
+                        + " the two (--ignore yaw)");
         refused(
                 moving("vx,v", "0,0"),
                 ":1: column 'vx': vx, vy, vz are in the world's axes and u, v, w in the body's;"
-                        + " ignore those of one kind");
+                        + " ignore those of one kind (--ignore v)");
     }
 
     @Test
@@ -241,7 +275,7 @@ class BadRunsTest {
                 ending("pres"),
                 moving("press", "0"),
                 ":1: column 'pres': the mapping names this column, but the header has none of this"
-                        + " name; the nearest known name is 'press'");
+                        + " name; did you mean 'press'?");
     }
 
     /** One that is left out may be missing, but not if runs end by it. */
@@ -265,7 +299,7 @@ class BadRunsTest {
                                         ending.runEnds()))),
                 moving("press", "0"),
                 ":1: column 'pres': the mapping names this column, but the header has none of this"
-                        + " name; the nearest known name is 'press'");
+                        + " name; did you mean 'press'?");
     }
 
     @Test
@@ -297,7 +331,7 @@ class BadRunsTest {
                 shaking("ay", "wy"),
                 moving("ax,wy", "0,1"),
                 ":1: column 'ay': the mapping reads shaking from this column, but the header has"
-                        + " none of this name; it has t, x, ax, wy");
+                        + " none of this name; there are t, x, ax, wy");
     }
 
     @Test
@@ -437,7 +471,7 @@ class BadRunsTest {
                 .contains(
                         at(":2: column 't': ")
                                 + "rows are 50 s apart by whole numbers: are these milliseconds? If"
-                                + " so, map 't' with a scale of 0.001");
+                                + " so, map 't' with a scale of 0.001 (--mapping)");
     }
 
     @Test

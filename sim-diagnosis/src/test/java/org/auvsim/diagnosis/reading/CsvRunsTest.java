@@ -180,7 +180,8 @@ class CsvRunsTest {
                         folder.resolve("run.csv")
                                 + ":1: column 'rudder': expected the angle of the fin, but the"
                                 + " header has no such column: it holds the scenario's 0.0; add the"
-                                + " column, or rename the one that has it");
+                                + " column, or rename the one that has it (--rename"
+                                + " COLUMN=rudder)");
     }
 
     @Test

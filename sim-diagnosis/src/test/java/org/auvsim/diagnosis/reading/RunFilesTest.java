@@ -303,7 +303,8 @@ class RunFilesTest {
                         + ":1: column 'rudder': expected what 'rudder' was told, for "
                         + one
                         + " has it, but the header has no such column; add it, rename the one that"
-                        + " has it, or leave it out of all runs (--ignore \"rudder\")";
+                        + " has it (--rename COLUMN=rudder), or leave it out of all runs (--ignore"
+                        + " rudder)";
 
         assertThatThrownBy(() -> RunFiles.read(reader, List.of(one), List.of(other)))
                 .isInstanceOf(DocumentException.class)
@@ -322,7 +323,36 @@ class RunFilesTest {
                 + ":1: column 'rudder': expected the angle of the fin, but the header has no such"
                 + " column: it holds the scenario's "
                 + angle
-                + "; add the column, or rename the one that has it";
+                + "; add the column, or rename the one that has it (--rename COLUMN=rudder)";
+    }
+
+    /** One file has the old name of a column, another the usual one already. */
+    @Test
+    void eachFileIsReadWithTheRenamesThatItHasColumnsFor() throws Exception {
+        Path old = Rov.write(folder.resolve("old.csv"), Rov.rows("x,psi", 60, i -> i + ",0.5"));
+        Path other = Rov.write(folder.resolve("other.csv"), Rov.rows("x,yaw", 60, i -> -i + ",1"));
+        RunReader renaming =
+                Rov.reader(ColumnMapping.USUAL.with(List.of(MappedColumn.renamed("psi", "yaw"))));
+
+        RunFiles files = RunFiles.read(renaming, List.of(old), List.of(other));
+
+        assertThat(files.fit().getFirst().measures(Channel.ORIENTATION, 2)).isTrue();
+        assertThat(files.heldOut().getFirst().measures(Channel.ORIENTATION, 2)).isTrue();
+    }
+
+    @Test
+    void whatIsRenamedIsInOneFileAtLeast() throws Exception {
+        Path one = Rov.write(folder.resolve("one.csv"), Rov.rows("x,yaw", 60, i -> i + ",0.5"));
+        Path other = Rov.write(folder.resolve("other.csv"), Rov.rows("x,yaw", 60, i -> -i + ",1"));
+        RunReader renaming =
+                Rov.reader(ColumnMapping.USUAL.with(List.of(MappedColumn.renamed("psi", "yaw"))));
+
+        assertThatThrownBy(() -> RunFiles.read(renaming, List.of(one), List.of(other)))
+                .isInstanceOf(DocumentException.class)
+                .hasMessage(
+                        one
+                                + ":1: column 'psi': it is to be renamed to 'yaw', but none of the"
+                                + " 2 files has one of this name; there are t, x, yaw");
     }
 
     @Test

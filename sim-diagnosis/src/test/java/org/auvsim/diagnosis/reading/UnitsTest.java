@@ -131,7 +131,7 @@ class UnitsTest {
             throws Exception {
         assertThat(suspicions("t,x,y,z,main,lift", dive(new Told(x, y, z, 1, 1), false)))
                 .containsExactly(
-                        "run.csv:2: %s: the model moves as this does, but 1000 times %s: are these positions in %s? If so, map them with a scale of %s"
+                        "run.csv:2: %s: the model moves as this does, but 1000 times %s: are these positions in %s? If so, map them with a scale of %s (--mapping)"
                                 .formatted(columns, far, unit, scale));
     }
 

@@ -1,0 +1,42 @@
+package org.auvsim.diagnosis.reading;
+
+import java.util.List;
+
+/**
+ * What mends a column, with the option of {@code auvsim diagnose} that does so: whoever reads runs
+ * in Java finds the same in a column mapping.
+ */
+final class Remedy {
+    /** Stands for the name of a column that only the user knows. */
+    static final String COLUMN = "COLUMN";
+
+    /** Stands for a usual name that only the user knows. */
+    static final String USUAL = "USUAL";
+
+    private Remedy() {}
+
+    /** Rename it to what it has: {@code (--rename letf=left)}. */
+    static String renaming(String column, String usual) {
+        boolean canBeSaid = canBeSaid(column) && !column.contains("=");
+        return canBeSaid
+                ? "(--rename %s)".formatted(word(column + "=" + usual))
+                : "(in a --mapping: its name has what --rename takes for its own)";
+    }
+
+    /** Ignore them: {@code (--ignore volt,press)}. */
+    static String ignoring(List<String> columns) {
+        return columns.stream().allMatch(Remedy::canBeSaid)
+                ? "(--ignore %s)".formatted(word(String.join(",", columns)))
+                : "(in a --mapping: a name has what --ignore takes for its own)";
+    }
+
+    /** Options take what is between commas for a name each. */
+    private static boolean canBeSaid(String column) {
+        return !column.contains(",") && !column.contains("\"");
+    }
+
+    /** As shells take it for one. */
+    private static String word(String text) {
+        return text.matches("[\\p{L}\\p{N}_.,:=/+-]+") ? text : "\"" + text + "\"";
+    }
+}

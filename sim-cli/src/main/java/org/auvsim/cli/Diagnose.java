@@ -1,6 +1,7 @@
 package org.auvsim.cli;
 
 import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.document.MissingFile;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.auvsml.mapping.ContextClasses;
@@ -36,6 +37,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** {@code auvsim diagnose}. */
 @Command(
@@ -175,6 +178,7 @@ final class Diagnose implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         BelievedModel model = model(ScenarioFile.load(scenarioFile, err));
         requireKnown(model);
+        requireThere();
         AuvsmlMapper mapper = AuvsmlMapper.load(ContextClasses.loader());
         RunReader reader = between(new RunReader(model, format.mapping(mapper), mapper));
         RunFiles runs = inParts(RunFiles.read(reader, fit, heldOut, reference));
@@ -266,6 +270,20 @@ final class Diagnose implements Callable<Integer> {
             }
         } catch (IllegalArgumentException e) {
             throw new UserError("--causes: " + e.getMessage(), e);
+        }
+    }
+
+    /** Runs are often meant to be where the scenario is, which reading them does not know. */
+    private void requireThere() {
+        List<Path> folders = Optional.ofNullable(scenarioFile.getParent()).stream().toList();
+        String missing =
+                Stream.of(fit, heldOut, reference)
+                        .flatMap(List::stream)
+                        .filter(Files::notExists)
+                        .map(run -> MissingFile.sentence(run, folders))
+                        .collect(Collectors.joining("\n"));
+        if (!missing.isEmpty()) {
+            throw new UserError(missing);
         }
     }
 

@@ -282,6 +282,31 @@ class DiagnoseTest {
     }
 
     @Test
+    void runsThatAreMissingAreToldWithThoseThatMayBeMeant() throws IOException {
+        Path run = fall("run.csv", 0);
+        Path missing = Path.of("run.csv");
+        Path other = folder.resolve("other.csv");
+
+        assertThat(diagnose(BALL, "--fit", missing, "--holdout", other)).isEqualTo(2);
+        assertThat(auvsim.err())
+                .isEqualTo(
+                        "run.csv: there is no such file; did you mean %s?\n%s: there is no such file\n"
+                                .formatted(run, other));
+    }
+
+    @Test
+    void aScenarioThatIsMissingIsToldWithOneThatMayBeMeant() throws IOException {
+        Path model = auvsim.file("model.xml", BALL);
+        Path missing = folder.resolve("model");
+
+        assertThat(auvsim.run("diagnose", "--scenario", missing, "--fit", fall("run.csv", 0)))
+                .isEqualTo(2);
+        assertThat(auvsim.err())
+                .isEqualTo(
+                        "%s: there is no such file; did you mean %s?\n".formatted(missing, model));
+    }
+
+    @Test
     void aMappingThatIsNoneIsTold() throws IOException {
         Path mapping = auvsim.file("mapping.xml", "<column-mapping><colum/></column-mapping>");
 

@@ -76,7 +76,7 @@ public final class ScenarioLoader {
             }
             return bytes;
         } catch (NoSuchFileException e) {
-            throw new DocumentException(file + ": there is no such file", e);
+            throw new DocumentException(MissingFile.sentence(file), e);
         } catch (IOException e) {
             throw new DocumentException(
                     Files.isDirectory(file)

@@ -53,7 +53,7 @@ public final class Validation {
         try (InputStream in = Files.newInputStream(file)) {
             return faults(in, ScenarioLoader.folder(file));
         } catch (NoSuchFileException e) {
-            throw new DocumentException(file + ": there is no such file", e);
+            throw new DocumentException(MissingFile.sentence(file), e);
         } catch (IOException e) {
             throw new DocumentException(file + " cannot be read: " + e.getMessage(), e);
         }

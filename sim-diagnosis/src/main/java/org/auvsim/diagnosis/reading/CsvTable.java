@@ -7,6 +7,7 @@ import de.siegmar.fastcsv.reader.CsvRecord;
 import de.siegmar.fastcsv.reader.FieldMismatchStrategy;
 
 import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.document.MissingFile;
 
 import java.io.BufferedReader;
 import java.io.Closeable;
@@ -72,8 +73,7 @@ final class CsvTable implements Closeable {
 
     private static DocumentException because(Throwable reason, Path file) {
         return switch (reason) {
-            case NoSuchFileException _ ->
-                    new DocumentException(file + ": there is no such file", reason);
+            case NoSuchFileException _ -> new DocumentException(MissingFile.sentence(file), reason);
             case CharacterCodingException _ ->
                     new DocumentException(file + " is no text in UTF-8, as CSV must be", reason);
             case AccessDeniedException _ ->

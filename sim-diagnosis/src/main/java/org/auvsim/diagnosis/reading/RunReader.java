@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.reading;
 
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.DocumentKind;
+import org.auvsim.auvsml.document.MissingFile;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.auvsml.run.ColumnMapping;
 import org.auvsim.auvsml.run.Run;
@@ -173,6 +174,7 @@ public final class RunReader {
             throws DocumentException {
         Path beside = beside(file);
         if (!Files.exists(beside)) {
+            MissingFile.capitals(beside).forEach(other -> notices.add(notRead(other, beside)));
             return Run.NOTHING_KNOWN;
         }
         if (kind(beside) == DocumentKind.SCENARIO) {
@@ -186,6 +188,11 @@ public final class RunReader {
             requireNew(own, beside);
         }
         return document;
+    }
+
+    private static String notRead(Path other, Path document) {
+        return "%s: is not read: a document that says more of the run beside it would be named '%s'; rename it so if it is one"
+                .formatted(other, document.getFileName());
     }
 
     private void requireNew(RunDifferences own, Path file) throws DocumentException {

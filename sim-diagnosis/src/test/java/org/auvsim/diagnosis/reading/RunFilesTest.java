@@ -376,6 +376,18 @@ class RunFilesTest {
         assertThat(RunFiles.read(reader, List.of(one), List.of(other)).heldOut()).hasSize(1);
     }
 
+    /** Where capitals make no other file, the document is read. */
+    @Test
+    void aDocumentWhoseNameDiffersByCapitalsIsTold() throws Exception {
+        Path file = run("dive", 0);
+        document("Dive", "<run role=\"holdout\"/>");
+        boolean isOther = !Files.exists(folder.resolve("dive.xml"));
+
+        assertThat(reader.read(file).notices())
+                .filteredOn(notice -> notice.contains("Dive.xml: is not read: a document"))
+                .hasSize(isOther ? 1 : 0);
+    }
+
     /** Rows are from 0 to 5.9 s, and x goes from 0 to 59 m. */
     @Test
     void whatADocumentStatesOfAnotherRunIsTold() throws Exception {

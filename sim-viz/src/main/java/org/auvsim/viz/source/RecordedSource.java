@@ -1,6 +1,7 @@
 package org.auvsim.viz.source;
 
 import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.document.MissingFile;
 import org.auvsim.auvsml.document.recording.Reach;
 import org.auvsim.auvsml.document.recording.RecordingReader;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
@@ -68,7 +69,7 @@ public final class RecordedSource implements Source {
             return new RecordedSource(
                     String.valueOf(file.getFileName()), chronicle, reader.reach());
         } catch (NoSuchFileException e) {
-            throw new DocumentException(file + ": there is no such file", e);
+            throw new DocumentException(MissingFile.sentence(file), e);
         } catch (IOException e) {
             throw new DocumentException(file + " cannot be read: " + e.getMessage(), e);
         }

@@ -5,6 +5,7 @@ import org.auvsim.auvsml.ErrorCode;
 import org.auvsim.auvsml.Fault;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.document.DocumentKind;
+import org.auvsim.auvsml.document.MissingFile;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
@@ -68,7 +69,7 @@ public final class RecordingReader implements Closeable {
             InputStream in = Files.newInputStream(file);
             return of(in, file.toString(), mapper);
         } catch (NoSuchFileException e) {
-            throw new DocumentException(file + ": there is no such file", e);
+            throw new DocumentException(MissingFile.sentence(file), e);
         } catch (IOException e) {
             throw new DocumentException(file + " cannot be read: " + e.getMessage(), e);
         }

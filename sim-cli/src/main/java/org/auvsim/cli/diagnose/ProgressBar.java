@@ -3,18 +3,22 @@ package org.auvsim.cli.diagnose;
 import org.auvsim.diagnosis.fit.Progress;
 
 import java.io.PrintWriter;
+import java.util.HashSet;
 import java.util.Locale;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 
 /**
  * Shows how far a diagnosis is: at a terminal as a bar that grows in its line, elsewhere as a line
- * every two seconds.
+ * for each stage and each twentieth of the way, two seconds apart at least. A log of a search that
+ * takes hours is then as long as one of minutes.
  */
 public final class ProgressBar implements Progress, AutoCloseable {
     private static final int WIDTH = 30;
     private static final long EVERY_LINE = 2_000_000_000L;
     private static final long EVERY_FRAME = 100_000_000L;
+    private static final int EVERY_PERCENT = 5;
 
     private final PrintWriter out;
     private final boolean isTerminal;
@@ -22,6 +26,8 @@ public final class ProgressBar implements Progress, AutoCloseable {
     private final BooleanSupplier stop;
     private long next;
     private int drawn;
+    private final Set<String> said = new HashSet<>();
+    private long saidTo = -EVERY_PERCENT;
 
     /**
      * A bar that begins now.
@@ -42,11 +48,21 @@ public final class ProgressBar implements Progress, AutoCloseable {
     @Override
     public boolean at(String stage, double share) {
         long now = nanos.getAsLong();
-        if (now - next >= 0) {
+        if (now - next >= 0 && (isTerminal || isNews(stage, share))) {
             next = now + (isTerminal ? EVERY_FRAME : EVERY_LINE);
             show(stage, Math.max(0, Math.min(1, share)));
         }
         return !stop.getAsBoolean();
+    }
+
+    private boolean isNews(String stage, double share) {
+        long percent = Math.round(100 * share);
+        boolean isNews = !said.contains(stage) || percent >= saidTo + EVERY_PERCENT;
+        if (isNews) {
+            said.add(stage);
+            saidTo = Math.max(saidTo, percent);
+        }
+        return isNews;
     }
 
     private void show(String stage, double share) {

@@ -42,6 +42,38 @@ class ProgressBarTest {
     }
 
     @Test
+    void elsewhereNothingIsSaidTwice() {
+        try (ProgressBar bar = bar(false, false)) {
+            for (int second = 0; second < 3600; second++) {
+                now.addAndGet(SECOND);
+                bar.at(second % 2 == 0 ? "fitting" : "screening", 0.1);
+            }
+            now.addAndGet(SECOND);
+            bar.at("fitting", 0.14);
+            bar.at("fitting", 0.15);
+        }
+
+        assertThat(out.toString().lines())
+                .containsExactly("10 %: screening", "10 %: fitting", "15 %: fitting");
+    }
+
+    /** However long it takes. */
+    @Test
+    void elsewhereThereAreTwentyLinesAndOneForEachStage() {
+        try (ProgressBar bar = bar(false, false)) {
+            for (int step = 0; step <= 10_000; step++) {
+                now.addAndGet(10 * SECOND);
+                bar.at(step < 5000 ? "screening" : "fitting", step / 10_000.0);
+            }
+        }
+
+        assertThat(out.toString().lines())
+                .hasSizeLessThanOrEqualTo(22)
+                .doesNotHaveDuplicates()
+                .contains("50 %: fitting");
+    }
+
+    @Test
     void theSearchIsToldToStop() {
         try (ProgressBar bar = bar(false, true)) {
             assertThat(bar.at("screening", 0.1)).isFalse();

@@ -75,9 +75,17 @@ public final class Phrases {
 
     /** Of a finding. */
     public static String of(Finding finding) {
-        boolean isBelow =
-                !finding.quantities().isEmpty() && finding.quantities().getFirst().value() < 0;
-        return of(finding.cause(), finding.subject(), isBelow);
+        return of(finding.cause(), finding.subject(), isBelow(finding));
+    }
+
+    private static boolean isBelow(Finding finding) {
+        return !finding.quantities().isEmpty() && finding.quantities().getFirst().value() < 0;
+    }
+
+    /** Whether the words for a finding say that its first number is below 0. */
+    static boolean tellsSign(Finding finding) {
+        Phrase phrase = KNOWN.get(finding.cause());
+        return phrase != null && isBelow(finding) && !phrase.words().equals(phrase.otherwise());
     }
 
     /** Of a cause as {@link Finding#name} has it: {@code thruster_gain (port)}. */

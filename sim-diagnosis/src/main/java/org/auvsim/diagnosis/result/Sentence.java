@@ -71,7 +71,7 @@ public final class Sentence {
         }
         String numbers =
                 groups.size() == 1
-                        ? groups.getFirst().text()
+                        ? OnlyNumber.text(finding, groups.getFirst())
                         : groups.stream()
                                 .map(group -> group.name() + " " + group.text())
                                 .collect(Collectors.joining(", "));

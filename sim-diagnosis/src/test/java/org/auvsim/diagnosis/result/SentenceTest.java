@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.run.Channel;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 import java.util.List;
 import java.util.Map;
@@ -87,6 +89,25 @@ class SentenceTest {
                                 + " 1.500 +- 0.002 rad/s; it explains 100.0 %");
     }
 
+    /** Of a pure number neither the words nor the unit say what it is. */
+    @ParameterizedTest
+    @CsvSource({
+        "thruster_gain, factor, 1, 'The thrust of all thrusters is wrong: 0.85 +- 0.02 times what"
+                + " the model has'",
+        "sensor_scale, scale.x, 1, 'The scale of the measured positions is wrong: (0.85 +- 0.02)"
+                + " times the true one'",
+        "thruster_deadzone, width, 1, 'A dead zone of all thrusters is missing: width 0.85 +-"
+                + " 0.02'",
+        "restitution, e, 1, 'The restitution of impacts is wrong: e 0.85 +- 0.02'",
+        "thruster_misalignment, tilt, rad, 'The direction of all thrusters is wrong: tilt 0.85 +-"
+                + " 0.02 rad'",
+        "thruster_lag, tau, s, 'A lag of all thrusters is missing: 0.85 +- 0.02 s'"
+    })
+    void theOnlyNumberSaysWhatItIs(String cause, String name, String unit, String words) {
+        Finding one = found(cause, List.of(new Quantity(name, unit, 0.85)), List.of(0.02));
+        assertThat(sentence.explained(List.of(one), 0.9, List.of())).startsWith(words + "; it ");
+    }
+
     @Test
     void whatTheDataCannotTellApart() {
         Finding mass =
@@ -94,7 +115,9 @@ class SentenceTest {
         Alternative gain = new Alternative(List.of("thruster_gain"), true, "mass / gain = 1.20");
         Alternative worse = new Alternative(List.of("magnus"), false, "");
         assertThat(sentence.explained(List.of(mass), 0.9, List.of(gain, worse)))
-                .startsWith("The mass is wrong: 1.200 +- 0.004 times; it explains 90.0 %")
+                .startsWith(
+                        "The mass is wrong: 1.200 +- 0.004 times what the model has; it explains"
+                                + " 90.0 %")
                 .endsWith(
                         "; this data cannot tell apart: the mass is wrong, or the thrust of all"
                                 + " thrusters is wrong; it determines mass / gain = 1.20");
@@ -138,7 +161,7 @@ class SentenceTest {
     void whatThereIsTooMuchOfAndWhoseItIs() {
         Finding less = found("linear_drag", List.of(new Quantity("c", "N s/m", -3)), List.of(0.1));
         assertThat(sentence.explained(List.of(less), 0.9, List.of()))
-                .startsWith("There is too much linear drag: -3.00 +- 0.10 N s/m; ");
+                .startsWith("There is too much linear drag: 3.00 +- 0.10 N s/m; ");
         assertThat(Phrases.of("thruster_gain (port)")).isEqualTo("The thrust of 'port' is wrong");
         assertThat(Phrases.of("eddy_wash")).isEqualTo("Eddy wash is missing");
         assertThat(Phrases.of("eddy_wash (fin)")).isEqualTo("Eddy wash of 'fin' is missing");

@@ -19,7 +19,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.function.IntFunction;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** Charts of one run: measured beside simulated, and what is left between them. */
 final class RunCharts {
@@ -106,7 +108,7 @@ final class RunCharts {
                                 new Point(
                                         run.value(Channel.POSITION, k, 0),
                                         run.value(Channel.POSITION, k, 1))));
-        return new Chart("The path from above", "x (m)", "y (m)", true, curves, "");
+        return Chart.map("The path from above", "x (m)", "y (m)", curves, "");
     }
 
     private Chart overTime(
@@ -214,6 +216,7 @@ final class RunCharts {
                                 unit));
     }
 
+    /** On one scale: what is left is as small as it looks. */
     private List<Block> forceResiduals() {
         List<Block> charts = new ArrayList<>();
         charts.add(forceResidual(models.getFirst().name(), ForceResidual::before));
@@ -239,11 +242,36 @@ final class RunCharts {
                                             Residuals.component(of.apply(forces.get(i)), along))));
         }
         return new Chart(
-                "Force that is missing along the path, " + model,
-                "distance travelled (m)",
-                "force (N, world axes)",
-                curves,
-                "");
+                        "Missing force, " + model,
+                        "distance travelled (m)",
+                        "force (N, world axes)",
+                        curves,
+                        "At most %s N.".formatted(Numbers.rounded(most(of))))
+                .showing(forces());
+    }
+
+    private double most(Function<ForceResidual, Vec3> of) {
+        return forces.stream()
+                .mapToDouble(force -> of.apply(force).norm())
+                .filter(Double::isFinite)
+                .max()
+                .orElse(Double.NaN);
+    }
+
+    /** The least and the greatest component of the forces that the models lack. */
+    private List<Double> forces() {
+        Stream<Vec3> after =
+                models.size() > 1 ? forces.stream().map(ForceResidual::after) : Stream.of();
+        double[] all =
+                Stream.concat(forces.stream().map(ForceResidual::before), after)
+                        .flatMapToDouble(force -> DoubleStream.of(force.x(), force.y(), force.z()))
+                        .filter(Double::isFinite)
+                        .toArray();
+        return all.length == 0
+                ? List.of()
+                : List.of(
+                        DoubleStream.of(all).min().orElseThrow(),
+                        DoubleStream.of(all).max().orElseThrow());
     }
 
     private int size(Model model) {

@@ -12,6 +12,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 class ReportTest {
@@ -87,9 +89,24 @@ class ReportTest {
                         "The runs",
                         "In detail: run1 (fitted)",
                         "Residual of the orientation, as believed",
-                        "Force that is missing along the path, with what was found",
+                        "Missing force, with what was found",
                         "Notices",
                         "20 samples a second");
+    }
+
+    /** What is left of the missing force is as small as it looks. */
+    @Test
+    void forcesBeforeAndAfterAreOnOneScale() throws IOException {
+        Matcher scales =
+                Pattern.compile("\"title\":\"Missing force, [^\"]*\".*?" + "\"alsoUp\":(\\[[^]]+])")
+                        .matcher(page(Diagnoses.explained()));
+
+        List<String> found = scales.results().map(scale -> scale.group(1)).toList();
+
+        assertThat(found).hasSize(6);
+        for (int run = 0; run < found.size(); run += 2) {
+            assertThat(found.get(run)).isEqualTo(found.get(run + 1)).isNotEqualTo("[]");
+        }
     }
 
     @Test

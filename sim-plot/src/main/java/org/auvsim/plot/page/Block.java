@@ -45,19 +45,44 @@ public sealed interface Block {
      * @param isMap whether a unit is as long across as it is up
      * @param x what the axis across shows, with its unit
      * @param y what the axis up shows, with its unit
+     * @param alsoUp what the axis up shows besides the curves, so that charts beside each other may
+     *     have one scale; may be empty
      * @param reading what the curves say, in a sentence; may be empty
      */
     record Chart(
-            String title, String x, String y, boolean isMap, List<Curve> curves, String reading)
+            String title,
+            String x,
+            String y,
+            boolean isMap,
+            List<Double> alsoUp,
+            List<Curve> curves,
+            String reading)
             implements Block {
         /** A chart whose curves stay as they are. */
         public Chart {
+            alsoUp = List.copyOf(alsoUp);
             curves = List.copyOf(curves);
         }
 
         /** One whose axes have scales of their own. */
         public Chart(String title, String x, String y, List<Curve> curves, String reading) {
-            this(title, x, y, false, curves, reading);
+            this(title, x, y, false, List.of(), curves, reading);
+        }
+
+        /** One of two lengths, as long across as they are up. */
+        public static Chart map(
+                String title, String x, String y, List<Curve> curves, String reading) {
+            return new Chart(title, x, y, true, List.of(), curves, reading);
+        }
+
+        /** The same with other curves. */
+        Chart with(List<Curve> others) {
+            return new Chart(title, x, y, isMap, alsoUp, others, reading);
+        }
+
+        /** The same, its axis up at least as long as to show these values, too. */
+        public Chart showing(List<Double> values) {
+            return new Chart(title, x, y, isMap, values, curves, reading);
         }
     }
 }

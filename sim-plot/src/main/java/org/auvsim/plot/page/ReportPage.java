@@ -146,14 +146,7 @@ public final class ReportPage {
 
     private String html(Chart chart) {
         List<Curve> curves = chart.curves().stream().map(c -> c.decimated(MOST_POINTS)).toList();
-        charts.add(
-                new Chart(
-                        chart.title(),
-                        chart.x(),
-                        chart.y(),
-                        chart.isMap(),
-                        curves,
-                        chart.reading()));
+        charts.add(chart.with(curves));
         return """
         <figure>
         <h3>%s</h3>

@@ -34,6 +34,11 @@
     grid: { color: colour('--rule') },
   });
 
+  const also = values => values.length === 0 ? {} : {
+    suggestedMin: Math.min(...values),
+    suggestedMax: Math.max(...values),
+  };
+
   // A legend shows marks as they are drawn; the library's own has neither dots nor dashes.
   const mark = (curve, k) => {
     const image = document.createElement('canvas');
@@ -101,7 +106,7 @@
         animation: false,
         maintainAspectRatio: false,
         onResize: chart.map ? rescale : undefined,
-        scales: { x: axis(chart.x), y: axis(chart.y) },
+        scales: { x: axis(chart.x), y: { ...axis(chart.y), ...also(chart.alsoUp) } },
         plugins: { legend: { labels: legend(chart.curves) } },
       },
     });

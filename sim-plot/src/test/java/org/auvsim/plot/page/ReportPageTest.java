@@ -45,13 +45,16 @@ class ReportPageTest {
                                                 List.of(List.of("1", "<2>")),
                                                 "Read."),
                                         new Chart(
-                                                "Curves",
-                                                "t (s)",
-                                                "y \"(m)\"",
-                                                List.of(
-                                                        new Curve(
-                                                                "</script>", Mark.DASHED, points)),
-                                                "Seen."))));
+                                                        "Curves",
+                                                        "t (s)",
+                                                        "y \"(m)\"",
+                                                        List.of(
+                                                                new Curve(
+                                                                        "</script>",
+                                                                        Mark.DASHED,
+                                                                        points)),
+                                                        "Seen.")
+                                                .showing(List.of(-2.0, 3.0)))));
         page = Files.readString(ReportPage.write(folder, report));
     }
 
@@ -69,8 +72,8 @@ class ReportPageTest {
         assertThat(page)
                 .contains(
                         "[{\"title\":\"Curves\",\"x\":\"t (s)\",\"y\":\"y \\u0022(m)\\u0022\","
-                                + "\"map\":false,\"curves\":[{\"name\":\"\\u003c/script\\u003e\","
-                                + "\"mark\":\"dashed\",\"x\":[0.0,0.5],\"y\":[1.0,null]}]}]");
+                            + "\"map\":false,\"alsoUp\":[-2.0,3.0],\"curves\":[{\"name\":\"\\u003c/script\\u003e\","
+                            + "\"mark\":\"dashed\",\"x\":[0.0,0.5],\"y\":[1.0,null]}]}]");
     }
 
     /** What the policy lets run is what the page has in it, and nothing comes from elsewhere. */

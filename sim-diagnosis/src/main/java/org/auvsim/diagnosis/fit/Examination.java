@@ -198,16 +198,17 @@ public final class Examination {
                         .next(best, found.competitors()),
                 found.traces().identifiability(best.fit().hypothesis().causes()),
                 model.extended(isExplained ? best.fit().variant() : model.variant()),
-                notices(found),
+                notices(found, verdict),
                 seed,
                 course.goesOn());
     }
 
-    private List<String> notices(Search.Found found) {
+    /** Steps that follow data which no model fits tell of that data, not of the scenario. */
+    private List<String> notices(Search.Found found, Verdict verdict) {
         List<String> notices = new ArrayList<>();
         double stated = model.scenario().timeStep().delta();
         double used = found.stepping().model().scenario().timeStep().delta();
-        if (used < stated) {
+        if (used < stated && verdict != Verdict.UNEXPLAINED) {
             notices.add(
                     ("the scenario's time step of %s s is too long for this data: steps of %s"
                                     + " s were made, which a simulation needs, too")

@@ -1,6 +1,7 @@
 package org.auvsim.cli.diagnose;
 
 import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Effort;
 import org.auvsim.diagnosis.result.Ranked;
 
 import java.util.ArrayList;
@@ -14,12 +15,17 @@ public final class Account {
 
     private Account() {}
 
-    /** The verdict, then the sets of causes that were tried, the best first. */
+    /**
+     * The verdict, how much was tried for it, then the sets of causes that were tried, the best
+     * first.
+     */
     public static List<String> of(Diagnosis diagnosis) {
         List<String> lines = new ArrayList<>();
         lines.add(diagnosis.sentence());
         List<Ranked> ranked = diagnosis.ranked().stream().limit(MOST_RANKED).toList();
         if (!ranked.isEmpty()) {
+            lines.add("");
+            lines.add(Effort.words(diagnosis) + ".");
             lines.add("");
             addRanking(ranked, lines);
         }

@@ -185,6 +185,7 @@ public final class Examination {
                 words,
                 model.body(),
                 selected,
+                causes.size(),
                 ranked(found),
                 alternatives,
                 found.noise().byChannel(),

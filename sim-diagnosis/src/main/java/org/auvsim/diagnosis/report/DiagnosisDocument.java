@@ -34,6 +34,7 @@ record DiagnosisDocument(
         String body,
         boolean complete,
         boolean usedHeldout,
+        int candidates,
         List<HorizonGain> horizons,
         Optional<DiscrepancyPart> discrepancy,
         Optional<Proposal> proposal,

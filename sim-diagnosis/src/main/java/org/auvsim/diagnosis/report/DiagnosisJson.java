@@ -98,6 +98,7 @@ final class DiagnosisJson {
                 of.body(),
                 of.isComplete(),
                 of.usedHeldOut(),
+                of.candidates(),
                 of.horizons(),
                 of.discrepancy()
                         .map(

@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.report;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Discrepancy;
+import org.auvsim.diagnosis.result.Effort;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.NextExperiment;
 import org.auvsim.diagnosis.result.Numbers;
@@ -115,6 +116,7 @@ final class FindingTables {
         }
         int more = of.ranked().size() - rows.size();
         return List.of(
+                new Text(Effort.words(of) + "."),
                 new Table(
                         List.of("causes", "numbers", "log evidence", "probability"),
                         rows,

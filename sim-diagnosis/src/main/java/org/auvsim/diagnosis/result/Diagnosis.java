@@ -16,6 +16,7 @@ import java.util.TreeMap;
  * @param sentence the verdict for people
  * @param body the measured body's name
  * @param selected the causes found; none unless the verdict is {@link Verdict#EXPLAINED}
+ * @param candidates how many causes were looked for
  * @param ranked sets of causes that were tried, the best first
  * @param alternatives that explain the data about as well
  * @param noise standard deviation of each channel that was measured
@@ -37,6 +38,7 @@ public record Diagnosis(
         String sentence,
         String body,
         List<Finding> selected,
+        int candidates,
         List<Ranked> ranked,
         List<Alternative> alternatives,
         Map<Channel, Double> noise,
@@ -83,17 +85,19 @@ public record Diagnosis(
 
     /** The same with a cause that changes nothing of the motion, where that lacks nothing. */
     public Diagnosis explained(Finding found, String words, List<Ranked> sets) {
-        return with(Verdict.EXPLAINED, words, List.of(found), sets, proposal, notices);
+        return with(
+                Verdict.EXPLAINED, words, List.of(found), candidates + 1, sets, proposal, notices);
     }
 
     private Diagnosis with(String said, Optional<Proposal> proposed, List<String> noticed) {
-        return with(verdict, said, selected, ranked, proposed, noticed);
+        return with(verdict, said, selected, candidates, ranked, proposed, noticed);
     }
 
     private Diagnosis with(
             Verdict judged,
             String words,
             List<Finding> found,
+            int lookedFor,
             List<Ranked> sets,
             Optional<Proposal> proposed,
             List<String> noticed) {
@@ -102,6 +106,7 @@ public record Diagnosis(
                 words,
                 body,
                 found,
+                lookedFor,
                 sets,
                 alternatives,
                 noise,

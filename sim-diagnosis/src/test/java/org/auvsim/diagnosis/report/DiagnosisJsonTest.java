@@ -64,6 +64,7 @@ class DiagnosisJsonTest {
                 "\"seed\" : 42 -> \"seed\" : 4.5",
                 "\"sentence\" -> \"statement\"",
                 "\"log_evidence\" : -1234.5 -> \"log_evidence\" : \"much\"",
+                "\"candidates\" : 62 -> \"candidates\" : -1",
                 "\"complete\" : true -> \"complete\" : 1",
                 "\"heldout\" : true -> \"held_out\" : true",
             })
@@ -116,6 +117,7 @@ class DiagnosisJsonTest {
         assertThat(root.at("/selected/2/params").toString()).isEqualTo("{\"u\":[0.2,-0.1,0.0]}");
         assertThat(root.at("/ranked/0/name").asString())
                 .isEqualTo("quadratic_drag + thruster_gain (port) + current_constant");
+        assertThat(root.at("/candidates").asInt()).isEqualTo(62);
         assertThat(root.at("/heldout_rmse_before").asDouble()).isEqualTo(0.834);
         assertThat(root.at("/heldout/orientation/after").asDouble()).isEqualTo(0.00405);
     }

@@ -80,6 +80,7 @@ class ReportTest {
                         "Gain on held-out runs",
                         "Measured and simulated: run3 (held out)",
                         "Causes that were tried",
+                        "<p>Causes looked for: 62; sets of them that were fitted: 3.</p>",
                         ">magnus</td>",
                         ">s = 8.10 kg</td><td>below all</td><td>&lt; 0.1 %</td>",
                         "What this data can tell apart",
@@ -130,6 +131,9 @@ class ReportTest {
                 .contains("<h1>sledge: unexplained so far, stopped early</h1>")
                 .contains("<p class=\"summary\">Stopped before the end; the best so far: ")
                 .contains("No set of causes tried so far leaves")
+                .contains(
+                        "Causes to be looked for: 62; sets of them that were fitted before the"
+                                + " search was stopped: 2.")
                 .doesNotContain("No set of known causes");
     }
 

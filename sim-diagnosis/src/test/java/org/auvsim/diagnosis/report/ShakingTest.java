@@ -32,6 +32,7 @@ class ShakingTest {
         assertThat(diagnosis.selected())
                 .extracting(Finding::name)
                 .containsExactly("propeller_imbalance");
+        assertThat(diagnosis.candidates()).isEqualTo(Diagnoses.none().candidates() + 1);
         assertThat(diagnosis.notices()).isEqualTo(Diagnoses.none().notices());
         assertThat(diagnosis.extended()).isEqualTo(Diagnoses.none().extended());
     }

@@ -52,6 +52,24 @@ final class Gram {
         return new Gram(products);
     }
 
+    /** Of some of the columns alone. */
+    static Gram of(List<List<WindowBlock>> blocks, int[] some, int columns) {
+        int[] all = Arrays.copyOf(some, some.length + 1);
+        all[some.length] = columns;
+        double[][] products = new double[all.length][all.length];
+        for (List<WindowBlock> ofRun : blocks) {
+            for (WindowBlock block : ofRun) {
+                for (int a = 0; a < all.length; a++) {
+                    for (int b = 0; b <= a; b++) {
+                        products[a][b] += block.product(all[a], all[b]);
+                        products[b][a] = products[a][b];
+                    }
+                }
+            }
+        }
+        return new Gram(products);
+    }
+
     /**
      * Adds the products of some columns with themselves and all after them, four rows at a time.
      */

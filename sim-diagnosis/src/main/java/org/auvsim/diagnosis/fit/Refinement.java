@@ -57,7 +57,12 @@ final class Refinement {
 
         /** By how much it should make the cost smaller, starts and all. */
         double promise(double cost) {
-            return cost - gram.cost() + gram.drop(all(change.length), change);
+            return cost - least();
+        }
+
+        /** What would be missed after it, the starts of all blocks free. */
+        double least() {
+            return gram.cost() - gram.drop(all(change.length), change);
         }
 
         /** Windows and parameters after a share of it, and of what keeps it linear. */
@@ -140,18 +145,21 @@ final class Refinement {
      * where that has led.
      */
     static Judged approach(Fit start, int perBlock) {
-        return approach(start, perBlock, Course.UNHEARD);
+        return approach(start, perBlock, Double.POSITIVE_INFINITY, Course.UNHEARD);
     }
 
-    /** The same, which ends where it is once it was told to stop. */
-    static Judged approach(Fit start, int perBlock, Course course) {
+    /**
+     * The same, which ends where it is once it was told to stop, or what will be missed is more
+     * than that.
+     */
+    static Judged approach(Fit start, int perBlock, double hopeless, Course course) {
         Judged best = Judged.of(start.whole());
         Fit fit = start;
         int longest = start.longest();
         int more = 0;
         for (int block = perBlock; more <= MORE_STEPS; block = Math.min(2 * block, longest)) {
             Optional<Step> step = course.goesOn() ? step(fit, block) : Optional.empty();
-            if (step.isEmpty()) {
+            if (step.isEmpty() || step.get().least() > hopeless) {
                 break;
             }
             fit = step.get().from(fit, 1);

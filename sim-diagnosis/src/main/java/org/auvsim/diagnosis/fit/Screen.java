@@ -91,7 +91,13 @@ final class Screen {
     }
 
     private double bestPromise(Gram gram) {
-        return singles(gram, 0).stream().mapToDouble(Promise::score).findFirst().orElse(0);
+        double without = dropOfOwn(gram);
+        return seeds.stream()
+                .map(List::of)
+                .mapToDouble(set -> promise(gram, columns(set), set, without).score())
+                .filter(score -> score > 0)
+                .max()
+                .orElse(0);
     }
 
     /**
@@ -100,15 +106,15 @@ final class Screen {
      * @param isNew those of which each set has one at least
      */
     List<Start> starts(int size, Predicate<Cause> isNew) {
-        return starts(gram -> size == 1 ? bestSingles(gram, isNew) : bestPairs(gram, isNew));
+        return starts(blocks -> size == 1 ? bestSingles(blocks, isNew) : bestPairs(blocks, isNew));
     }
 
     /** Several starts of each cause alone, from each level. */
     List<Start> startsOfEach() {
-        return starts(gram -> firstOfEach(singles(gram, 0), THOROUGH, MOST_THOROUGH));
+        return starts(blocks -> firstOfEach(singles(blocks, 0), THOROUGH, MOST_THOROUGH));
     }
 
-    private List<Start> starts(Function<Gram, List<Promise>> best) {
+    private List<Start> starts(Function<List<List<WindowBlock>>, List<Promise>> best) {
         List<Start> starts = new ArrayList<>();
         int longest = base.longest();
         int[] levels =
@@ -117,8 +123,7 @@ final class Screen {
                         .toArray();
         for (int perBlock : levels) {
             List<List<WindowBlock>> blocks = base.blocks(derivatives, perBlock);
-            Gram gram = Gram.of(blocks, moves.size()).floored(parameters());
-            for (Promise promise : best.apply(gram)) {
+            for (Promise promise : best.apply(blocks)) {
                 if (starts.stream().noneMatch(s -> isSame(s, promise, perBlock))) {
                     starts.add(start(blocks, promise, perBlock));
                 }
@@ -127,10 +132,10 @@ final class Screen {
         return starts;
     }
 
-    /** What each column is of. */
-    private List<Parameter> parameters() {
+    /** What each column is of: own ones, then those of a set. */
+    private List<Parameter> parameters(List<Seed> set) {
         List<Parameter> parameters = new ArrayList<>(base.hypothesis().parameters());
-        for (Seed seed : seeds) {
+        for (Seed seed : set) {
             List<Parameter> all = seed.cause().parameters();
             seed.guess().columns().forEach(column -> parameters.add(all.get(column)));
         }
@@ -165,27 +170,38 @@ final class Screen {
     }
 
     /** All there are, if they are few: what one promises is true to first order only. */
-    private List<Promise> bestSingles(Gram gram, Predicate<Cause> isNew) {
+    private List<Promise> bestSingles(List<List<WindowBlock>> blocks, Predicate<Cause> isNew) {
         boolean areFew = seeds.stream().map(Seed::cause).distinct().count() <= KEPT;
         List<Promise> promises =
-                singles(gram, areFew ? Double.NEGATIVE_INFINITY : 0).stream()
+                singles(blocks, areFew ? Double.NEGATIVE_INFINITY : 0).stream()
                         .filter(promise -> isNew.test(promise.set().getFirst().cause()))
                         .toList();
         return firstOfEach(promises, STARTS_OF_ONE, KEPT);
     }
 
     /** Those that make sense and promise more than that, the most promising first. */
-    private List<Promise> singles(Gram gram, double least) {
-        double without = dropOf(gram, new int[0]);
-        return seeds.stream()
-                .map(seed -> promise(gram, List.of(seed), without))
+    private List<Promise> singles(List<List<WindowBlock>> blocks, double least) {
+        double without = dropOfOwn(gram(blocks, List.of()));
+        return seeds.parallelStream()
+                .map(seed -> alone(blocks, List.of(seed), without))
                 .filter(promise -> promise.score() > least)
                 .sorted(Comparator.comparingDouble(Promise::score).reversed())
                 .toList();
     }
 
-    private List<Promise> bestPairs(Gram gram, Predicate<Cause> isNew) {
-        double without = dropOf(gram, new int[0]);
+    private Promise alone(List<List<WindowBlock>> blocks, List<Seed> set, double without) {
+        Gram gram = gram(blocks, set);
+        return promise(gram, IntStream.range(0, gram.columns()).toArray(), set, without);
+    }
+
+    /** The products of a set's columns and own ones alone. */
+    private Gram gram(List<List<WindowBlock>> blocks, List<Seed> set) {
+        return Gram.of(blocks, columns(set), moves.size()).floored(parameters(set));
+    }
+
+    private List<Promise> bestPairs(List<List<WindowBlock>> blocks, Predicate<Cause> isNew) {
+        Gram gram = Gram.of(blocks, moves.size()).floored(parameters(seeds));
+        double without = dropOfOwn(gram);
         List<Promise> promises =
                 IntStream.range(0, seeds.size())
                         .parallel()
@@ -202,7 +218,8 @@ final class Screen {
             Cause one = seeds.get(i).cause();
             Cause other = seeds.get(j).cause();
             if (!one.equals(other) && (isNew.test(one) || isNew.test(other))) {
-                Promise promise = promise(gram, List.of(seeds.get(i), seeds.get(j)), without);
+                List<Seed> set = List.of(seeds.get(i), seeds.get(j));
+                Promise promise = promise(gram, columns(set), set, without);
                 if (promise.score() > 0) {
                     promises.add(promise);
                 }
@@ -224,8 +241,12 @@ final class Screen {
         return first;
     }
 
-    private Promise promise(Gram gram, List<Seed> set, double without) {
-        int[] columns = columns(set);
+    /**
+     * What a set promises.
+     *
+     * @param columns own ones and those of the set, among those of the products
+     */
+    private Promise promise(Gram gram, int[] columns, List<Seed> set, double without) {
         double[] factors = gram.solve(columns);
         int at = own;
         for (Seed seed : set) {
@@ -243,16 +264,16 @@ final class Screen {
         return new Promise(set, Arrays.stream(factors).boxed().toList(), gain - price);
     }
 
-    private double dropOf(Gram gram, int[] columns) {
-        int[] all = withOwn(columns);
-        return all.length == 0 ? 0 : gram.drop(all, gram.solve(all));
+    private double dropOfOwn(Gram gram) {
+        int[] all = IntStream.range(0, own).toArray();
+        return own == 0 ? 0 : gram.drop(all, gram.solve(all));
     }
 
+    /** Own ones, and those of a set. */
     private int[] columns(List<Seed> set) {
-        return withOwn(set.stream().flatMapToInt(seed -> Arrays.stream(seed.columns())).toArray());
-    }
-
-    private int[] withOwn(int[] columns) {
-        return IntStream.concat(IntStream.range(0, own), Arrays.stream(columns)).toArray();
+        return IntStream.concat(
+                        IntStream.range(0, own),
+                        set.stream().flatMapToInt(seed -> Arrays.stream(seed.columns())))
+                .toArray();
     }
 }

@@ -10,23 +10,16 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
 
 /** Looks for the causes that explain what a model misses of measured runs. */
 final class Search {
     private static final int MOST_CAUSES = 3;
-    private static final int SECOND_ROUND = 10;
-    private static final int SECOND_STEPS = 3;
-    private static final int THIRD_ROUND = 4;
-    private static final int THIRD_STEPS = 40;
+    private static final int STEPS = 40;
     private static final int FORWARD = 4;
 
     /** A model that lacks nothing needs few; how badly another one fits need not be known well. */
     private static final int NONE_STEPS = 8;
-
-    /** Scores that are worse than the best by more are of no interest. */
-    private static final double BESIDE = 30;
 
     /** A gain below this may be one of noise, among so many causes. */
     private static final double DOUBTFUL = 30;
@@ -105,7 +98,7 @@ final class Search {
 
         private Judged fitted(Hypothesis hypothesis) {
             Fit fit = best.fit().with(hypothesis, best.fit().windows());
-            return Refinement.converge(Judged.of(fit), THIRD_STEPS);
+            return Refinement.converge(Judged.of(fit), STEPS);
         }
     }
 
@@ -307,7 +300,7 @@ final class Search {
         List<Cause> lost =
                 aliases.stream()
                         .filter(o -> !others.causes().contains(o))
-                        .filter(o -> !isJudged(others, o, found.score() + BESIDE))
+                        .filter(o -> !isJudged(others, o, found.score() + Tournament.BESIDE))
                         .toList();
         List<Screen.Start> starts = new ArrayList<>(promising(others, lost, found));
         if (!others.causes().isEmpty()) {
@@ -359,49 +352,14 @@ final class Search {
         return followed;
     }
 
-    /** All starts come near, the best of them nearer, the best of those to the end. */
+    /** The best of all, if it is better than what was found otherwise. */
     private Judged tournament(List<Screen.Start> starts, Judged otherwise, double from, double to) {
-        AtomicInteger done = new AtomicInteger();
-        List<Judged> near =
-                starts.parallelStream()
-                        .filter(
-                                start ->
-                                        course.at(
-                                                "fitting sets of causes",
-                                                from
-                                                        + (to - from)
-                                                                * done.getAndIncrement()
-                                                                / starts.size()))
-                        .map(start -> Refinement.approach(start.fit(), start.perBlock(), course))
-                        .toList();
-        List<Judged> nearer = best(near, SECOND_ROUND, SECOND_STEPS, toBeat(near, otherwise));
-        List<Judged> last = best(nearer, THIRD_ROUND, THIRD_STEPS, toBeat(nearer, otherwise));
+        List<Judged> last = new Tournament(otherwise, course, from, to).last(starts);
         judged.addAll(last);
         return last.stream()
                 .filter(j -> j.score() < otherwise.score())
                 .min(Comparator.comparingDouble(Judged::score))
                 .orElse(otherwise);
-    }
-
-    /** The best score there is, and what may be of interest beside it. */
-    private static double toBeat(List<Judged> round, Judged otherwise) {
-        double best = otherwise.score();
-        for (Judged judged : round) {
-            best = Math.min(best, judged.score());
-        }
-        return best + BESIDE;
-    }
-
-    private List<Judged> best(List<Judged> of, int most, int steps, double toBeat) {
-        Set<List<Cause>> taken = new HashSet<>();
-        return of.stream()
-                .sorted(Comparator.comparingDouble(Judged::score))
-                .filter(j -> taken.add(j.fit().hypothesis().causes()))
-                .limit(most)
-                .toList()
-                .parallelStream()
-                .map(j -> Refinement.converge(j, steps, toBeat, course))
-                .toList();
     }
 
     /** Without the causes that are not worth their price. */
@@ -413,8 +371,8 @@ final class Search {
             Hypothesis hypothesis = best.fit().hypothesis();
             for (int c = 0; hypothesis.causes().size() > 1 && c < hypothesis.causes().size(); c++) {
                 Fit fewer = best.fit().with(hypothesis.without(c), best.fit().windows());
-                double toBeat = best.score() + BESIDE;
-                Judged without = Refinement.converge(Judged.of(fewer), THIRD_STEPS, toBeat, course);
+                double toBeat = best.score() + Tournament.BESIDE;
+                Judged without = Refinement.converge(Judged.of(fewer), STEPS, toBeat, course);
                 judged.add(without);
                 if (without.score() < best.score()) {
                     best = without;

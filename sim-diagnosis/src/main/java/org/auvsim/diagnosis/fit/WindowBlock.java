@@ -179,6 +179,20 @@ final class WindowBlock {
         return sum;
     }
 
+    /** The product of two columns, the starts projected out: parameters first, then the misses. */
+    double product(int a, int b) {
+        double[] one = rows[START + a];
+        double[] other = rows[START + b];
+        double even = 0;
+        double odd = 0;
+        int k = START;
+        for (; k + 1 < one.length; k += 2) {
+            even += one[k] * other[k];
+            odd += one[k + 1] * other[k + 1];
+        }
+        return k < one.length ? even + odd + one[k] * other[k] : even + odd;
+    }
+
     /** The starts projected out: row by row the parameters' numbers, then the misses. */
     double[][] projectedRows() {
         double[][] projected = new double[rows[0].length - START][columns - START];

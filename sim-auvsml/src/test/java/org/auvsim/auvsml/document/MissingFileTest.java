@@ -54,7 +54,8 @@ class MissingFileTest {
     void itMayBeInAnotherFolder() throws IOException {
         Path file = there("model/run1.csv");
         there("run1.xml");
-        assertThat(hint("run1.csv", folder.resolve("model"))).isEqualTo("; did you mean " + file + "?");
+        assertThat(hint("run1.csv", folder.resolve("model")))
+                .isEqualTo("; did you mean " + file + "?");
     }
 
     @Test

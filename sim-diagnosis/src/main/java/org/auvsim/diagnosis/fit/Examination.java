@@ -79,9 +79,12 @@ public final class Examination {
             Judged best = found.best();
             Judged before = trial.prediction(Hypothesis.NONE);
             Judged after = best.isNone() ? before : trial.prediction(best.fit().hypothesis());
-            Knowledge known = new Uncertainty(best).knowledge();
-            boolean passes = Search.isWhite(best) && trial.passes(best, before, after, known);
-            boolean agrees = passes && trial.agrees(best, after, known);
+            if (!Search.isWhite(best)) {
+                return new Judgement(found, trial, before, after, false, false);
+            }
+            Judged adjusted = Trial.adjusted(best, after, new Uncertainty(best).knowledge());
+            boolean passes = Trial.passes(best, before, after, adjusted);
+            boolean agrees = passes && Agreement.of(adjusted);
             return new Judgement(found, trial, before, after, passes, agrees);
         }
 

@@ -108,11 +108,7 @@ final class Tournament {
                 .limit(most)
                 .toList()
                 .parallelStream()
-                .map(
-                        j ->
-                                j.cost() > hopeless
-                                        ? j
-                                        : Refinement.converge(j, steps, toBeat, course))
+                .map(j -> j.cost() > hopeless ? j : Refinement.converge(j, steps, toBeat, course))
                 .toList();
     }
 

@@ -39,32 +39,31 @@ final class Trial {
     }
 
     /**
-     * Whether a hypothesis holds on the held-out runs: its parameters may move within what the runs
-     * of the fit leave open, which on a long or tumbling run makes all the difference. One that
-     * predicts them worse than the model as it was believed does not hold, moved or as it is: what
-     * only fitted noise can often be moved to fit other noise.
+     * What was predicted, the parameters moved within what the runs of the fit leave open: on a
+     * long or tumbling run that makes all the difference.
+     *
+     * @param known of the parameters by the fit
+     */
+    static Judged adjusted(Judged fitted, Judged predicted, Knowledge known) {
+        Fit fit = predicted.fit().with(fitted.fit().hypothesis(), predicted.fit().windows());
+        return Refinement.converge(Judged.of(fit.knowing(known)), STEPS);
+    }
+
+    /**
+     * Whether a hypothesis holds on the held-out runs, adjusted to them. One that predicts them
+     * worse than the model as it was believed does not hold, adjusted or as it is: what only fitted
+     * noise can often be moved to fit other noise.
      *
      * @param before the model as it was believed, on the held-out runs
      * @param predicted the hypothesis as it is on them
-     * @param known of its parameters by the fit
+     * @param adjusted the same, adjusted
      */
-    boolean passes(Judged fitted, Judged before, Judged predicted, Knowledge known) {
-        Judged adjusted = adjusted(fitted, predicted, known);
+    static boolean passes(Judged fitted, Judged before, Judged predicted, Judged adjusted) {
         double worst = before.outcome().deviance() + Cause.PRICE;
         return isConfirmed(before.outcome().misses(), List.of(adjusted), fitted)
                 && predicted.outcome().deviance() < worst
                 && adjusted.outcome().deviance() < worst
                 && holds(adjusted, fitted);
-    }
-
-    /** Whether held-out runs want the numbers that the fit says, within what it leaves open. */
-    boolean agrees(Judged fitted, Judged predicted, Knowledge known) {
-        return Agreement.of(adjusted(fitted, predicted, known));
-    }
-
-    private static Judged adjusted(Judged fitted, Judged predicted, Knowledge known) {
-        Fit fit = predicted.fit().with(fitted.fit().hypothesis(), predicted.fit().windows());
-        return Refinement.converge(Judged.of(fit.knowing(known)), STEPS);
     }
 
     /**

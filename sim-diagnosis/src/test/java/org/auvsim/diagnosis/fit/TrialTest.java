@@ -33,20 +33,21 @@ class TrialTest {
 
     private static boolean agrees(double deviation) throws Exception {
         Hypothesis said = said(-0.25);
-        Trial trial = trial();
-        return trial.agrees(
-                fitted(said), trial.prediction(said), Knowledge.of(said.numbers(), 0, deviation));
+        Knowledge known = Knowledge.of(said.numbers(), 0, deviation);
+        return Agreement.of(Trial.adjusted(fitted(said), trial().prediction(said), known));
     }
 
     /** Whether a gain that is off by so much holds; the fit leaves it open. */
     private static boolean passes(double gain) throws Exception {
         Hypothesis said = said(gain);
         Trial trial = trial();
-        return trial.passes(
+        Judged predicted = trial.prediction(said);
+        Knowledge known = Knowledge.of(said.numbers(), 0, 1);
+        return Trial.passes(
                 fitted(said),
                 trial.prediction(Hypothesis.NONE),
-                trial.prediction(said),
-                Knowledge.of(said.numbers(), 0, 1));
+                predicted,
+                Trial.adjusted(fitted(said), predicted, known));
     }
 
     private static Hypothesis said(double gain) throws Exception {

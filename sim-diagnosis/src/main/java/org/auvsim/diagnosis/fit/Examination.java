@@ -198,8 +198,7 @@ public final class Examination {
                 runs(found, best, before, after),
                 discrepancy,
                 Optional.empty(),
-                new Menu(found.stepping().model(), best.fit(), found.noise())
-                        .next(best, found.competitors()),
+                new Menu(best.fit(), found.noise()).next(best, found.competitors()),
                 found.traces().identifiability(best.fit().hypothesis().causes()),
                 model.extended(isExplained ? best.fit().variant() : model.variant()),
                 notices(found, verdict),

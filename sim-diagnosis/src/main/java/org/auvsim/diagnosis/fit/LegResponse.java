@@ -102,6 +102,9 @@ final class LegResponse {
         for (int i = 0; i < SIZE; i++) {
             double begun = error[i];
             double come = parting[i];
+            if (begun == 0 && come == 0) {
+                continue;
+            }
             double[] of = shown[i];
             double[] ofParting = shownOfParting[i];
             for (int r = 0; r < of.length; r++) {

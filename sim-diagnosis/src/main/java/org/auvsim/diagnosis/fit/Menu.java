@@ -3,12 +3,13 @@ package org.auvsim.diagnosis.fit;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
-import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble;
 import org.auvsim.diagnosis.model.Ensemble.Entrant;
+import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.NextExperiment;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.KnownDifferences;
+import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.server.feedback.RigidMotion;
@@ -19,8 +20,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Proposes the run of a menu that would tell most among models that are left: the one whose
- * predictions differ most, in units of the noise.
+ * Proposes the run of a menu that would tell most among models that are left: the one of which the
+ * others would miss most if the best is true, in units of the noise. Its start would be known as
+ * well as those of the runs were; what another start explains tells nothing.
  */
 final class Menu {
     private static final int SAMPLES = 200;
@@ -32,14 +34,15 @@ final class Menu {
     private static final double SPIN = 0.5;
     private static final double SHARE_OF_MASS = 0.2;
 
-    private final BelievedModel model;
+    private final Stepping stepping;
     private final Noise noise;
     private final double duration;
     private final RigidMotion rest;
+    private final Optional<List<Double>> startDeviations;
 
     /** For a body that was measured so; its experiments begin where the first run did. */
-    Menu(BelievedModel model, Fit fit, Noise noise) {
-        this.model = model;
+    Menu(Fit fit, Noise noise) {
+        this.stepping = fit.stepping();
         this.noise = noise;
         double longest = 0;
         for (Misses of : fit.data()) {
@@ -48,115 +51,163 @@ final class Menu {
         this.duration = Math.min(LONGEST, longest);
         RigidMotion start = fit.windows().getFirst().getFirst().start();
         this.rest = new RigidMotion(start.position(), start.orientation(), Vec3.ZERO, Vec3.ZERO);
+        this.startDeviations =
+                fit.data().stream()
+                        .flatMap(of -> of.run().start().stream())
+                        .map(KnownStart::deviations)
+                        .findFirst();
     }
 
-    private record Dish(String id, String description, MeasuredRun run, RigidMotion start) {}
+    /**
+     * An experiment.
+     *
+     * @param driven names of the propulsors that are
+     */
+    private record Dish(
+            String id,
+            String description,
+            List<String> driven,
+            KnownDifferences differences,
+            RigidMotion start) {}
 
     /** What tells the best from its competitors; empty if there are none, or nothing does. */
     Optional<NextExperiment> next(Judged best, List<Judged> competitors) {
-        return dishes().stream()
-                .map(dish -> experiment(dish, best, competitors))
-                .filter(experiment -> experiment.evidence() > 1)
-                .max(Comparator.comparingDouble(NextExperiment::evidence));
+        return competitors.isEmpty()
+                ? Optional.empty()
+                : dishes().stream()
+                        .map(dish -> experiment(dish, best.fit().variant(), competitors))
+                        .filter(experiment -> experiment.evidence() > 1)
+                        .max(Comparator.comparingDouble(NextExperiment::evidence));
     }
 
-    private NextExperiment experiment(Dish dish, Judged best, List<Judged> competitors) {
-        List<Entrant> entrants = new ArrayList<>();
-        entrants.add(new Entrant(best.fit().variant(), dish.start()));
-        competitors.forEach(c -> entrants.add(new Entrant(c.fit().variant(), dish.start())));
-        RigidMotion[][] motions =
-                Ensemble.simulate(model, dish.run(), 0, dish.run().size() - 1, entrants);
+    private NextExperiment experiment(Dish dish, Variant best, List<Judged> competitors) {
+        MeasuredRun run = measured(dish, best);
         double least = Double.POSITIVE_INFINITY;
         List<String> separates = new ArrayList<>();
-        for (int i = 1; i < entrants.size(); i++) {
-            double evidence = evidence(dish.run(), entrants, motions, i);
+        for (Judged competitor : competitors) {
+            Hypothesis of = competitor.fit().hypothesis();
+            double evidence = evidence(run, dish.start(), of);
             if (evidence > 1) {
                 separates.addAll(
-                        competitors.get(i - 1).fit().hypothesis().causes().stream()
+                        of.causes().stream()
                                 .map(cause -> cause.name())
                                 .filter(name -> !separates.contains(name))
                                 .toList());
             }
             least = Math.min(least, evidence);
         }
-        return new NextExperiment(
-                dish.id(),
-                dish.description(),
-                separates,
-                entrants.size() > 1 && Double.isFinite(least) ? least : 0);
+        return new NextExperiment(dish.id(), dish.description(), separates, least);
     }
 
-    /** Half the squared difference of what sensors would tell, in standard deviations. */
-    private double evidence(
-            MeasuredRun run, List<Entrant> entrants, RigidMotion[][] motions, int other) {
-        double sum = 0;
-        RigidMotion[] one = told(entrants.getFirst(), motions[0], run);
-        RigidMotion[] another = told(entrants.get(other), motions[other], run);
-        for (int k = 0; k < run.size(); k++) {
-            double[] off = one[k].minus(another[k]);
-            for (int i = 0; i < 6; i++) {
-                Channel channel = i < 3 ? Channel.POSITION : Channel.ORIENTATION;
-                if (noise.tells(channel, i % 3)) {
-                    sum += Math.pow(off[i] / noise.of(channel, i % 3), 2);
-                }
-            }
+    /** Half of what a hypothesis misses of it, from the start that suits it; 0 if it gets lost. */
+    private double evidence(MeasuredRun run, RigidMotion start, Hypothesis of) {
+        List<Window> whole = List.of(new Window(0, run.size() - 1, start));
+        List<Misses> data = List.of(new Misses(run, noise));
+        Fit fit = new Fit(stepping, data, of.settled(), List.of(whole), Knowledge.NONE);
+        return Refinement.least(fit).orElse(0) / 2;
+    }
+
+    /** As the sensors would tell it, without noise, if this were true. */
+    private MeasuredRun measured(Dish dish, Variant truth) {
+        MeasuredRunBuilder planned = begun(dish);
+        for (int k = 0; k <= SAMPLES; k++) {
+            at(k, dish, planned);
         }
-        return sum / 2;
+        MeasuredRun plan = planned.build();
+        List<Entrant> alone = List.of(new Entrant(truth, dish.start()));
+        RigidMotion[] motion =
+                Ensemble.simulate(stepping.model(), plan, 0, plan.size() - 1, alone)[0];
+        if (motion[0].equals(Ensemble.LOST)) {
+            return plan;
+        }
+        RigidMotion[] told = truth.sensing().of(motion, plan, 0, plan.size());
+        MeasuredRunBuilder run = begun(dish);
+        startDeviations.ifPresent(d -> run.start(new KnownStart(dish.start(), d)));
+        for (int k = 0; k < told.length; k++) {
+            at(k, dish, run);
+            Vec3 place = told[k].position();
+            run.position(
+                    tells(Channel.POSITION, 0) ? place.x() : Double.NaN,
+                    tells(Channel.POSITION, 1) ? place.y() : Double.NaN,
+                    tells(Channel.POSITION, 2) ? place.z() : Double.NaN);
+            run.orientation(
+                    told[k].orientation(),
+                    tells(Channel.ORIENTATION, 0),
+                    tells(Channel.ORIENTATION, 1),
+                    tells(Channel.ORIENTATION, 2));
+        }
+        return run.build();
     }
 
-    private static RigidMotion[] told(Entrant entrant, RigidMotion[] motion, MeasuredRun run) {
-        return entrant.variant().sensing().of(motion, run, 0, run.size());
+    private boolean tells(Channel channel, int axis) {
+        return noise.tells(channel, axis);
+    }
+
+    private MeasuredRunBuilder begun(Dish dish) {
+        return MeasuredRun.named(dish.id()).commands(dish.driven()).differences(dish.differences());
+    }
+
+    /** A sample, with what is commanded from it on. */
+    private void at(int sample, Dish dish, MeasuredRunBuilder run) {
+        run.at(duration * sample / SAMPLES);
+        for (int c = 0; c < dish.driven().size(); c++) {
+            run.command(c, LEVEL);
+        }
     }
 
     private List<Dish> dishes() {
         List<Dish> dishes = new ArrayList<>();
-        dishes.add(new Dish("drop", "let it go from rest, nothing driven", run(List.of()), rest));
+        dishes.add(plain("drop", "let it go from rest, nothing driven", List.of(), rest));
         dishes.add(
-                new Dish(
+                plain(
                         "coast_down",
                         "give it 1 m/s ahead, then drive nothing",
-                        run(List.of()),
+                        List.of(),
                         moving(rest.orientation().rotate(new Vec3(1, 0, 0)), Vec3.ZERO)));
         dishes.add(
-                new Dish(
+                plain(
                         "spin_up",
                         "turn it at %s rad/s about the vertical, then drive nothing"
                                 .formatted(SPIN),
-                        run(List.of()),
+                        List.of(),
                         moving(Vec3.ZERO, new Vec3(0, 0, SPIN))));
+        Variant believed = stepping.variant();
         List<String> propulsors =
-                model.variant().body().component().stream()
+                believed.body().component().stream()
                         .filter(Propulsor.class::isInstance)
                         .map(component -> component.name())
                         .toList();
         for (String name : propulsors) {
             dishes.add(
-                    new Dish(
+                    plain(
                             "one_thruster",
                             "drive '%s' alone at %s from rest".formatted(name, LEVEL),
-                            run(List.of(name)),
+                            List.of(name),
                             rest));
         }
         if (!propulsors.isEmpty()) {
             dishes.add(
-                    new Dish(
+                    plain(
                             "another_heading",
                             "drive all at %s from rest, turned by 90 degrees".formatted(LEVEL),
-                            run(propulsors),
+                            propulsors,
                             turned()));
         }
-        double mass = SHARE_OF_MASS * model.variant().body().mass().orElse(0.0);
+        double mass = SHARE_OF_MASS * believed.body().mass().orElse(0.0);
         if (mass > 0) {
             dishes.add(
                     new Dish(
                             "known_mass",
                             "repeat a run with %.3g kg more, tightly fixed".formatted(mass),
-                            named("known_mass", propulsors)
-                                    .differences(new KnownDifferences(mass, List.of(), List.of()))
-                                    .build(),
+                            propulsors,
+                            new KnownDifferences(mass, List.of(), List.of()),
                             rest));
         }
         return dishes;
+    }
+
+    private static Dish plain(String id, String text, List<String> driven, RigidMotion start) {
+        return new Dish(id, text, driven, KnownDifferences.NONE, start);
     }
 
     private RigidMotion moving(Vec3 velocity, Vec3 angular) {
@@ -167,20 +218,5 @@ final class Menu {
         Quat quarter = new Quat(Math.sqrt(0.5), 0, 0, Math.sqrt(0.5));
         return new RigidMotion(
                 rest.position(), quarter.times(rest.orientation()), Vec3.ZERO, Vec3.ZERO);
-    }
-
-    private MeasuredRun run(List<String> driven) {
-        return named("experiment", driven).build();
-    }
-
-    private MeasuredRunBuilder named(String name, List<String> driven) {
-        MeasuredRunBuilder run = MeasuredRun.named(name).commands(driven);
-        for (int k = 0; k <= SAMPLES; k++) {
-            run.at(duration * k / SAMPLES);
-            for (int c = 0; c < driven.size(); c++) {
-                run.command(c, LEVEL);
-            }
-        }
-        return run;
     }
 }

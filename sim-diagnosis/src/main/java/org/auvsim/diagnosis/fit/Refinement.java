@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.fit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 
 /**
@@ -92,6 +93,14 @@ final class Refinement {
         }
         double[] change = size == 0 ? new double[0] : gram.solve(all(size));
         return Optional.of(new Step(blocks, gram, change));
+    }
+
+    /**
+     * What a fit would still miss, to first order, after the change of starts and parameters that
+     * suits it best; empty if the motion gets lost.
+     */
+    static OptionalDouble least(Fit fit) {
+        return step(fit, 1).map(Step::least).map(OptionalDouble::of).orElse(OptionalDouble.empty());
     }
 
     private static int[] all(int size) {

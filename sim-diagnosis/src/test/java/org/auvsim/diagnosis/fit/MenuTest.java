@@ -1,0 +1,65 @@
+package org.auvsim.diagnosis.fit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Parameter;
+import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.result.NextExperiment;
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+import java.util.Optional;
+
+/** What tells models of a cart apart. */
+class MenuTest {
+    private static final Cart CART = new Cart(0.8, 1e-5, 0);
+
+    private static Judged judged(String id, double... numbers) throws Exception {
+        Cause cause = CART.cause(id);
+        return Judged.of(CART.fit(new Hypothesis(List.of(cause), List.of(numbers))).whole());
+    }
+
+    private static Optional<NextExperiment> next(Judged best, Judged other) throws Exception {
+        return new Menu(best.fit(), Noise.of(List.of(CART.run()))).next(best, List.of(other));
+    }
+
+    /** The same motor on the same cart moves both alike; with a known load it does not. */
+    @Test
+    void aWeakMotorIsToldFromAHeavyCartByAKnownMass() throws Exception {
+        NextExperiment next =
+                next(judged("thruster_gain", -0.2), judged("mass_error", 0.25)).orElseThrow();
+
+        assertThat(next.id()).isEqualTo("known_mass");
+        assertThat(next.separates()).containsExactly("mass_error");
+    }
+
+    /** Positions are told half a metre ahead. */
+    private static final class Shifted implements Cause {
+        @Override
+        public String id() {
+            return "shifted";
+        }
+
+        @Override
+        public List<Parameter> parameters() {
+            return List.of();
+        }
+
+        @Override
+        public Variant in(Variant model, double[] theta) {
+            return model.sensed(sensing -> sensing.shifted(new Vec3(0.5, 0, 0)));
+        }
+    }
+
+    /** Where it begins is known by that sensor alone. */
+    @Test
+    void whatAnotherStartExplainsTellsNothing() throws Exception {
+        Judged best = judged("thruster_gain", -0.2);
+        Hypothesis shifted = best.fit().hypothesis().and(new Shifted(), new double[0]);
+        Judged other = Judged.of(best.fit().with(shifted, best.fit().windows()));
+
+        assertThat(next(best, other)).isEmpty();
+    }
+}

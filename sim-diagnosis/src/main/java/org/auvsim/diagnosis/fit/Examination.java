@@ -94,6 +94,19 @@ public final class Examination {
             return new Judgement(all, trial, before, trial.prediction(best), true, true);
         }
 
+        /**
+         * Where held-out runs do not bear out what was found: that nothing was, if the model as it
+         * was believed leaves nothing but noise in all runs.
+         */
+        Judgement orAsBelieved() {
+            Judged none = found.none();
+            boolean isNone =
+                    !passes && Search.isWhite(none) && Trial.passes(none, before, before, before);
+            return isNone
+                    ? new Judgement(found.nothing(), trial, before, before, true, true)
+                    : this;
+        }
+
         /** Whether the fit is content and the held-out runs are not. */
         boolean isOfTwoMinds() {
             return Search.isWhite(found.best()) && !agrees;
@@ -126,7 +139,7 @@ public final class Examination {
                 return diagnosis(judgement.convinced(all), true);
             }
         }
-        return diagnosis(judgement, false);
+        return diagnosis(judgement.orAsBelieved(), false);
     }
 
     /**

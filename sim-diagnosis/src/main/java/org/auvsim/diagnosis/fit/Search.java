@@ -83,6 +83,11 @@ final class Search {
             return none.fit().stepping();
         }
 
+        /** The same, if none of what was found is true. */
+        Found nothing() {
+            return new Found(none, none, judged, List.of(), traces, noise);
+        }
+
         /** The best, one of its causes left out. */
         Judged without(int cause) {
             Hypothesis of = best.fit().hypothesis();

@@ -61,7 +61,7 @@ final class Gram {
             for (WindowBlock block : ofRun) {
                 for (int a = 0; a < all.length; a++) {
                     for (int b = 0; b <= a; b++) {
-                        products[a][b] += block.product(all[a], all[b]);
+                        products[a][b] = block.plusProduct(products[a][b], all[a], all[b]);
                         products[b][a] = products[a][b];
                     }
                 }

@@ -27,6 +27,9 @@ final class Refinement {
     /** A share of the cost that is not worth a step. */
     private static final double ENOUGH = 1e-4;
 
+    /** A step leads on that leaves less than this share of what is missed. */
+    private static final double LEADING_ON = 0.25;
+
     /** All that follow one gain no more than so many like it; of fewer, long valleys are missed. */
     private static final int MOST_HOPED = 40;
 
@@ -154,23 +157,36 @@ final class Refinement {
      * where that has led.
      */
     static Judged approach(Fit start, int perBlock) {
-        return approach(start, perBlock, Double.POSITIVE_INFINITY, Course.UNHEARD);
+        return approach(start, perBlock, Double.POSITIVE_INFINITY, Course.UNHEARD).judged();
     }
 
     /**
-     * The same, which ends where it is once it was told to stop, or what will be missed is more
-     * than that.
+     * How near a fit came.
+     *
+     * @param isGivenUp whether it will miss too much
      */
-    static Judged approach(Fit start, int perBlock, double hopeless, Course course) {
+    record Near(Judged judged, boolean isGivenUp) {}
+
+    /**
+     * The same, which ends where it is once it was told to stop, or where what will be missed is
+     * more than that, and hardly less than a step before.
+     */
+    static Near approach(Fit start, int perBlock, double hopeless, Course course) {
         Judged best = Judged.of(start.whole());
         Fit fit = start;
+        double before = Double.POSITIVE_INFINITY;
         int longest = start.longest();
         int more = 0;
         for (int block = perBlock; more <= MORE_STEPS; block = Math.min(2 * block, longest)) {
             Optional<Step> step = course.goesOn() ? step(fit, block) : Optional.empty();
-            if (step.isEmpty() || step.get().least() > hopeless) {
+            if (step.isEmpty()) {
                 break;
             }
+            double least = step.get().least();
+            if (least > hopeless && least > LEADING_ON * before) {
+                return new Near(best, true);
+            }
+            before = least;
             fit = step.get().from(fit, 1);
             if (block < longest) {
                 continue;
@@ -182,7 +198,7 @@ final class Refinement {
             }
             more++;
         }
-        return best;
+        return new Near(best, false);
     }
 
     /** Gauss-Newton steps of whole runs, shortened until they help. */

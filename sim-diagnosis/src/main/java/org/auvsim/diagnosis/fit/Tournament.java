@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.fit.Refinement.Near;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -16,7 +17,7 @@ import java.util.stream.Stream;
  * All sets of causes come near to where they fit best, the best of them nearer, the best of those
  * to the end. Once a set leaves nothing but noise, others are followed only as long as they may yet
  * come close: what they miss in blocks of windows, all starts free, is less than what they will
- * miss of whole runs (branch and bound: Land &amp; Doig 1960).
+ * miss of whole runs (branch and bound: Land &amp; Doig 1960), once their steps hardly lead on.
  */
 final class Tournament {
     private static final int SECOND_ROUND = 10;
@@ -57,14 +58,14 @@ final class Tournament {
     List<Judged> last(List<Screen.Start> starts) {
         double hopeless = hopeless(otherwise);
         List<Screen.Start> first = Double.isFinite(hopeless) ? List.of() : favourites(starts);
-        List<Judged> near = new ArrayList<>(near(first, starts.size(), hopeless));
-        for (Judged judged : near) {
-            hopeless = Math.min(hopeless, hopeless(judged));
+        List<Near> near = new ArrayList<>(near(first, starts.size(), hopeless));
+        for (Near favourite : near) {
+            hopeless = Math.min(hopeless, hopeless(favourite.judged()));
         }
         List<Screen.Start> others = starts.stream().filter(s -> !first.contains(s)).toList();
         near.addAll(near(others, starts.size(), hopeless));
-        List<Judged> nearer = best(near, SECOND_ROUND, SECOND_STEPS, hopeless);
-        return best(nearer, THIRD_ROUND, THIRD_STEPS, hopeless);
+        List<Near> nearer = best(near, SECOND_ROUND, SECOND_STEPS);
+        return best(nearer, THIRD_ROUND, THIRD_STEPS).stream().map(Near::judged).toList();
     }
 
     /** What promises most at each level, each set of causes once, where it has least to go. */
@@ -81,7 +82,7 @@ final class Tournament {
         return List.copyOf(ofSets.values());
     }
 
-    private List<Judged> near(List<Screen.Start> starts, int ofAll, double hopeless) {
+    private List<Near> near(List<Screen.Start> starts, int ofAll, double hopeless) {
         return starts.parallelStream()
                 .filter(_ -> course.at("fitting sets of causes", share(ofAll)))
                 .map(s -> Refinement.approach(s.fit(), s.perBlock(), hopeless, course))
@@ -99,23 +100,27 @@ final class Tournament {
                 : Double.POSITIVE_INFINITY;
     }
 
-    private List<Judged> best(List<Judged> of, int most, int steps, double hopeless) {
+    private List<Near> best(List<Near> of, int most, int steps) {
         Set<List<Cause>> taken = new HashSet<>();
         double toBeat = toBeat(of);
         return of.stream()
-                .sorted(Comparator.comparingDouble(Judged::score))
-                .filter(j -> taken.add(j.fit().hypothesis().causes()))
+                .sorted(Comparator.comparingDouble(near -> near.judged().score()))
+                .filter(near -> taken.add(near.judged().fit().hypothesis().causes()))
                 .limit(most)
                 .toList()
                 .parallelStream()
-                .map(j -> j.cost() > hopeless ? j : Refinement.converge(j, steps, toBeat, course))
+                .map(near -> near.isGivenUp() ? near : nearer(near.judged(), steps, toBeat))
                 .toList();
     }
 
+    private Near nearer(Judged judged, int steps, double toBeat) {
+        return new Near(Refinement.converge(judged, steps, toBeat, course), false);
+    }
+
     /** The best score there is, and what may be of interest beside it. */
-    private double toBeat(List<Judged> round) {
+    private double toBeat(List<Near> round) {
         return BESIDE
-                + Stream.concat(Stream.of(otherwise), round.stream())
+                + Stream.concat(Stream.of(otherwise), round.stream().map(Near::judged))
                         .mapToDouble(Judged::score)
                         .min()
                         .orElseThrow();

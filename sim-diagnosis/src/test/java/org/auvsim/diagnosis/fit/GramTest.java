@@ -1,7 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 
@@ -12,7 +11,7 @@ class GramTest {
     private static final Cart CART = new Cart(0.8, 2, 0.1);
 
     @Test
-    void thoseOfSomeAreTheSameAsAmongAll() throws Exception {
+    void thoseOfSomeAreToTheBitThoseAmongAll() throws Exception {
         Hypothesis both =
                 new Hypothesis(
                         List.of(CART.cause("linear_drag"), CART.cause("thruster_gain")),
@@ -25,15 +24,9 @@ class GramTest {
         Gram exchanged = Gram.of(blocks, new int[] {1, 0}, 2);
 
         assertThat(one.columns()).isEqualTo(1);
-        assertThat(one.product(0, 0)).isCloseTo(all.product(1, 1), within(1e-9 * one.cost()));
-        assertThat(one.cost()).isCloseTo(all.cost(), within(1e-9 * all.cost()));
-        assertThat(one.solve(new int[] {0})[0])
-                .isCloseTo(all.solve(new int[] {1})[0], within(1e-9));
-        assertThat(exchanged.solve(new int[] {0, 1}))
-                .containsExactly(
-                        new double[] {
-                            all.solve(new int[] {1, 0})[0], all.solve(new int[] {1, 0})[1]
-                        },
-                        within(1e-9));
+        assertThat(one.product(0, 0)).isEqualTo(all.product(1, 1));
+        assertThat(one.cost()).isEqualTo(all.cost());
+        assertThat(one.solve(new int[] {0})).isEqualTo(all.solve(new int[] {1}));
+        assertThat(exchanged.solve(new int[] {0, 1})).isEqualTo(all.solve(new int[] {1, 0}));
     }
 }

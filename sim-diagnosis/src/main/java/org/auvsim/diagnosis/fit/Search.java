@@ -15,7 +15,6 @@ import java.util.function.Predicate;
 /** Looks for the causes that explain what a model misses of measured runs. */
 final class Search {
     private static final int MOST_CAUSES = 3;
-    private static final int STEPS = 40;
     private static final int FORWARD = 4;
 
     /** A model that lacks nothing needs few; how badly another one fits need not be known well. */
@@ -103,7 +102,7 @@ final class Search {
 
         private Judged fitted(Hypothesis hypothesis) {
             Fit fit = best.fit().with(hypothesis, best.fit().windows());
-            return Refinement.converge(Judged.of(fit), STEPS);
+            return Refinement.converge(Judged.of(fit), Tournament.TO_THE_END);
         }
     }
 
@@ -377,7 +376,9 @@ final class Search {
             for (int c = 0; hypothesis.causes().size() > 1 && c < hypothesis.causes().size(); c++) {
                 Fit fewer = best.fit().with(hypothesis.without(c), best.fit().windows());
                 double toBeat = best.score() + Tournament.BESIDE;
-                Judged without = Refinement.converge(Judged.of(fewer), STEPS, toBeat, course);
+                Judged without =
+                        Refinement.converge(
+                                Judged.of(fewer), Tournament.TO_THE_END, toBeat, course);
                 judged.add(without);
                 if (without.score() < best.score()) {
                     best = without;

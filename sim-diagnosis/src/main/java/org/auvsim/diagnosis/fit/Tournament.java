@@ -15,15 +15,17 @@ import java.util.stream.Stream;
 
 /**
  * All sets of causes come near to where they fit best, the best of them nearer, the best of those
- * to the end. Once a set leaves nothing but noise, others are followed only as long as they may yet
- * come close: what they miss in blocks of windows, all starts free, is less than what they will
- * miss of whole runs (branch and bound: Land &amp; Doig 1960), once their steps hardly lead on.
+ * to the end. What a set misses in blocks of windows, all starts free, is less than what it will
+ * miss of whole runs. So once one set leaves nothing but noise, others are given up that miss far
+ * more even so, and whose steps hardly lead on (branch and bound: Land &amp; Doig 1960).
  */
 final class Tournament {
     private static final int SECOND_ROUND = 10;
     private static final int SECOND_STEPS = 3;
     private static final int THIRD_ROUND = 4;
-    private static final int THIRD_STEPS = 40;
+
+    /** Enough steps for a set to come to where it fits best. */
+    static final int TO_THE_END = 40;
 
     /** Scores that are worse than the best by more are of no interest. */
     static final double BESIDE = 30;
@@ -65,7 +67,7 @@ final class Tournament {
         List<Screen.Start> others = starts.stream().filter(s -> !first.contains(s)).toList();
         near.addAll(near(others, starts.size(), hopeless));
         List<Near> nearer = best(near, SECOND_ROUND, SECOND_STEPS);
-        return best(nearer, THIRD_ROUND, THIRD_STEPS).stream().map(Near::judged).toList();
+        return best(nearer, THIRD_ROUND, TO_THE_END).stream().map(Near::judged).toList();
     }
 
     /** What promises most at each level, each set of causes once, where it has least to go. */

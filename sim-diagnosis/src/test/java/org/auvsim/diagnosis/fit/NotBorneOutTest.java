@@ -2,9 +2,6 @@ package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
-
-import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
@@ -37,19 +34,7 @@ class NotBorneOutTest {
     }
 
     private static Diagnosis diagnosis(double slowed, double slowedElsewhere) throws Exception {
-        BelievedModel model =
-                new BelievedModel(
-                        ScenarioLoader.load(NotBorneOutTest.class.getClassLoader())
-                                .parse(
-                                        """
-                                        <scenario><time-step delta="0.05"/>
-                                          <world-object name="sphere" mass="1">
-                                            <sphere radius="0.1"/>
-                                          </world-object>
-                                        </scenario>
-                                        """
-                                                .getBytes(UTF_8)),
-                        "sphere");
+        BelievedModel model = FreeSphere.believed(0.05);
         Random random = new Random(5);
         List<MeasuredRun> fit = List.of(run("fit", slowed, random));
         List<MeasuredRun> heldOut = List.of(run("held out", slowedElsewhere, random));

@@ -3,10 +3,7 @@ package org.auvsim.diagnosis.fit;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
-
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
-import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Cause;
@@ -64,19 +61,7 @@ class ProfileTest {
     }
 
     private static Judged fitted(double[] measured, double noise) throws Exception {
-        BelievedModel model =
-                new BelievedModel(
-                        ScenarioLoader.load(ProfileTest.class.getClassLoader())
-                                .parse(
-                                        """
-                                        <scenario><time-step delta="0.02"/>
-                                          <world-object name="sphere" mass="1">
-                                            <sphere radius="0.1"/>
-                                          </world-object>
-                                        </scenario>
-                                        """
-                                                .getBytes(UTF_8)),
-                        "sphere");
+        BelievedModel model = FreeSphere.believed(0.02);
         MeasuredRun run = run(measured, noise);
         Cause drag =
                 Library.of(model, List.of(run)).stream()

@@ -140,37 +140,63 @@ final class Gram {
         return Arrays.stream(products).flatMapToDouble(Arrays::stream).allMatch(Double::isFinite);
     }
 
-    /** The change of these parameters that explains most. */
-    double[] solve(int[] columns) {
-        return solve(columns, RIDGE);
+    /** The change of these parameters, within their bounds, that explains most. */
+    double[] solve(int[] columns, Bounds bounds) {
+        return solve(columns, bounds, RIDGE);
     }
 
     /**
-     * The same, damped.
+     * The same, damped. What would go beyond its bounds stops there, and the others make up for it.
      *
      * @param damping share of a column's size that is added to it (Marquardt 1963)
      */
-    double[] solve(int[] columns, double damping) {
-        int n = columns.length;
+    double[] solve(int[] columns, Bounds bounds, double damping) {
+        boolean[] isFree = new boolean[columns.length];
+        Arrays.fill(isFree, true);
+        double[] change = new double[columns.length];
+        boolean goesOn = true;
+        while (goesOn) {
+            solveFree(columns, isFree, damping, change);
+            goesOn = false;
+            for (int i = 0; i < change.length; i++) {
+                double clipped = bounds.clipped(i, change[i]);
+                if (isFree[i] && clipped != change[i]) {
+                    change[i] = clipped;
+                    isFree[i] = false;
+                    goesOn = true;
+                }
+            }
+        }
+        return change;
+    }
+
+    /** Solves for those changes that are free, where the others are what they are. */
+    private void solveFree(int[] columns, boolean[] isFree, double damping, double[] change) {
+        int[] free = IntStream.range(0, columns.length).filter(i -> isFree[i]).toArray();
+        int n = free.length;
         double[][] matrix = new double[n][n];
         double[] right = new double[n];
         double[] scale = new double[n];
         for (int a = 0; a < n; a++) {
-            double norm = norm(columns[a]);
+            double norm = norm(columns[free[a]]);
             scale[a] = norm > 0 ? norm : 1;
         }
         for (int a = 0; a < n; a++) {
+            double[] ofColumn = products[columns[free[a]]];
             for (int b = 0; b < a; b++) {
-                matrix[a][b] = products[columns[a]][columns[b]] / scale[a] / scale[b];
+                matrix[a][b] = ofColumn[columns[free[b]]] / scale[a] / scale[b];
             }
             matrix[a][a] = 1 + damping;
-            right[a] = -products[misses][columns[a]] / scale[a];
+            double missed = products[misses][columns[free[a]]];
+            for (int i = 0; i < columns.length; i++) {
+                missed += isFree[i] ? 0 : ofColumn[columns[i]] * change[i];
+            }
+            right[a] = -missed / scale[a];
         }
         double[] solution = new Cholesky(matrix).solve(right);
         for (int a = 0; a < n; a++) {
-            solution[a] /= scale[a];
+            change[free[a]] = solution[a] / scale[a];
         }
-        return solution;
     }
 
     /**

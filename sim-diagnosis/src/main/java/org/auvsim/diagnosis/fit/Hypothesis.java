@@ -112,6 +112,11 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
         return theta.stream().flatMapToDouble(Arrays::stream).toArray();
     }
 
+    /** How far they may be moved. */
+    Bounds bounds() {
+        return Bounds.of(parameters(), numbers());
+    }
+
     /** The same with one more cause. */
     Hypothesis and(Cause cause, double[] numbers) {
         List<Cause> more = new ArrayList<>(causes);

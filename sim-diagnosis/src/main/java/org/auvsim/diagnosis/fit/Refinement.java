@@ -39,12 +39,14 @@ final class Refinement {
     private static final class Step {
         private final List<List<WindowBlock>> blocks;
         private final Gram gram;
+        private final Bounds bounds;
         private final double[] change;
         private final double turn;
 
-        Step(List<List<WindowBlock>> blocks, Gram gram, double[] change) {
+        Step(List<List<WindowBlock>> blocks, Gram gram, Bounds bounds, double[] change) {
             this.blocks = blocks;
             this.gram = gram;
+            this.bounds = bounds;
             this.change = change;
             this.turn = largestTurn(blocks, change);
         }
@@ -56,7 +58,8 @@ final class Refinement {
 
         /** The same, shorter along what is hardly determined. */
         Step damped(double damping) {
-            return new Step(blocks, gram, gram.solve(all(change.length), damping));
+            double[] shorter = gram.solve(all(change.length), bounds, damping);
+            return new Step(blocks, gram, bounds, shorter);
         }
 
         /** By how much it should make the cost smaller, starts and all. */
@@ -94,8 +97,8 @@ final class Refinement {
         if (!gram.isFinite()) {
             return Optional.empty();
         }
-        double[] change = size == 0 ? new double[0] : gram.solve(all(size));
-        return Optional.of(new Step(blocks, gram, change));
+        Bounds bounds = fit.hypothesis().bounds();
+        return Optional.of(new Step(blocks, gram, bounds, gram.solve(all(size), bounds)));
     }
 
     /**

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /**
@@ -32,6 +33,7 @@ final class Screen {
     private final Fit base;
     private final List<Seed> seeds;
     private final int own;
+    private final Bounds bounds;
     private final Moves moves;
     private final List<List<WindowDerivatives>> derivatives;
     private final Outcome outcome;
@@ -59,9 +61,18 @@ final class Screen {
         this.base = base;
         this.own = base.hypothesis().size();
         this.seeds = Seed.of(causes, guesses, own);
+        this.bounds = bounds();
         this.moves = moves();
         this.derivatives = FirstOrder.derivatives(base, moves);
         this.outcome = outcome;
+    }
+
+    /** How far the number of each column may be moved. */
+    private Bounds bounds() {
+        DoubleStream ofSeeds =
+                seeds.stream().flatMapToDouble(seed -> Arrays.stream(seed.numbers()));
+        DoubleStream all = DoubleStream.concat(Arrays.stream(base.hypothesis().numbers()), ofSeeds);
+        return Bounds.of(parameters(seeds), all.toArray());
     }
 
     private Moves moves() {
@@ -136,8 +147,7 @@ final class Screen {
     private List<Parameter> parameters(List<Seed> set) {
         List<Parameter> parameters = new ArrayList<>(base.hypothesis().parameters());
         for (Seed seed : set) {
-            List<Parameter> all = seed.cause().parameters();
-            seed.guess().columns().forEach(column -> parameters.add(all.get(column)));
+            parameters.addAll(seed.parameters());
         }
         return parameters;
     }
@@ -247,14 +257,14 @@ final class Screen {
      * @param columns own ones and those of the set, among those of the products
      */
     private Promise promise(Gram gram, int[] columns, List<Seed> set, double without) {
-        double[] factors = gram.solve(columns);
+        double[] factors = gram.solve(columns, bounds.of(columns(set)));
         int at = own;
         for (Seed seed : set) {
-            int size = seed.guess().columns().size();
-            if (!seed.makesSense(Arrays.copyOfRange(factors, at, at + size))) {
+            int end = at + seed.guess().columns().size();
+            if (Arrays.stream(factors, at, end).allMatch(factor -> factor == 0)) {
                 return new Promise(set, List.of(), Double.NEGATIVE_INFINITY);
             }
-            at += size;
+            at = end;
         }
         double price =
                 set.stream()
@@ -266,7 +276,7 @@ final class Screen {
 
     private double dropOfOwn(Gram gram) {
         int[] all = IntStream.range(0, own).toArray();
-        return own == 0 ? 0 : gram.drop(all, gram.solve(all));
+        return own == 0 ? 0 : gram.drop(all, gram.solve(all, bounds.of(all)));
     }
 
     /** Own ones, and those of a set. */

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Guess;
+import org.auvsim.diagnosis.cause.Parameter;
 import org.auvsim.diagnosis.model.Variant;
 
 import java.util.ArrayList;
@@ -61,16 +62,13 @@ record Seed(Cause cause, Guess guess, int first) {
         return theta;
     }
 
-    /** Whether factors are on the side that makes sense. */
-    boolean makesSense(double[] factors) {
-        for (int i = 0; i < factors.length; i++) {
-            int p = guess.columns().get(i);
-            if (cause.parameters().get(p).lowest() == 0
-                    && guess.theta().get(p) == 0
-                    && factors[i] < 0) {
-                return false;
-            }
-        }
-        return true;
+    /** The parameters that its columns are of. */
+    List<Parameter> parameters() {
+        return guess.columns().stream().map(cause.parameters()::get).toList();
+    }
+
+    /** The numbers that they begin at. */
+    double[] numbers() {
+        return guess.columns().stream().mapToDouble(guess.theta()::get).toArray();
     }
 }

@@ -27,7 +27,7 @@ class ChanceTest {
     private static double largestDrop(Gram gram) {
         return IntStream.range(0, gram.columns())
                 .mapToObj(column -> new int[] {column})
-                .mapToDouble(column -> gram.drop(column, gram.solve(column)))
+                .mapToDouble(column -> gram.drop(column, gram.solve(column, GramTest.free(1))))
                 .max()
                 .orElseThrow();
     }

@@ -1,9 +1,12 @@
 package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import org.auvsim.diagnosis.cause.Parameter;
 import org.junit.jupiter.api.Test;
 
+import java.util.Collections;
 import java.util.List;
 
 /** Products of columns. */
@@ -26,7 +29,51 @@ class GramTest {
         assertThat(one.columns()).isEqualTo(1);
         assertThat(one.product(0, 0)).isEqualTo(all.product(1, 1));
         assertThat(one.cost()).isEqualTo(all.cost());
-        assertThat(one.solve(new int[] {0})).isEqualTo(all.solve(new int[] {1}));
-        assertThat(exchanged.solve(new int[] {0, 1})).isEqualTo(all.solve(new int[] {1, 0}));
+        assertThat(one.solve(new int[] {0}, free(1))).isEqualTo(all.solve(new int[] {1}, free(1)));
+        assertThat(exchanged.solve(new int[] {0, 1}, free(2)))
+                .isEqualTo(all.solve(new int[] {1, 0}, free(2)));
+    }
+
+    /** (a - 1)^2 + (b + 2)^2 + (a + b)^2, the lowest where a = 4/3 and b = -5/3. */
+    private static final Gram BOWL = new Gram(new double[][] {{2, 1, -1}, {1, 2, 2}, {-1, 2, 5}});
+
+    @Test
+    void whatMayBeAnyNumberIsWhereTheCostIsLowest() {
+        double[] change = BOWL.solve(new int[] {0, 1}, free(2));
+
+        assertThat(change[0]).isCloseTo(4.0 / 3, within(1e-8));
+        assertThat(change[1]).isCloseTo(-5.0 / 3, within(1e-8));
+    }
+
+    /** Where b = 0, the cost is lowest at a = 1/2. */
+    @Test
+    void theOthersMakeUpForWhatStopsAtItsBound() {
+        Bounds bounds = bounds(Parameter.signed("a", "1", 1), Parameter.positive("b", "1", 1));
+
+        double[] change = BOWL.solve(new int[] {0, 1}, bounds);
+
+        assertThat(change[0]).isCloseTo(0.5, within(1e-8));
+        assertThat(change[1]).isZero();
+    }
+
+    @Test
+    void boundsAreThoseOfTheNumberNotOfItsChange() {
+        Bounds bounds =
+                Bounds.of(
+                        List.of(Parameter.signed("a", "1", 1), new Parameter("b", "1", 1, 0, 9)),
+                        new double[] {3, 1});
+
+        assertThat(BOWL.solve(new int[] {0, 1}, bounds)[1]).isEqualTo(-1);
+    }
+
+    /** Of numbers that may be any. */
+    static Bounds free(int size) {
+        return bounds(
+                Collections.nCopies(size, Parameter.signed("any", "1", 1))
+                        .toArray(Parameter[]::new));
+    }
+
+    private static Bounds bounds(Parameter... parameters) {
+        return Bounds.of(List.of(parameters), new double[parameters.length]);
     }
 }

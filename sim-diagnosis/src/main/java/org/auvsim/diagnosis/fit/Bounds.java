@@ -5,13 +5,22 @@ import org.auvsim.diagnosis.cause.Parameter;
 import java.util.Arrays;
 import java.util.List;
 
-/**
- * How far numbers may be moved and still make sense.
- *
- * @param least the lowest change of each, 0 or less
- * @param most the highest, 0 or more
- */
-record Bounds(double[] least, double[] most) {
+/** How far numbers may be moved and still make sense. */
+final class Bounds {
+    private final double[] least;
+    private final double[] most;
+
+    /**
+     * Of changes.
+     *
+     * @param least the lowest of each, 0 or less
+     * @param most the highest, 0 or more
+     */
+    private Bounds(double[] least, double[] most) {
+        this.least = least;
+        this.most = most;
+    }
+
     /** Of parameters that have these numbers now. */
     static Bounds of(List<Parameter> parameters, double[] numbers) {
         double[] least = new double[numbers.length];

@@ -56,6 +56,9 @@ final class LegResponse {
     /** An error that begins with nothing: velocities grow evenly, so that the way is a parabola. */
     private static RigidMotion[] parting(
             Misses of, Leg leg, RigidMotion[] motion, BelievedModel model, int i, double step) {
+        if (motion[0].equals(Ensemble.LOST)) {
+            return motion; // nothing is known of what would become of it
+        }
         double begin = of.run().time(leg.from());
         double duration = of.run().time(leg.to()) - begin;
         RigidMotion[] moved = new RigidMotion[motion.length];

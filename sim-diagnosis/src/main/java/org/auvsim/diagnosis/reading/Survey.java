@@ -14,6 +14,9 @@ import java.util.Optional;
  * and how often commands change.
  */
 final class Survey {
+    /** Times that were multiplied by 1000 are whole to so many of their last digits. */
+    private static final int ROUNDING = 4;
+
     private final CsvTable table;
     private final Cells cells;
     private final BoundColumn time;
@@ -67,7 +70,7 @@ final class Survey {
             ofRun = Cells.text(row, run.get());
             last = Double.NEGATIVE_INFINITY;
         }
-        isWhole &= now == Math.rint(now);
+        isWhole &= Math.abs(now - Math.rint(now)) <= ROUNDING * Math.ulp(now);
         if (rows == 0) {
             first = now;
         } else if (now < last) {

@@ -19,15 +19,24 @@ final class OnlyNumber {
      * In words that go on after those for the cause: {@code 0.85 +- 0.01 times what the model has}.
      */
     static String text(Finding of, QuantityGroup number) {
-        if (number.unit().equals(PURE) && number.name().equals("factor")) {
+        int dot = number.name().lastIndexOf('.');
+        return dot < 0
+                ? text(of, number, number.name())
+                : text(of, number, number.name().substring(0, dot))
+                        + " along "
+                        + number.name().substring(dot + 1);
+    }
+
+    private static String text(Finding of, QuantityGroup number, String name) {
+        if (number.unit().equals(PURE) && name.equals("factor")) {
             return number.text() + " what the model has";
         }
-        if (number.unit().equals(PURE) && number.name().equals("scale")) {
+        if (number.unit().equals(PURE) && name.equals("scale")) {
             return number.text() + " times the true one";
         }
         String text = Phrases.tellsSign(of) ? unsigned(number).text() : number.text();
-        boolean isNamed = number.unit().equals(PURE) || NAMED.contains(number.name());
-        return isNamed ? number.name() + " " + text : text;
+        boolean isNamed = number.unit().equals(PURE) || NAMED.contains(name);
+        return isNamed ? name + " " + text : text;
     }
 
     /** A downward force of 3 N, not of -3 N. */

@@ -9,7 +9,7 @@ import java.util.stream.IntStream;
 
 /**
  * A number of a cause, or a vector of numbers whose names end with {@code .x}, {@code .y} and so
- * on.
+ * on, the first with {@code .x}. What is told along another axis alone keeps its name.
  *
  * @param name of the number or of the vector
  * @param unit 1 for pure numbers
@@ -17,6 +17,8 @@ import java.util.stream.IntStream;
  */
 public record QuantityGroup(
         String name, String unit, boolean isVector, List<Double> values, List<Double> deviations) {
+    private static final String AXES = "xyz";
+
     /** The lists cannot be changed. */
     public QuantityGroup {
         values = List.copyOf(values);
@@ -34,9 +36,7 @@ public record QuantityGroup(
         while (from < quantities.size()) {
             String name = vectorName(quantities.get(from));
             int to = from + 1;
-            while (to < quantities.size()
-                    && !name.isEmpty()
-                    && name.equals(vectorName(quantities.get(to)))) {
+            while (to < quantities.size() && isNext(quantities.get(to), name, to - from)) {
                 to++;
             }
             groups.add(group(quantities.subList(from, to), part(deviations, from, to)));
@@ -54,24 +54,28 @@ public record QuantityGroup(
         return all.isEmpty() ? all : all.subList(from, to);
     }
 
+    /** Whether a number is that along the next axis of a vector. */
+    private static boolean isNext(Quantity quantity, String vector, int axis) {
+        return !vector.isEmpty()
+                && axis < AXES.length()
+                && quantity.name().equals(vector + "." + AXES.charAt(axis));
+    }
+
     private static QuantityGroup group(List<Quantity> of, List<Double> deviations) {
         Quantity first = of.getFirst();
-        String vector = vectorName(first);
+        boolean isVector = of.size() > 1;
         return new QuantityGroup(
-                vector.isEmpty() ? first.name() : vector,
+                isVector ? vectorName(first) : first.name(),
                 first.unit(),
-                !vector.isEmpty(),
+                isVector,
                 of.stream().map(Quantity::value).toList(),
                 deviations);
     }
 
-    /** The vector that a number is one of; empty if it stands alone. */
+    /** The vector that a number begins; empty if it begins none. */
     private static String vectorName(Quantity quantity) {
         String name = quantity.name();
-        int dot = name.length() - 2;
-        return dot > 0 && name.charAt(dot) == '.' && Character.isLetter(name.charAt(dot + 1))
-                ? name.substring(0, dot)
-                : "";
+        return name.endsWith(".x") ? name.substring(0, name.length() - 2) : "";
     }
 
     /** The values with their deviations and their unit: {@code 12.4 +- 0.3 kg/m}. */

@@ -14,6 +14,7 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
 
+import java.util.Arrays;
 import java.util.List;
 
 /** A hypothesis whose motions cannot be simulated is a bad one, and nothing worse. */
@@ -70,6 +71,25 @@ class LostMotionTest {
 
         assertThat(told[0]).doesNotContain(Ensemble.LOST).isEqualTo(told[2]);
         assertThat(told[1]).containsOnly(Ensemble.LOST);
+    }
+
+    @Test
+    void aLegThatGetsLostTellsNothing() throws Exception {
+        BelievedModel model = MeasuredVehicle.model(0.025);
+        List<MeasuredRun> runs = List.of(MeasuredVehicle.run(model));
+        Misses of = Misses.of(runs, Noise.of(runs)).getFirst();
+        Variant stuck = new Stuck().in(model.variant(), new double[0]);
+        Shooting shooting = new Shooting(Stepping.exact(model), stuck, of);
+        RigidMotion start = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, new Vec3(1, 0, 0), Vec3.ZERO);
+        double[] error = new double[RigidMotion.SIZE];
+        Arrays.fill(error, 1);
+        double[] rows = new double[of.rows().size()];
+
+        LegResponse response = new LegResponse(shooting, new Ensemble.Leg(0, 5, start), 1, 1);
+        response.carry(error, new double[RigidMotion.SIZE], rows, 0);
+
+        assertThat(error).containsOnly(0);
+        assertThat(rows).containsOnly(0);
     }
 
     /** What steps made of a force that is too stiff may still be finite, and of no use. */

@@ -20,6 +20,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 
 /** Each sentence has the file, the row as an editor counts it, and the column. */
 class BadRunsTest {
@@ -462,9 +463,19 @@ class BadRunsTest {
 
     @Test
     void millisecondsAreSuspected() throws Exception {
+        requireMilliseconds(i -> Integer.toString(50 * i));
+    }
+
+    /** 0.15 s are 150.00000000000003 ms. */
+    @Test
+    void soTheyAreWhereRoundingShows() throws Exception {
+        requireMilliseconds(i -> Double.toString(0.05 * i * 1000));
+    }
+
+    private void requireMilliseconds(IntFunction<String> time) throws Exception {
         StringBuilder text = new StringBuilder("t,yaw\n");
         for (int i = 0; i < ENOUGH; i++) {
-            text.append(50 * i).append(',').append(0.1 * i).append('\n');
+            text.append(time.apply(i)).append(',').append(0.1 * i).append('\n');
         }
 
         assertThat(Rov.read(folder, ColumnMapping.USUAL, text.toString()).notices())

@@ -71,6 +71,11 @@ final class Rov {
         return Files.writeString(file, text);
     }
 
+    /** A file of 6 s whose numbers differ from those of every other seed. */
+    static Path dive(Path file, int seed) throws IOException {
+        return write(file, rows("x,main,rudder", 60, i -> seed + i + ",0,0"));
+    }
+
     /** A header and so many rows; each begins with a time, 0.1 s after the one before. */
     static String rows(String header, int count, IntFunction<String> cells) {
         StringBuilder text = new StringBuilder("t,").append(header).append('\n');

@@ -25,11 +25,8 @@ class RunDocumentsTest {
     @TempDir private Path folder;
     private final RunReader reader = Rov.reader(ColumnMapping.USUAL);
 
-    /** A run whose numbers differ from those of every other one. */
     private Path run(String name, int seed) throws IOException {
-        return Rov.write(
-                folder.resolve(name + ".csv"),
-                Rov.rows("x,main,rudder", 60, i -> seed + i + ",0,0"));
+        return Rov.dive(folder.resolve(name + ".csv"), seed);
     }
 
     private void document(String name, String text) throws IOException {

@@ -94,8 +94,10 @@ class SentenceTest {
     @CsvSource({
         "thruster_gain, factor, 1, 'The thrust of all thrusters is wrong: 0.85 +- 0.02 times what"
                 + " the model has'",
-        "sensor_scale, scale.x, 1, 'The scale of the measured positions is wrong: (0.85 +- 0.02)"
-                + " times the true one'",
+        "sensor_scale, scale.x, 1, 'The scale of the measured positions is wrong: 0.85 +- 0.02"
+                + " times the true one along x'",
+        "sensor_offset, offset.z, m, 'The zero of the measured positions is off: 0.85 +- 0.02 m"
+                + " along z'",
         "thruster_deadzone, width, 1, 'A dead zone of all thrusters is missing: width 0.85 +-"
                 + " 0.02'",
         "restitution, e, 1, 'The restitution of impacts is wrong: e 0.85 +- 0.02'",

@@ -33,6 +33,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -53,9 +54,9 @@ import java.util.stream.Stream;
             "",
             "Ends with 0 for any verdict, 2 for input that cannot be used; with"
                     + " --fail-on-discrepancy with 1 unless the verdict is that nothing is wrong.",
-            "Ctrl-C ends the search early; what it has found is reported, and the command ends with"
-                    + " 130, whatever the verdict. Ctrl-C once more ends it at once, without a"
-                    + " report.",
+            "Ctrl-C ends the search early; what it has found is reported, if judging it takes no"
+                    + " more than 30 s, and the command ends with 130, whatever the verdict. Ctrl-C"
+                    + " once more ends it at once, without a report.",
             "",
             "Example: auvsim diagnose --scenario examples/diagnosis/model.xml --fit"
                     + " examples/diagnosis/run1.csv examples/diagnosis/run2.csv --holdout"
@@ -64,6 +65,9 @@ import java.util.stream.Stream;
 final class Diagnose implements Callable<Integer> {
     /** What --fail-on-discrepancy ends with if something is wrong. */
     static final int DISCREPANCY = 1;
+
+    /** So long after Ctrl-C the best so far must have been judged. */
+    private static final Duration PATIENCE = Duration.ofSeconds(30);
 
     @Spec private CommandSpec spec;
 
@@ -185,21 +189,37 @@ final class Diagnose implements Callable<Integer> {
         runs.notices().forEach(notice -> err.println("notice: " + notice));
         err.flush();
         prepareFolder();
-        try (Interruption interruption = new Interruption(this::tellOfStopping)) {
+        try (Interruption interruption =
+                new Interruption(this::tellOfStopping, PATIENCE, this::tellOfGivingUp)) {
             Diagnosis diagnosis = diagnosis(model, runs, interruption);
+            interruption.endIsInSight();
             tell(diagnosis);
             boolean isWrong = diagnosis.verdict() != Verdict.NONE;
             return failOnDiscrepancy && isWrong ? DISCREPANCY : ExitCode.OK;
         }
     }
 
+    /** Who asked for an end is not to wait for simulations of millions of steps. */
+    private void tellOfGivingUp() {
+        tellNow(
+                ("given up: one simulation of these runs takes longer than %s s, and there is no"
+                                + " report; cut the runs (--from, --until), or state a longer time"
+                                + " step in the scenario")
+                        .formatted(PATIENCE.toSeconds()));
+    }
+
     /** What comes takes some seconds: without a word people would press Ctrl-C once more. */
     private void tellOfStopping() {
+        tellNow(
+                ("stopping: the best so far is judged and reported, if that takes no more than %s"
+                                + " s; Ctrl-C once more ends at once, without a report")
+                        .formatted(PATIENCE.toSeconds()));
+    }
+
+    /** Beside the progress bar. */
+    private void tellNow(String line) {
         PrintWriter err = spec.commandLine().getErr();
-        err.println(
-                (StandardTerminal.isThere() ? "\n" : "")
-                        + "stopping: the best so far is judged and reported; Ctrl-C once more ends"
-                        + " at once, without a report");
+        err.println((StandardTerminal.isThere() ? "\n" : "") + line);
         err.flush();
     }
 

@@ -2,7 +2,10 @@ package org.auvsim.cli;
 
 import org.jline.utils.Signals;
 
+import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
 
 /**
  * Ctrl-C, or a request to end from elsewhere, for as long as this is open: the process ends only
@@ -13,13 +16,28 @@ final class Interruption implements AutoCloseable {
     /** What a shell is told of a process that Ctrl-C ended. */
     static final int EXIT_CODE = 130;
 
+    private static final Duration FOR_EVER = Duration.ofNanos(Long.MAX_VALUE);
+
+    private final CountDownLatch inSight = new CountDownLatch(1);
     private final CountDownLatch done = new CountDownLatch(1);
+
+    /** Whoever takes it first decides: the end is in sight, or what is under way is given up. */
+    private final Semaphore fate = new Semaphore(1);
+
     private final Thread hook;
     private volatile boolean requested;
 
     /** Runs {@code end}, on a thread of its own, when the end is requested. */
     Interruption(Runnable end) {
-        hook = new Thread(() -> finish(end), "interruption");
+        this(end, FOR_EVER, () -> {});
+    }
+
+    /**
+     * The same for what may take too long: unless {@link #endIsInSight} is called so soon after the
+     * request, what is under way is given up, {@code givingUp} runs, and the process ends.
+     */
+    Interruption(Runnable end, Duration patience, Runnable givingUp) {
+        hook = new Thread(() -> finish(end, patience, givingUp), "interruption");
         Runtime.getRuntime().addShutdownHook(hook);
     }
 
@@ -28,12 +46,22 @@ final class Interruption implements AutoCloseable {
         return requested;
     }
 
-    private void finish(Runnable end) {
+    /** From here on nothing is given up any more. Does not return if it already was. */
+    void endIsInSight() {
+        fate.acquireUninterruptibly();
+        inSight.countDown();
+    }
+
+    private void finish(Runnable end, Duration patience, Runnable givingUp) {
         Signals.register("INT", () -> Runtime.getRuntime().halt(EXIT_CODE));
         requested = true;
         end.run();
         try {
-            done.await();
+            if (!inSight.await(patience.toNanos(), TimeUnit.NANOSECONDS) && fate.tryAcquire()) {
+                givingUp.run();
+            } else {
+                done.await();
+            }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
@@ -41,6 +69,7 @@ final class Interruption implements AutoCloseable {
 
     @Override
     public void close() {
+        inSight.countDown();
         done.countDown();
         try {
             Runtime.getRuntime().removeShutdownHook(hook);

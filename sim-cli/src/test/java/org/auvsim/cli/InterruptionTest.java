@@ -12,6 +12,7 @@ import org.junit.jupiter.api.condition.OS;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
 
 /** By a process of its own, which gets the signal that Ctrl-C sends. */
@@ -20,17 +21,20 @@ import java.util.concurrent.CountDownLatch;
 class InterruptionTest {
     private static final Path ENV = Path.of("/usr/bin/env");
 
-    /** Goes on until it is interrupted; then it ends, or goes on for ever. */
+    /** Goes on until it is interrupted; then it ends, or goes on for ever, or is given up. */
     static final class Busy {
         private Busy() {}
 
         public static void main(String[] arguments) throws InterruptedException {
             CountDownLatch asked = new CountDownLatch(1);
-            try (Interruption interruption = new Interruption(asked::countDown)) {
+            Duration patience = Duration.ofMillis(arguments[0].equals("slow") ? 1 : 3_600_000);
+            try (Interruption interruption =
+                    new Interruption(
+                            asked::countDown, patience, () -> System.out.println("given up"))) {
                 System.out.println("busy");
                 asked.await();
                 System.out.println("asked to end: " + interruption.isRequested());
-                if (arguments[0].equals("stubborn")) {
+                if (!arguments[0].equals("obedient")) {
                     new CountDownLatch(1).await();
                 }
                 System.out.println("good end");
@@ -65,6 +69,20 @@ class InterruptionTest {
             interrupt(process);
 
             assertThat(out.lines()).containsExactly("asked to end: true", "good end");
+            assertThat(process.waitFor()).isEqualTo(Interruption.EXIT_CODE);
+        } finally {
+            process.destroyForcibly();
+        }
+    }
+
+    @Test
+    void whatTakesTooLongIsGivenUp() throws Exception {
+        Process process = start("slow");
+        try (BufferedReader out = process.inputReader(UTF_8)) {
+            assertThat(out.readLine()).isEqualTo("busy");
+            interrupt(process);
+
+            assertThat(out.lines()).contains("given up").doesNotContain("good end");
             assertThat(process.waitFor()).isEqualTo(Interruption.EXIT_CODE);
         } finally {
             process.destroyForcibly();

@@ -78,7 +78,7 @@ public interface Cause {
      * @param independent how many independent ones tell as much, which are fewer where errors last
      */
     default double price(int measured, double independent) {
-        return price() + parameters().size() * Math.log(measured);
+        return price() + parameters().size() * StrictMath.log(measured);
     }
 
     /** Whether it can imitate many others and so counts only where none of those passes. */

@@ -14,7 +14,7 @@ import java.util.Optional;
 record Chosen(Cause cause, double price) implements Cause {
     /** Of some causes out of a whole library. */
     static List<Cause> of(List<Cause> some, List<Cause> library) {
-        double price = Cause.PRICE - 2 * Math.log((double) library.size() / some.size());
+        double price = Cause.PRICE - 2 * StrictMath.log((double) library.size() / some.size());
         return some.stream().<Cause>map(cause -> new Chosen(cause, Math.max(0, price))).toList();
     }
 
@@ -50,7 +50,7 @@ record Chosen(Cause cause, double price) implements Cause {
 
     @Override
     public double price(int measured, double independent) {
-        return price + parameters().size() * Math.log(independent);
+        return price + parameters().size() * StrictMath.log(independent);
     }
 
     @Override

@@ -1,16 +1,15 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
-import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.Alternative;
+import org.auvsim.diagnosis.result.Approximation;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Discrepancy;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Gain;
-import org.auvsim.diagnosis.result.Ranked;
 import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
@@ -29,6 +28,9 @@ import java.util.stream.IntStream;
  * Examines measured runs: searches causes with some, judges them with others, and says what it is.
  */
 public final class Examination {
+    /** Errors that are such a share of those before are worth a model that explains nothing. */
+    private static final double NEARER = 0.5;
+
     private final BelievedModel model;
     private final List<MeasuredRun> fit;
     private final List<MeasuredRun> heldOut;
@@ -174,7 +176,8 @@ public final class Examination {
         Judged after = judgement.after();
         Verdict verdict = judgement.verdict();
         boolean isExplained = verdict == Verdict.EXPLAINED;
-        List<Finding> selected = isExplained ? findings(found, new Uncertainty(best)) : List.of();
+        List<Finding> selected = isExplained ? Findings.of(found) : List.of();
+        double share = Findings.share(found.none(), best);
         List<Alternative> alternatives =
                 found.competitors().stream()
                         .filter(other -> !other.isNone())
@@ -186,13 +189,12 @@ public final class Examination {
                         : trial.gains(before, after);
         Optional<Discrepancy> discrepancy =
                 verdict == Verdict.UNEXPLAINED
-                        ? Optional.of(Misfit.largest(best, share(found.none(), best)))
+                        ? Optional.of(Misfit.largest(best, share))
                         : Optional.empty();
         Sentence sentence = new Sentence(gains, usedHeldOut);
         String words =
                 switch (verdict) {
-                    case EXPLAINED ->
-                            sentence.explained(selected, share(found.none(), best), alternatives);
+                    case EXPLAINED -> sentence.explained(selected, share, alternatives);
                     case NONE -> sentence.none();
                     case UNEXPLAINED -> sentence.unexplained(discrepancy);
                 };
@@ -202,7 +204,7 @@ public final class Examination {
                 model.body(),
                 selected,
                 causes.size(),
-                ranked(found),
+                Ranking.of(found),
                 alternatives,
                 found.noise().byChannel(),
                 gains,
@@ -210,6 +212,7 @@ public final class Examination {
                 usedHeldOut,
                 runs(found, best, before, after),
                 discrepancy,
+                verdict == Verdict.UNEXPLAINED ? approximation(found, gains) : Optional.empty(),
                 Optional.empty(),
                 new Menu(best.fit(), found.noise()).next(best, found.competitors()),
                 found.traces().identifiability(best.fit().hypothesis().causes()),
@@ -217,6 +220,18 @@ public final class Examination {
                 notices(found, verdict),
                 seed,
                 course.goesOn());
+    }
+
+    /** The best that was tried, where it is much nearer to the held-out runs in all they tell. */
+    private Optional<Approximation> approximation(Search.Found found, Map<Channel, Gain> gains) {
+        boolean isNearer =
+                gains.values().stream().allMatch(gain -> gain.after() < NEARER * gain.before());
+        return found.best().isNone() || !isNearer
+                ? Optional.empty()
+                : Optional.of(
+                        new Approximation(
+                                Findings.unsure(found),
+                                model.extended(found.best().fit().variant())));
     }
 
     /** Steps that follow data which no model fits tell of that data, not of the scenario. */
@@ -276,63 +291,6 @@ public final class Examination {
             }
         }
         return still.toString();
-    }
-
-    private static List<Finding> findings(Search.Found found, Uncertainty uncertainty) {
-        Hypothesis hypothesis = found.best().fit().hypothesis();
-        List<List<Double>> deviations = uncertainty.deviations();
-        List<Finding> findings = new ArrayList<>();
-        for (int c = 0; c < hypothesis.causes().size(); c++) {
-            Cause cause = hypothesis.causes().get(c);
-            findings.add(
-                    new Finding(
-                            cause.id(),
-                            cause.subject(),
-                            cause.quantities(hypothesis.theta().get(c)),
-                            deviations.get(c),
-                            share(found.without(c), found.best())));
-        }
-        return findings;
-    }
-
-    /** Share of the squares beyond noise that goes from one fit to a better one. */
-    private static double share(Judged without, Judged with) {
-        double noise = with.outcome().count();
-        double before = Math.max(without.cost() - noise, 0);
-        double after = Math.max(with.cost() - noise, 0);
-        return before > 0 ? Math.max(0, Math.min(1, 1 - after / before)) : 0;
-    }
-
-    private static List<Ranked> ranked(Search.Found found) {
-        List<Judged> fitted =
-                found.judged().stream()
-                        .filter(j -> found.judged().stream().noneMatch(j::isBehind))
-                        .toList();
-        double best = fitted.getFirst().logEvidence();
-        for (Judged judged : fitted) {
-            best = Math.max(best, judged.logEvidence());
-        }
-        double sum = 0;
-        for (Judged judged : fitted) {
-            sum += Math.exp(judged.logEvidence() - best);
-        }
-        List<Ranked> ranked = new ArrayList<>();
-        for (Judged judged : fitted) {
-            Hypothesis of = judged.fit().hypothesis();
-            List<String> names = new ArrayList<>();
-            List<List<Quantity>> quantities = new ArrayList<>();
-            for (int c = 0; c < of.causes().size(); c++) {
-                names.add(of.causes().get(c).name());
-                quantities.add(of.causes().get(c).quantities(of.theta().get(c)));
-            }
-            ranked.add(
-                    new Ranked(
-                            names,
-                            quantities,
-                            judged.logEvidence(),
-                            Math.exp(judged.logEvidence() - best) / sum));
-        }
-        return ranked;
     }
 
     private List<DiagnosedRun> runs(Search.Found found, Judged best, Judged before, Judged after) {

@@ -151,6 +151,18 @@ record Fit(
         return Outcome.squares(data, misses);
     }
 
+    /** Sum of squares of the same, in standard deviations of the noise alone, whatever lasts. */
+    double squares() {
+        List<RigidMotion[]> motions = motions();
+        Variant variant = variant();
+        double sum = 0;
+        for (int r = 0; r < data.size(); r++) {
+            Misses of = data.get(r);
+            sum += Outcome.squares(of.plain(motions.get(r), variant.sensing(), 0, of.run().size()));
+        }
+        return sum;
+    }
+
     /** What that misses. */
     Outcome outcome() {
         List<RigidMotion[]> motions = motions();

@@ -33,7 +33,7 @@ record Judged(Fit fit, Outcome outcome, double score) {
 
     /** The logarithm of the model's evidence (Schwarz 1978), up to a constant. */
     double logEvidence() {
-        double byNumbers = fit.hypothesis().size() * Math.log(outcome.count());
+        double byNumbers = fit.hypothesis().size() * StrictMath.log(outcome.count());
         return -(score - price() + byNumbers) / 2;
     }
 

@@ -43,7 +43,7 @@ record Outcome(
 
         /** Twice the negative logarithm of the likelihood of noise that is as large as they are. */
         private double deviance() {
-            return count * Math.log(mean());
+            return count * StrictMath.log(mean());
         }
 
         /** The same of noise that is as large as was thought, or larger. */

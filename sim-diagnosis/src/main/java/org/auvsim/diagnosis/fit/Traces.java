@@ -143,7 +143,7 @@ final class Traces {
                                             .getInverse()
                                             .transpose());
             double cosine = new SingularValueDecomposition(cosines).getSingularValues()[0];
-            return Math.toDegrees(Math.acos(Math.min(1, cosine)));
+            return Math.toDegrees(StrictMath.acos(Math.min(1, cosine)));
         } catch (org.apache.commons.math3.exception.MathIllegalArgumentException e) {
             return 90; // no trace, so nothing to be confused with
         }

@@ -30,9 +30,6 @@ public record Evolution(long seed) implements Arena.Contest {
 
     private static final int MOST_CANDIDATES = 16;
 
-    /** What a cause must gain to be believed, beside what its numbers must. */
-    private static final double PER_CAUSE = 12;
-
     @Override
     public List<Arena.Candidate> candidates(Arena arena, List<Cause> causes) {
         RandomGenerator lot = new Well19937c(seed);
@@ -92,7 +89,9 @@ public record Evolution(long seed) implements Arena.Contest {
 
     /** Schwarz's criterion (1978), and a surcharge for each cause; the larger, the better. */
     private static double fitness(ModelGenome genome, double misfit, int count) {
-        double deviance = count * Math.log(Math.max(misfit / count, Double.MIN_NORMAL));
-        return -(deviance + genome.size() * Math.log(count) + PER_CAUSE * genome.genes().size());
+        double deviance = count * StrictMath.log(Math.max(misfit / count, Double.MIN_NORMAL));
+        return -(deviance
+                + genome.size() * StrictMath.log(count)
+                + Cause.PRICE * genome.genes().size());
     }
 }

@@ -40,7 +40,7 @@ final class FormulaHeredity implements CrossoverPolicy, MutationPolicy {
         if (depth == 0 || lot.nextDouble() < 0.3) {
             return lot.nextDouble() < 0.7
                     ? new Variable(variables.get(lot.nextInt(variables.size())))
-                    : new Constant(Math.pow(10, 2 * lot.nextDouble() - 1));
+                    : new Constant(StrictMath.pow(10, 2 * lot.nextDouble() - 1));
         }
         Operator operator = OPERATORS.get(lot.nextInt(OPERATORS.size()));
         List<Expression> parts = new ArrayList<>();
@@ -71,7 +71,10 @@ final class FormulaHeredity implements CrossoverPolicy, MutationPolicy {
     private Expression mutated(Expression branch) {
         return branch instanceof Constant(double value) && lot.nextDouble() < 0.8
                 ? new Constant(
-                        value * (1 + Math.pow(10, -3 * lot.nextDouble()) * lot.nextGaussian()))
+                        value
+                                * (1
+                                        + StrictMath.pow(10, -3 * lot.nextDouble())
+                                                * lot.nextGaussian()))
                 : any(DEEPEST - 1);
     }
 

@@ -131,7 +131,8 @@ public final class FormulaSearch {
         if (!genome.isJudged()) {
             double left = 1 - Formula.scaled(genome.expression(), samples).share();
             genome.judge(
-                    -Math.log(Math.max(left, ROUNDED)) - PER_NODE * genome.expression().size());
+                    -StrictMath.log(Math.max(left, ROUNDED))
+                            - PER_NODE * genome.expression().size());
         }
     }
 

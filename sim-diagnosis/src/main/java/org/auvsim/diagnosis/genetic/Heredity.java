@@ -49,7 +49,7 @@ final class Heredity implements CrossoverPolicy, MutationPolicy {
 
     private double moved(Parameter parameter, double number) {
         double power = SMALLEST + (LARGEST - SMALLEST) * lot.nextDouble();
-        double step = parameter.scale() * Math.pow(10, power) * lot.nextGaussian();
+        double step = parameter.scale() * StrictMath.pow(10, power) * lot.nextGaussian();
         double moved = number + step;
         double inside = moved < parameter.lowest() ? number - step : moved;
         return parameter.clipped(inside);

@@ -115,7 +115,20 @@ final class Plausibility {
     }
 
     private Optional<String> way() {
-        return new ModelUnits(model, run).suspicion().map(this::otherUnit);
+        return new ModelUnits(model, run).suspicion().map(this::otherUnit).or(this::tooFast);
+    }
+
+    private Optional<String> tooFast() {
+        UsualSpeed speed = new UsualSpeed(model, run);
+        List<Integer> axes = speed.exceeded();
+        return axes.isEmpty()
+                ? Optional.empty()
+                : Optional.of(
+                        source.says(
+                                positions(axes),
+                                "the body goes %s m/s on average, which is too fast: are these positions in mm? If so, map them with a scale of 0.001 (--mapping)"
+                                        .formatted(
+                                                Figures.shown(speed.speed(axes.getFirst()), 2))));
     }
 
     private String otherUnit(ModelUnits.Suspicion seen) {

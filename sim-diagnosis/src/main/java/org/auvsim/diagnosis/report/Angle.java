@@ -36,12 +36,12 @@ enum Angle {
     private double of(Quat q) {
         return switch (this) {
             case ROLL ->
-                    Math.atan2(
+                    StrictMath.atan2(
                             2 * (q.w() * q.x() + q.y() * q.z()),
                             1 - 2 * (q.x() * q.x() + q.y() * q.y()));
             case PITCH -> Math.asin(Math.clamp(2 * (q.w() * q.y() - q.z() * q.x()), -1, 1));
             case YAW ->
-                    Math.atan2(
+                    StrictMath.atan2(
                             2 * (q.w() * q.z() + q.x() * q.y()),
                             1 - 2 * (q.y() * q.y() + q.z() * q.z()));
         };

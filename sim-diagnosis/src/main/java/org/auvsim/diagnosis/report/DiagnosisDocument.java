@@ -37,6 +37,7 @@ record DiagnosisDocument(
         int candidates,
         List<HorizonGain> horizons,
         Optional<DiscrepancyPart> discrepancy,
+        Optional<ApproximationPart> approximation,
         Optional<Proposal> proposal,
         Identifiability identifiability,
         List<RunPart> runs,
@@ -68,6 +69,9 @@ record DiagnosisDocument(
             double time,
             Optional<Double> frequency,
             double share) {}
+
+    /** A model that explains nothing but is much nearer, and the file that it is in. */
+    record ApproximationPart(List<SelectedPart> causes, String scenario) {}
 
     /** A run, the errors of both models, and where its tables are. */
     record RunPart(

@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.report;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.report.DiagnosisDocument.AlternativePart;
+import org.auvsim.diagnosis.report.DiagnosisDocument.ApproximationPart;
 import org.auvsim.diagnosis.report.DiagnosisDocument.DiscrepancyPart;
 import org.auvsim.diagnosis.report.DiagnosisDocument.ForcePart;
 import org.auvsim.diagnosis.report.DiagnosisDocument.RankedPart;
@@ -110,6 +111,14 @@ final class DiagnosisJson {
                                                 d.time(),
                                                 d.frequency().stream().boxed().findFirst(),
                                                 d.share())),
+                of.approximation()
+                        .map(
+                                near ->
+                                        new ApproximationPart(
+                                                near.causes().stream()
+                                                        .map(DiagnosisJson::selected)
+                                                        .toList(),
+                                                Report.APPROXIMATE)),
                 of.proposal(),
                 of.identifiability(),
                 runs.stream().map(file -> run(file, of.noise())).toList(),

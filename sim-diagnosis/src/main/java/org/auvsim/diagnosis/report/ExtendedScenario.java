@@ -1,7 +1,9 @@
 package org.auvsim.diagnosis.report;
 
+import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.auvsml.mapping.ContextClasses;
+import org.auvsim.diagnosis.result.Approximation;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Phrases;
@@ -17,14 +19,31 @@ final class ExtendedScenario {
     private ExtendedScenario() {}
 
     static String text(Diagnosis diagnosis) {
-        AuvsmlMapper mapper = AuvsmlMapper.load(ContextClasses.loader());
-        return comment(lines(diagnosis)) + mapper.encode(diagnosis.extended());
+        return text(lines(diagnosis), diagnosis.extended());
+    }
+
+    /** The model that explains nothing but is nearer. */
+    static String text(Diagnosis diagnosis, Approximation nearer) {
+        List<String> lines = new ArrayList<>(heading(diagnosis));
+        lines.add(
+                "An approximation, no finding: what is below stands for something that is not"
+                        + " known.");
+        nearer.causes().stream().map(ExtendedScenario::line).forEach(lines::add);
+        return text(lines, nearer.scenario());
+    }
+
+    private static String text(List<String> lines, Scenario scenario) {
+        return comment(lines) + AuvsmlMapper.load(ContextClasses.loader()).encode(scenario);
+    }
+
+    private static List<String> heading(Diagnosis diagnosis) {
+        return List.of(
+                "A diagnosis of '%s' (seed %d).".formatted(diagnosis.body(), diagnosis.seed()),
+                diagnosis.sentence() + ".");
     }
 
     private static List<String> lines(Diagnosis diagnosis) {
-        List<String> lines = new ArrayList<>();
-        lines.add("A diagnosis of '%s' (seed %d).".formatted(diagnosis.body(), diagnosis.seed()));
-        lines.add(diagnosis.sentence() + ".");
+        List<String> lines = new ArrayList<>(heading(diagnosis));
         List<Finding> added =
                 diagnosis.selected().stream()
                         .filter(finding -> !finding.cause().equals(Imbalance.CAUSE))

@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.report;
 
+import org.auvsim.diagnosis.result.Approximation;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Discrepancy;
@@ -37,16 +38,31 @@ final class FindingTables {
     List<Block> found() {
         List<Block> blocks = new ArrayList<>();
         if (!of.selected().isEmpty()) {
-            blocks.add(selected());
+            blocks.add(
+                    table(
+                            of.selected(),
+                            "Values with their standard deviations. The share is what goes of the"
+                                    + " misfit beyond noise when this cause is added last."));
         }
         of.discrepancy().map(this::discrepancy).ifPresent(blocks::add);
+        of.approximation().map(this::approximation).ifPresent(blocks::add);
         of.proposal().map(FindingTables::proposal).ifPresent(blocks::add);
         return blocks;
     }
 
-    private Table selected() {
+    private Table approximation(Approximation near) {
+        return table(
+                near.causes(),
+                "An approximation, no finding: the best causes that were tried bring the model much"
+                        + " nearer to the runs, but leave more than noise. They stand for something"
+                        + " that is not known. "
+                        + Report.APPROXIMATE
+                        + " has the model with them.");
+    }
+
+    private static Table table(List<Finding> causes, String caption) {
         List<List<String>> rows = new ArrayList<>();
-        for (Finding finding : of.selected()) {
+        for (Finding finding : causes) {
             String meaning = Phrases.of(finding);
             String share = Numbers.percent(finding.share());
             for (QuantityGroup group : QuantityGroup.of(finding)) {
@@ -64,8 +80,7 @@ final class FindingTables {
         return new Table(
                 List.of("cause", "meaning", "number", "value", "share of the misfit"),
                 rows,
-                "Values with their standard deviations. The share is what goes of the misfit beyond"
-                        + " noise when this cause is added last.");
+                caption);
     }
 
     private static String plusMinus(String text) {
@@ -120,8 +135,8 @@ final class FindingTables {
                 new Table(
                         List.of("causes", "numbers", "log evidence", "probability"),
                         rows,
-                        "Natural logarithm of the evidence, less that of the best: below about -5 a"
-                                + " set can be ruled out."
+                        "Natural logarithm of the evidence, less that of the set that was chosen,"
+                                + " which stands first: below about -5 a set can be ruled out."
                                 + (more > 0
                                         ? " diagnosis.json has %d more.".formatted(more)
                                         : "")));

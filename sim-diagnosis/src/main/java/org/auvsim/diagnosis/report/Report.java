@@ -15,11 +15,15 @@ public final class Report {
     private static final String PREDICTIONS = "predictions";
     private static final String RESIDUALS = "residuals";
 
+    /** The file of a model that does not explain the runs but is much nearer to them. */
+    static final String APPROXIMATE = "approximate-scenario.xml";
+
     private Report() {}
 
     /**
      * Writes {@code report.html}, {@code diagnosis.json}, {@code extended-scenario.xml}, for each
-     * held-out run {@code predictions/RUN.csv}, and for each run {@code residuals/RUN.csv}. Each
+     * held-out run {@code predictions/RUN.csv}, and for each run {@code residuals/RUN.csv}; and
+     * {@code approximate-scenario.xml} if nothing explains the runs but something comes near. Each
      * file appears whole or not at all, those of an earlier report are replaced, and {@code
      * diagnosis.json} comes last.
      *
@@ -41,6 +45,12 @@ public final class Report {
         WholeFile.write(
                 folder.resolve("extended-scenario.xml"),
                 out -> out.write(ExtendedScenario.text(diagnosis)));
+        Path approximate = folder.resolve(APPROXIMATE);
+        Files.deleteIfExists(approximate);
+        if (diagnosis.approximation().isPresent()) {
+            String text = ExtendedScenario.text(diagnosis, diagnosis.approximation().get());
+            WholeFile.write(approximate, out -> out.write(text));
+        }
         Path page = folder.resolve("report.html");
         WholeFile.write(page, out -> out.write(ReportPage.html(Page.of(diagnosis))));
         WholeFile.write(

@@ -17,7 +17,7 @@ import java.util.TreeMap;
  * @param body the measured body's name
  * @param selected the causes found; none unless the verdict is {@link Verdict#EXPLAINED}
  * @param candidates how many causes were looked for
- * @param ranked sets of causes that were tried, the best first
+ * @param ranked sets of causes that were tried: what was chosen, then the others, the best first
  * @param alternatives that explain the data about as well
  * @param noise standard deviation of each channel that was measured
  * @param heldOut error on held-out runs by channel
@@ -26,6 +26,7 @@ import java.util.TreeMap;
  *     that of leaving each run out in turn
  * @param runs fitted and held-out, with the model's motion before and after
  * @param discrepancy what is known of a misfit that was not explained
+ * @param approximation a model that does not explain the runs, but is much nearer to them
  * @param proposal a formula or field that imitates it
  * @param nextExperiment what to measure next
  * @param extended the model with what was found
@@ -47,6 +48,7 @@ public record Diagnosis(
         boolean usedHeldOut,
         List<DiagnosedRun> runs,
         Optional<Discrepancy> discrepancy,
+        Optional<Approximation> approximation,
         Optional<Proposal> proposal,
         Optional<NextExperiment> nextExperiment,
         Identifiability identifiability,
@@ -115,6 +117,7 @@ public record Diagnosis(
                 usedHeldOut,
                 runs,
                 discrepancy,
+                approximation,
                 proposed,
                 nextExperiment,
                 identifiability,

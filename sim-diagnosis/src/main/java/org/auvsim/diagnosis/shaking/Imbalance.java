@@ -71,7 +71,7 @@ public final class Imbalance {
         sets.add(new Ranked(List.of(CAUSE), List.of(List.of(factor)), believed + more, 0));
         sets.addAll(byMotion);
         double best = sets.stream().mapToDouble(Ranked::logEvidence).max().orElse(0);
-        double sum = sets.stream().mapToDouble(s -> Math.exp(s.logEvidence() - best)).sum();
+        double sum = sets.stream().mapToDouble(s -> StrictMath.exp(s.logEvidence() - best)).sum();
         return sets.stream()
                 .map(
                         s ->
@@ -79,7 +79,7 @@ public final class Imbalance {
                                         s.causes(),
                                         s.quantities(),
                                         s.logEvidence(),
-                                        Math.exp(s.logEvidence() - best) / sum))
+                                        StrictMath.exp(s.logEvidence() - best) / sum))
                 .toList();
     }
 }

@@ -50,7 +50,7 @@ record Shake(double strength, double interval) {
             boolean isSteady = thrust[k - 1] == thrust[k] && thrust[k] == thrust[k + 1];
             if (!Double.isNaN(product) && pushes && isSteady && isEven(run, k)) {
                 products += product / SQUARES;
-                scale += Math.pow(thrust[k], POWER);
+                scale += StrictMath.pow(thrust[k], POWER);
                 rows++;
             }
         }

@@ -24,6 +24,6 @@ public record Shaking(
     double logEvidence() {
         double samples = references + runs;
         double square = statistic * statistic / (references - 1);
-        return samples / 2 * Math.log1p(square) - Math.log(samples) / 2;
+        return samples / 2 * StrictMath.log1p(square) - StrictMath.log(samples) / 2;
     }
 }

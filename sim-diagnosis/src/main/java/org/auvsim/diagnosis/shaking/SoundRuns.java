@@ -94,13 +94,13 @@ public final class SoundRuns {
         double ofMean = scatter / Math.sqrt(strengths.length);
         double ofOthers = scatter / Math.sqrt(others.length);
         double factor = StatUtils.mean(others) / normal;
-        double ofDifference = Math.hypot(ofMean, ofOthers);
+        double ofDifference = StrictMath.hypot(ofMean, ofOthers);
         double quantile =
                 new TDistribution(strengths.length - 1.0)
                         .inverseCumulativeProbability(1 - FALSE_ALARMS);
         return new Shaking(
                 factor,
-                Math.hypot(ofOthers, factor * ofMean),
+                StrictMath.hypot(ofOthers, factor * ofMean),
                 1 + quantile * ofDifference,
                 (factor - 1) / ofDifference,
                 strengths.length,

@@ -15,10 +15,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
+import java.util.stream.Collectors;
 
 /** Positions of which some are told in a unit that is off by 1000, and others that only look so. */
 class UnitsTest {
@@ -133,6 +135,32 @@ class UnitsTest {
                 .containsExactly(
                         "run.csv:2: %s: the model moves as this does, but 1000 times %s: are these positions in %s? If so, map them with a scale of %s (--mapping)"
                                 .formatted(columns, far, unit, scale));
+    }
+
+    /** Its model lacks a force, so that it does not bend as measured in any unit. */
+    @Test
+    void whatGoesTooFastForAnyVehicleIsSuspectedWhateverTheModelDoes() throws Exception {
+        List<String> lines = Files.readAllLines(EXAMPLES.resolve("run1.csv"));
+        String rows =
+                lines.stream()
+                        .skip(1)
+                        .map(UnitsTest::inMillimetres)
+                        .collect(Collectors.joining("\n"));
+        String model = Files.readString(EXAMPLES.resolve("model.xml")).replace("Surveyor", "Rov");
+
+        assertThat(suspicions(model, lines.getFirst(), rows))
+                .singleElement()
+                .asString()
+                .startsWith("run.csv:2: columns 'x', 'y', 'z': the body goes 560 m/s on average")
+                .contains("are these positions in mm?");
+    }
+
+    private static String inMillimetres(String row) {
+        String[] cells = row.split(",", -1);
+        for (int i = 1; i <= 3; i++) {
+            cells[i] = String.valueOf(1000 * Double.parseDouble(cells[i]));
+        }
+        return String.join(",", cells);
     }
 
     @Test

@@ -9,6 +9,7 @@ import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.result.Alternative;
+import org.auvsim.diagnosis.result.Approximation;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Discrepancy;
@@ -235,6 +236,18 @@ final class Diagnoses {
                 List.of());
     }
 
+    /** Where something is not explained: drag, which helps. */
+    private static Optional<Approximation> approximation(Optional<Discrepancy> seen) {
+        Finding drag =
+                new Finding(
+                        "quadratic_drag",
+                        Optional.empty(),
+                        QUADRATIC_DRAG.quantities(),
+                        List.of(),
+                        0.6);
+        return seen.map(_ -> new Approximation(List.of(drag), scenario(12.43)));
+    }
+
     private static Diagnosis diagnosis(
             Verdict verdict,
             String sentence,
@@ -264,6 +277,7 @@ final class Diagnoses {
                 false,
                 runs,
                 discrepancy,
+                approximation(discrepancy),
                 proposal,
                 Optional.of(
                         new NextExperiment(
@@ -331,6 +345,7 @@ final class Diagnoses {
                 of.usedHeldOut(),
                 of.runs(),
                 of.discrepancy(),
+                of.approximation(),
                 of.proposal(),
                 next,
                 of.identifiability(),

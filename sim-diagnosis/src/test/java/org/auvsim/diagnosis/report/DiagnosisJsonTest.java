@@ -123,6 +123,16 @@ class DiagnosisJsonTest {
     }
 
     @Test
+    void whatExplainsNothingIsNoFinding() {
+        JsonNode root = JsonMapper.shared().readTree(json(Diagnoses.unexplained()));
+        assertThat(root.at("/selected").isEmpty()).isTrue();
+        assertThat(root.at("/approximation/causes/0/name").asString()).isEqualTo("quadratic_drag");
+        assertThat(root.at("/approximation/causes/0/sigma").isEmpty()).isTrue();
+        assertThat(root.at("/approximation/scenario").asString())
+                .isEqualTo("approximate-scenario.xml");
+    }
+
+    @Test
     void whatIsNotFiniteIsNull() {
         JsonNode root = JsonMapper.shared().readTree(json(Diagnoses.none()));
         assertThat(root.at("/ranked/2/log_evidence").isNull()).isTrue();

@@ -65,6 +65,23 @@ class ExtendedScenarioTest {
     }
 
     @Test
+    void whatExplainsNothingIsWrittenAsideUntilSomethingIsExplained() throws Exception {
+        Diagnosis diagnosis = Diagnoses.unexplained();
+        Path extended = written(diagnosis);
+        Path approximate = folder.resolve("approximate-scenario.xml");
+
+        assertThat(Files.readString(extended)).contains("Nothing was added");
+        assertThat(Files.readString(approximate))
+                .contains("An approximation, no finding")
+                .contains("- quadratic_drag: k = 12.4 kg/m;");
+        assertThat(ScenarioLoader.load(LOADER).load(approximate))
+                .isEqualTo(diagnosis.approximation().orElseThrow().scenario());
+
+        written(Diagnoses.explained());
+        assertThat(approximate).doesNotExist();
+    }
+
+    @Test
     void namesEndNoComment() throws Exception {
         Diagnosis diagnosis = Diagnoses.renamed(Diagnoses.none(), "a--b-->");
         assertThat(ScenarioLoader.load(LOADER).load(written(diagnosis)))

@@ -1,0 +1,61 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.result.Finding;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.List;
+
+/** The causes of what was found, and what each of them explains. */
+final class Findings {
+    private Findings() {}
+
+    /** A finding, and how much worse all is without it. */
+    private record Weighed(Finding finding, double loss) {}
+
+    /** What explains the runs, the cause first without which they are explained worst. */
+    static List<Finding> of(Search.Found found) {
+        return of(found, new Uncertainty(found.best()).deviations());
+    }
+
+    /** What explains nothing: without deviations, for there is no model that they would be of. */
+    static List<Finding> unsure(Search.Found found) {
+        int causes = found.best().fit().hypothesis().causes().size();
+        return of(found, Collections.nCopies(causes, List.of()));
+    }
+
+    private static List<Finding> of(Search.Found found, List<List<Double>> deviations) {
+        Judged best = found.best();
+        Hypothesis hypothesis = best.fit().hypothesis();
+        List<Weighed> findings = new ArrayList<>();
+        for (int c = 0; c < hypothesis.causes().size(); c++) {
+            Cause cause = hypothesis.causes().get(c);
+            Judged without = found.without(c);
+            Finding finding =
+                    new Finding(
+                            cause.id(),
+                            cause.subject(),
+                            cause.quantities(hypothesis.theta().get(c)),
+                            deviations.get(c),
+                            share(without, best));
+            findings.add(new Weighed(finding, without.score()));
+        }
+        return findings.stream()
+                .sorted(Comparator.comparingDouble(Weighed::loss).reversed())
+                .map(Weighed::finding)
+                .toList();
+    }
+
+    /**
+     * Share of the squares beyond noise that goes from one fit to a better one. Errors that last
+     * belong to what is missed, and not to the noise.
+     */
+    static double share(Judged without, Judged with) {
+        double noise = with.outcome().count();
+        double before = Math.max(without.fit().squares() - noise, 0);
+        double after = Math.max(with.fit().squares() - noise, 0);
+        return before > 0 ? Math.max(0, Math.min(1, 1 - after / before)) : 0;
+    }
+}

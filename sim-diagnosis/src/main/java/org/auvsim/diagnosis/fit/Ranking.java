@@ -1,0 +1,53 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.diagnosis.cause.Quantity;
+import org.auvsim.diagnosis.result.Ranked;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+/** Sets of causes by how well they explain the runs. */
+final class Ranking {
+    private Ranking() {}
+
+    /**
+     * All that were tried: first what was chosen, which is not always that of the largest evidence
+     * (a specific cause stands before one that can imitate others, a common one before what the
+     * data cannot tell from it), then the others, the best first.
+     */
+    static List<Ranked> of(Search.Found found) {
+        List<Judged> fitted =
+                found.judged().stream()
+                        .filter(j -> found.judged().stream().noneMatch(j::isBehind))
+                        .toList();
+        double most = fitted.stream().mapToDouble(Judged::logEvidence).max().orElseThrow();
+        double sum = 0;
+        for (Judged judged : fitted) {
+            sum += StrictMath.exp(judged.logEvidence() - most);
+        }
+        List<Ranked> ranked = new ArrayList<>();
+        for (Judged judged : fitted) {
+            boolean isChosen = causes(judged).equals(causes(found.best()));
+            ranked.add(
+                    isChosen ? 0 : ranked.size(),
+                    ranked(judged, StrictMath.exp(judged.logEvidence() - most) / sum));
+        }
+        return ranked;
+    }
+
+    private static Set<Object> causes(Judged of) {
+        return Set.copyOf(of.fit().hypothesis().causes());
+    }
+
+    private static Ranked ranked(Judged judged, double probability) {
+        Hypothesis of = judged.fit().hypothesis();
+        List<String> names = new ArrayList<>();
+        List<List<Quantity>> quantities = new ArrayList<>();
+        for (int c = 0; c < of.causes().size(); c++) {
+            names.add(of.causes().get(c).name());
+            quantities.add(of.causes().get(c).quantities(of.theta().get(c)));
+        }
+        return new Ranked(names, quantities, judged.logEvidence(), probability);
+    }
+}

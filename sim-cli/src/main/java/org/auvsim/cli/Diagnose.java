@@ -202,9 +202,9 @@ final class Diagnose implements Callable<Integer> {
     /** Who asked for an end is not to wait for simulations of millions of steps. */
     private void tellOfGivingUp() {
         tellNow(
-                ("given up: one simulation of these runs takes longer than %s s, and there is no"
-                                + " report; cut the runs (--from, --until), or state a longer time"
-                                + " step in the scenario")
+                ("given up: the best so far could not be judged within %s s, and there is no"
+                                + " report; to judge it sooner cut the runs (--from, --until), or"
+                                + " state a longer time step in the scenario")
                         .formatted(PATIENCE.toSeconds()));
     }
 

@@ -75,13 +75,23 @@ final class RunCharts {
         List<Block> blocks = new ArrayList<>(paths());
         blocks.addAll(speed());
         blocks.addAll(angles());
+        boolean isSimulated = size(models.getLast()) == run.size();
+        StateCharts overState =
+                new StateCharts(run, isSimulated ? models.getLast().told() : List.of());
         for (Channel channel : Channel.values()) {
             if (run.measures(channel)) {
                 models.forEach(model -> blocks.add(residuals(channel, model)));
+                models.forEach(
+                        model ->
+                                blocks.addAll(
+                                        overState.residuals(
+                                                channel,
+                                                model.name(),
+                                                new Residuals(run, model.told()))));
             }
         }
         if (!forces.isEmpty()) {
-            blocks.addAll(forceResiduals());
+            blocks.addAll(forceResiduals(overState));
         }
         return blocks;
     }
@@ -217,11 +227,15 @@ final class RunCharts {
     }
 
     /** On one scale: what is left is as small as it looks. */
-    private List<Block> forceResiduals() {
+    private List<Block> forceResiduals(StateCharts overState) {
+        String first = models.getFirst().name();
         List<Block> charts = new ArrayList<>();
-        charts.add(forceResidual(models.getFirst().name(), ForceResidual::before));
+        charts.add(forceResidual(first, ForceResidual::before));
+        charts.addAll(overState.forces(first, forces, ForceResidual::before, forces()));
         if (models.size() > 1) {
-            charts.add(forceResidual(models.getLast().name(), ForceResidual::after));
+            String last = models.getLast().name();
+            charts.add(forceResidual(last, ForceResidual::after));
+            charts.addAll(overState.forces(last, forces, ForceResidual::after, forces()));
         }
         return charts;
     }

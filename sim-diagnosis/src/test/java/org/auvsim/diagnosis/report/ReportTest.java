@@ -90,7 +90,12 @@ class ReportTest {
                         "The runs",
                         "In detail: run1 (fitted)",
                         "Residual of the orientation, as believed",
+                        "Residual of the position over the velocity, as believed",
+                        "Residual of the position over the position, with what was found",
+                        "Residual of the orientation over the heading, as believed",
                         "Missing force, with what was found",
+                        "Missing force over the velocity, as believed",
+                        "Missing force over the heading, with what was found",
                         "Notices",
                         "20 samples a second");
     }

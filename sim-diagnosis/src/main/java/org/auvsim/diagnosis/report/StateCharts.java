@@ -1,0 +1,120 @@
+package org.auvsim.diagnosis.report;
+
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.result.ForceResidual;
+import org.auvsim.diagnosis.result.Sentence;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.plot.page.Block;
+import org.auvsim.plot.page.Block.Chart;
+import org.auvsim.plot.page.Curve;
+import org.auvsim.plot.page.Curve.Mark;
+import org.auvsim.plot.page.Curve.Point;
+import org.auvsim.server.feedback.RigidMotion;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+
+/**
+ * What a model misses of a run, over the state of the body: velocity, position and orientation, as
+ * they are simulated, which has no noise.
+ */
+final class StateCharts {
+    private static final int MOST_DOTS = 200;
+    private static final String AXES = "xyz";
+
+    private final MeasuredRun run;
+    private final List<Abscissa> ways;
+    private final List<Abscissa> turns;
+
+    /**
+     * Over the state of one motion.
+     *
+     * @param told sample by sample; no longer than the run
+     */
+    StateCharts(MeasuredRun run, List<RigidMotion> told) {
+        this.run = run;
+        this.ways = Abscissa.ofWays(told);
+        this.turns = Abscissa.ofTurns(told);
+    }
+
+    /** What is measured of a channel less what a model tells. */
+    List<Block> residuals(Channel channel, String model, Residuals residuals) {
+        boolean isTurn = channel == Channel.ORIENTATION || channel == Channel.ANGULAR_VELOCITY;
+        List<Block> charts = new ArrayList<>();
+        for (Abscissa over : isTurn ? turns : ways) {
+            List<Curve> curves = new ArrayList<>();
+            for (int axis = 0; axis < AXES.length(); axis++) {
+                if (run.measures(channel, axis)) {
+                    List<Point> points = new ArrayList<>();
+                    for (int k = 0; k < residuals.size(); k++) {
+                        double miss = Residuals.component(residuals.of(channel, k), axis);
+                        points.add(new Point(over.at(k, axis), miss));
+                    }
+                    curves.add(dots(axis, points));
+                }
+            }
+            charts.add(
+                    new Chart(
+                            "Residual of the %s over the %s, %s"
+                                    .formatted(Sentence.words(channel), over.title(), model),
+                            over.label(),
+                            "measured less simulated (%s)".formatted(Sentence.unit(channel)),
+                            curves,
+                            ""));
+        }
+        return charts;
+    }
+
+    /**
+     * The force that a model lacks.
+     *
+     * @param scale what all of these charts show at least
+     */
+    List<Block> forces(
+            String model,
+            List<ForceResidual> forces,
+            Function<ForceResidual, Vec3> of,
+            List<Double> scale) {
+        int[] samples = samples(forces);
+        List<Block> charts = new ArrayList<>();
+        for (Abscissa over : ways) {
+            List<Curve> curves = new ArrayList<>();
+            for (int axis = 0; axis < AXES.length(); axis++) {
+                List<Point> points = new ArrayList<>();
+                for (int i = 0; i < samples.length; i++) {
+                    double force = Residuals.component(of.apply(forces.get(i)), axis);
+                    points.add(new Point(over.at(samples[i], axis), force));
+                }
+                curves.add(dots(axis, points));
+            }
+            charts.add(
+                    new Chart(
+                                    "Missing force over the %s, %s".formatted(over.title(), model),
+                                    over.label(),
+                                    "force (N, world axes)",
+                                    curves,
+                                    "")
+                            .showing(scale));
+        }
+        return charts;
+    }
+
+    /** The last sample before each force, or at it. */
+    private int[] samples(List<ForceResidual> forces) {
+        int[] samples = new int[forces.size()];
+        int k = 0;
+        for (int i = 0; i < samples.length; i++) {
+            while (k + 1 < run.size() && run.time(k + 1) <= forces.get(i).time()) {
+                k++;
+            }
+            samples[i] = k;
+        }
+        return samples;
+    }
+
+    private static Curve dots(int axis, List<Point> points) {
+        return new Curve(AXES.substring(axis, axis + 1), Mark.DOTS, points).decimated(MOST_DOTS);
+    }
+}

@@ -15,6 +15,7 @@ import org.auvsim.plot.page.Curve.Point;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
@@ -81,19 +82,19 @@ final class RunCharts {
         for (Channel channel : Channel.values()) {
             if (run.measures(channel)) {
                 models.forEach(model -> blocks.add(residuals(channel, model)));
-                models.forEach(
-                        model ->
-                                blocks.addAll(
-                                        overState.residuals(
-                                                channel,
-                                                model.name(),
-                                                new Residuals(run, model.told()))));
+                blocks.addAll(overState.residuals(channel, residuals()));
             }
         }
         if (!forces.isEmpty()) {
             blocks.addAll(forceResiduals(overState));
         }
         return blocks;
+    }
+
+    private Map<String, Residuals> residuals() {
+        Map<String, Residuals> residuals = new LinkedHashMap<>();
+        models.forEach(model -> residuals.put(model.name(), new Residuals(run, model.told())));
+        return residuals;
     }
 
     private Chart fromAbove() {
@@ -228,15 +229,14 @@ final class RunCharts {
 
     /** On one scale: what is left is as small as it looks. */
     private List<Block> forceResiduals(StateCharts overState) {
-        String first = models.getFirst().name();
-        List<Block> charts = new ArrayList<>();
-        charts.add(forceResidual(first, ForceResidual::before));
-        charts.addAll(overState.forces(first, forces, ForceResidual::before, forces()));
+        Map<String, Function<ForceResidual, Vec3>> missing = new LinkedHashMap<>();
+        missing.put(models.getFirst().name(), ForceResidual::before);
         if (models.size() > 1) {
-            String last = models.getLast().name();
-            charts.add(forceResidual(last, ForceResidual::after));
-            charts.addAll(overState.forces(last, forces, ForceResidual::after, forces()));
+            missing.put(models.getLast().name(), ForceResidual::after);
         }
+        List<Block> charts = new ArrayList<>();
+        missing.forEach((model, of) -> charts.add(forceResidual(model, of)));
+        charts.addAll(overState.forces(forces, missing, forces()));
         return charts;
     }
 

@@ -14,6 +14,7 @@ import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Function;
 
 /**
@@ -21,7 +22,7 @@ import java.util.function.Function;
  * they are simulated, which has no noise.
  */
 final class StateCharts {
-    private static final int MOST_DOTS = 200;
+    private static final int MOST_POINTS = 200;
     private static final String AXES = "xyz";
 
     private final MeasuredRun run;
@@ -39,66 +40,80 @@ final class StateCharts {
         this.turns = Abscissa.ofTurns(told);
     }
 
-    /** What is measured of a channel less what a model tells. */
-    List<Block> residuals(Channel channel, String model, Residuals residuals) {
+    /**
+     * What is measured of a channel less what models tell, those of one part of the state beside
+     * each other.
+     *
+     * @param models by their names, in order
+     */
+    List<Block> residuals(Channel channel, Map<String, Residuals> models) {
         boolean isTurn = channel == Channel.ORIENTATION || channel == Channel.ANGULAR_VELOCITY;
         List<Block> charts = new ArrayList<>();
         for (Abscissa over : isTurn ? turns : ways) {
-            List<Curve> curves = new ArrayList<>();
-            for (int axis = 0; axis < AXES.length(); axis++) {
-                if (run.measures(channel, axis)) {
-                    List<Point> points = new ArrayList<>();
-                    for (int k = 0; k < residuals.size(); k++) {
-                        double miss = Residuals.component(residuals.of(channel, k), axis);
-                        points.add(new Point(over.at(k, axis), miss));
-                    }
-                    curves.add(dots(axis, points));
-                }
-            }
-            charts.add(
-                    new Chart(
-                            "Residual of the %s over the %s, %s"
-                                    .formatted(Sentence.words(channel), over.title(), model),
-                            over.label(),
-                            "measured less simulated (%s)".formatted(Sentence.unit(channel)),
-                            curves,
-                            ""));
+            models.forEach((name, of) -> charts.add(residuals(channel, over, name, of)));
         }
         return charts;
     }
 
+    private Chart residuals(Channel channel, Abscissa over, String model, Residuals residuals) {
+        List<Curve> curves = new ArrayList<>();
+        for (int axis = 0; axis < AXES.length(); axis++) {
+            if (run.measures(channel, axis)) {
+                List<Point> points = new ArrayList<>();
+                for (int k = 0; k < residuals.size(); k++) {
+                    double miss = Residuals.component(residuals.of(channel, k), axis);
+                    points.add(new Point(over.at(k, axis), miss));
+                }
+                curves.add(points(axis, points));
+            }
+        }
+        return new Chart(
+                "Residual of the %s over the %s, %s"
+                        .formatted(Sentence.words(channel), over.title(), model),
+                over.label(),
+                "measured less simulated (%s)".formatted(Sentence.unit(channel)),
+                curves,
+                "");
+    }
+
     /**
-     * The force that a model lacks.
+     * The force that models lack.
      *
+     * @param models by their names, in order
      * @param scale what all of these charts show at least
      */
     List<Block> forces(
-            String model,
             List<ForceResidual> forces,
-            Function<ForceResidual, Vec3> of,
+            Map<String, Function<ForceResidual, Vec3>> models,
             List<Double> scale) {
         int[] samples = samples(forces);
         List<Block> charts = new ArrayList<>();
         for (Abscissa over : ways) {
-            List<Curve> curves = new ArrayList<>();
-            for (int axis = 0; axis < AXES.length(); axis++) {
-                List<Point> points = new ArrayList<>();
-                for (int i = 0; i < samples.length; i++) {
-                    double force = Residuals.component(of.apply(forces.get(i)), axis);
-                    points.add(new Point(over.at(samples[i], axis), force));
-                }
-                curves.add(dots(axis, points));
-            }
-            charts.add(
-                    new Chart(
-                                    "Missing force over the %s, %s".formatted(over.title(), model),
-                                    over.label(),
-                                    "force (N, world axes)",
-                                    curves,
-                                    "")
-                            .showing(scale));
+            models.forEach(
+                    (name, of) -> {
+                        List<Vec3> missing = forces.stream().map(of).toList();
+                        charts.add(forces(missing, samples, over, name).showing(scale));
+                    });
         }
         return charts;
+    }
+
+    private static Chart forces(List<Vec3> missing, int[] samples, Abscissa over, String model) {
+        List<Curve> curves = new ArrayList<>();
+        for (int axis = 0; axis < AXES.length(); axis++) {
+            List<Point> points = new ArrayList<>();
+            for (int i = 0; i < samples.length; i++) {
+                double force = Residuals.component(missing.get(i), axis);
+                points.add(new Point(over.at(samples[i], axis), force));
+            }
+            curves.add(points(axis, points));
+        }
+        return new Chart(
+                "Missing force over the %s, %s".formatted(over.title(), model),
+                over.label(),
+                "force (N, world axes)",
+                curves,
+                "");
     }
 
     /** The last sample before each force, or at it. */
@@ -114,7 +129,8 @@ final class StateCharts {
         return samples;
     }
 
-    private static Curve dots(int axis, List<Point> points) {
-        return new Curve(AXES.substring(axis, axis + 1), Mark.DOTS, points).decimated(MOST_DOTS);
+    private static Curve points(int axis, List<Point> points) {
+        return new Curve(AXES.substring(axis, axis + 1), Mark.POINTS, points)
+                .decimated(MOST_POINTS);
     }
 }

@@ -55,7 +55,7 @@ import java.util.stream.Stream;
             "Ends with 0 for any verdict, 2 for input that cannot be used; with"
                     + " --fail-on-discrepancy with 1 unless the verdict is that nothing is wrong.",
             "Ctrl-C ends the search early; what it has found is reported, if judging it takes no"
-                    + " more than 30 s, and the command ends with 130, whatever the verdict. Ctrl-C"
+                    + " more than 60 s, and the command ends with 130, whatever the verdict. Ctrl-C"
                     + " once more ends it at once, without a report.",
             "",
             "Example: auvsim diagnose --scenario examples/diagnosis/model.xml --fit"
@@ -67,7 +67,7 @@ final class Diagnose implements Callable<Integer> {
     static final int DISCREPANCY = 1;
 
     /** So long after Ctrl-C the best so far must have been judged. */
-    private static final Duration PATIENCE = Duration.ofSeconds(30);
+    private static final Duration PATIENCE = Duration.ofSeconds(60);
 
     @Spec private CommandSpec spec;
 

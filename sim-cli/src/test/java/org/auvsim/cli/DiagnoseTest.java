@@ -6,6 +6,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.IOException;
@@ -68,8 +69,62 @@ class DiagnoseTest {
         assertThat(auvsim.run("validate", report.resolve("extended-scenario.xml"))).isZero();
     }
 
+    /** A swaying that the only cause which is looked for cannot explain. */
+    @ParameterizedTest
+    @CsvSource({"--seed=1, 0", "--fail-on-discrepancy, 1"})
+    void whatNothingExplainsEndsLikeAnyVerdictUnlessItIsToFail(String option, int expected)
+            throws IOException {
+        Path report = folder.resolve("report");
+
+        int code =
+                diagnose(
+                        BALL,
+                        option,
+                        "--fit",
+                        fall("one.csv", 0, 0.3),
+                        fall("two.csv", 1, 0.3),
+                        "--holdout",
+                        fall("three.csv", 2, 0.3),
+                        "--causes",
+                        "linear_drag",
+                        "--out",
+                        report);
+
+        assertThat(code).as(auvsim.err()).isEqualTo(expected);
+        assertThat(report.resolve("diagnosis.json"))
+                .content()
+                .contains("\"verdict\" : \"unexplained\"");
+    }
+
+    @Test
+    void whatIsExplainedIsADiscrepancy() throws IOException {
+        String heavy = BALL.replace("<gravity/>", "<gravity acceleration=\"9\"/>");
+
+        int code =
+                diagnose(
+                        heavy,
+                        "--fail-on-discrepancy",
+                        "--fit",
+                        fall("one.csv", 0),
+                        fall("two.csv", 1),
+                        "--holdout",
+                        fall("three.csv", 2),
+                        "--causes",
+                        "buoyancy_weight",
+                        "--out",
+                        folder.resolve("report"));
+
+        assertThat(code).as(auvsim.err()).isEqualTo(1);
+        assertThat(auvsim.out()).startsWith("A downward force is missing");
+    }
+
     /** 2 s of a ball in vacuum that is thrown by lot, seen with 5 mm of noise. */
     private Path fall(String name, long seed) throws IOException {
+        return fall(name, seed, 0);
+    }
+
+    /** The same, swaying once a second, so far (m) to each side. */
+    private Path fall(String name, long seed, double sway) throws IOException {
         Random lot = new Random(seed);
         double vx = lot.nextDouble(-3, 3);
         double vy = lot.nextDouble(-3, 3);
@@ -82,7 +137,7 @@ class DiagnoseTest {
                             Locale.ROOT,
                             "%.6f,%.5f,%.5f,%.5f%n",
                             t,
-                            vx * t + lot.nextGaussian(0, 0.005),
+                            vx * t + sway * Math.sin(2 * Math.PI * t) + lot.nextGaussian(0, 0.005),
                             vy * t + lot.nextGaussian(0, 0.005),
                             20 + vz * t - GRAVITY * t * t / 2 + lot.nextGaussian(0, 0.005)));
         }

@@ -8,11 +8,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 
 /** By a process of its own, which gets the signal that Ctrl-C sends. */
@@ -44,15 +48,18 @@ class InterruptionTest {
     }
 
     /** Signals that whoever runs the tests ignores are as usual again. */
+    private static ProcessBuilder java(String... arguments) {
+        List<String> command = new ArrayList<>();
+        command.add(ENV.toString());
+        command.add("--default-signal=INT");
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.addAll(List.of("-cp", System.getProperty("java.class.path")));
+        command.addAll(List.of(arguments));
+        return new ProcessBuilder(command);
+    }
+
     private static Process start(String manner) throws IOException {
-        return new ProcessBuilder(
-                        ENV.toString(),
-                        "--default-signal=INT",
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        Busy.class.getName(),
-                        manner)
+        return java(Busy.class.getName(), manner)
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
     }
@@ -73,6 +80,56 @@ class InterruptionTest {
         } finally {
             process.destroyForcibly();
         }
+    }
+
+    /** Runs in mm, which nothing explains, take long enough to be interrupted. */
+    @Test
+    void aDiagnosisThatIsInterruptedReportsTheBestSoFar(@TempDir Path folder) throws Exception {
+        Path examples = Path.of("..", "examples", "diagnosis");
+        Process process =
+                java(
+                                Auvsim.class.getName(),
+                                "diagnose",
+                                "--scenario",
+                                examples.resolve("model.xml").toString(),
+                                "--fit",
+                                inMillimetres(examples.resolve("run1.csv"), folder),
+                                inMillimetres(examples.resolve("run2.csv"), folder),
+                                "--holdout",
+                                inMillimetres(examples.resolve("run3.csv"), folder),
+                                "--out",
+                                folder.resolve("report").toString())
+                        .redirectOutput(folder.resolve("out.txt").toFile())
+                        .start();
+        try (BufferedReader err = process.errorReader(UTF_8)) {
+            String line = err.readLine();
+            while (line != null && !line.contains(" %: ")) {
+                line = err.readLine();
+            }
+            assertThat(line).as("progress").isNotNull();
+            interrupt(process);
+
+            assertThat(err.lines()).anyMatch(l -> l.startsWith("stopping: the best so far"));
+            assertThat(process.waitFor()).isEqualTo(Interruption.EXIT_CODE);
+        } finally {
+            process.destroyForcibly();
+        }
+        assertThat(folder.resolve("out.txt")).content().startsWith("Stopped before the end; ");
+        assertThat(folder.resolve("report").resolve("diagnosis.json"))
+                .content()
+                .contains("\"complete\" : false");
+    }
+
+    private static String inMillimetres(Path run, Path folder) throws IOException {
+        List<String> rows = new ArrayList<>();
+        for (String row : Files.readAllLines(run)) {
+            String[] cells = row.split(",", -1);
+            for (int i = 1; i <= 3 && !rows.isEmpty(); i++) {
+                cells[i] = String.valueOf(1000 * Double.parseDouble(cells[i]));
+            }
+            rows.add(String.join(",", cells));
+        }
+        return Files.write(folder.resolve(run.getFileName()), rows).toString();
     }
 
     @Test

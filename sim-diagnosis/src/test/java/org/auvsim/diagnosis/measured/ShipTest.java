@@ -11,6 +11,7 @@ import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.reading.RunFiles;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.Command;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -72,6 +73,8 @@ class ShipTest {
                 .isLessThan(0.5 * rms(nomoto.yawRates(measured), measured.yawRate()));
         assertThat(rms(told.sway(), measured.sway()))
                 .isLessThan(0.5 * rms(nomoto.sway(measured), measured.sway()));
+        assertThat(diagnosis.verdict()).isEqualTo(Verdict.UNEXPLAINED);
+        assertThat(diagnosis.approximation()).isPresent();
     }
 
     private static Zigzag measured(MeasuredRun run) {

@@ -42,6 +42,14 @@ class DiagnoseTest {
         return auvsim.run(arguments.toArray());
     }
 
+    /** Two falls that are fitted and one that is held out, all swaying so far (m). */
+    private int diagnoseFalls(String model, double sway, Object... options) throws IOException {
+        List<Object> arguments = new ArrayList<>(List.of(options));
+        arguments.addAll(List.of("--fit", fall("one.csv", 0, sway), fall("two.csv", 1, sway)));
+        arguments.addAll(List.of("--holdout", fall("three.csv", 2, sway)));
+        return diagnose(model, arguments.toArray());
+    }
+
     /** By all causes that there are, and by few: genetics takes its time. */
     @ParameterizedTest
     @ValueSource(
@@ -52,11 +60,9 @@ class DiagnoseTest {
     void aModelThatIsRightHasNothingMissing(String options) throws IOException {
         Path report = folder.resolve("report");
         List<Object> arguments = new ArrayList<>(List.of(options.split(" ", -1)));
-        arguments.addAll(List.of("--fit", fall("one.csv", 0), fall("two.csv", 1)));
-        arguments.addAll(List.of("--holdout", fall("three.csv", 2)));
         arguments.addAll(List.of("--out", report, "--fail-on-discrepancy"));
 
-        int code = diagnose(BALL, arguments.toArray());
+        int code = diagnoseFalls(BALL, 0, arguments.toArray());
 
         assertThat(code).as(auvsim.err()).isZero();
         assertThat(auvsim.out())
@@ -76,19 +82,7 @@ class DiagnoseTest {
             throws IOException {
         Path report = folder.resolve("report");
 
-        int code =
-                diagnose(
-                        BALL,
-                        option,
-                        "--fit",
-                        fall("one.csv", 0, 0.3),
-                        fall("two.csv", 1, 0.3),
-                        "--holdout",
-                        fall("three.csv", 2, 0.3),
-                        "--causes",
-                        "linear_drag",
-                        "--out",
-                        report);
+        int code = diagnoseFalls(BALL, 0.3, "--causes", "linear_drag", "--out", report, option);
 
         assertThat(code).as(auvsim.err()).isEqualTo(expected);
         assertThat(report.resolve("diagnosis.json"))
@@ -98,21 +92,18 @@ class DiagnoseTest {
 
     @Test
     void whatIsExplainedIsADiscrepancy() throws IOException {
-        String heavy = BALL.replace("<gravity/>", "<gravity acceleration=\"9\"/>");
+        String model = BALL.replace("<gravity/>", "<gravity acceleration=\"9\"/>");
+        Path report = folder.resolve("report");
 
         int code =
-                diagnose(
-                        heavy,
-                        "--fail-on-discrepancy",
-                        "--fit",
-                        fall("one.csv", 0),
-                        fall("two.csv", 1),
-                        "--holdout",
-                        fall("three.csv", 2),
+                diagnoseFalls(
+                        model,
+                        0,
                         "--causes",
                         "buoyancy_weight",
                         "--out",
-                        folder.resolve("report"));
+                        report,
+                        "--fail-on-discrepancy");
 
         assertThat(code).as(auvsim.err()).isEqualTo(1);
         assertThat(auvsim.out()).startsWith("A downward force is missing");

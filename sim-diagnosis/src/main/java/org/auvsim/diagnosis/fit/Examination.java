@@ -225,7 +225,9 @@ public final class Examination {
     /** The best that was tried, where it is much nearer to the held-out runs in all they tell. */
     private Optional<Approximation> approximation(Search.Found found, Map<Channel, Gain> gains) {
         boolean isNearer =
-                gains.values().stream().allMatch(gain -> gain.after() < NEARER * gain.before());
+                !gains.isEmpty()
+                        && gains.values().stream()
+                                .allMatch(gain -> gain.after() < NEARER * gain.before());
         return found.best().isNone() || !isNearer
                 ? Optional.empty()
                 : Optional.of(

@@ -39,7 +39,7 @@ final class Announcement {
                         .toList());
     }
 
-    /** By how much the best set's evidence is larger than that of no causes. */
+    /** By how much the chosen set's evidence is larger than that of no causes. */
     private static double evidence(Diagnosis diagnosis) {
         double none =
                 diagnosis.ranked().stream()

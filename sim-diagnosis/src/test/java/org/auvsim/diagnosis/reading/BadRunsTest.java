@@ -20,7 +20,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.IntFunction;
 
 /** Each sentence has the file, the row as an editor counts it, and the column. */
 class BadRunsTest {
@@ -41,10 +40,6 @@ class BadRunsTest {
         assertThatThrownBy(() -> Rov.read(folder, mapping, text))
                 .isInstanceOf(DocumentException.class)
                 .hasMessage(folder.resolve("run.csv") + sentence);
-    }
-
-    private String at(String place) {
-        return folder.resolve("run.csv") + place;
     }
 
     private static String moving(String header, String cells) {
@@ -422,82 +417,5 @@ class BadRunsTest {
                 ":2: columns 'x', 'roll', 'pitch', 'yaw': every measured number of run 'run' is the"
                     + " same from its first row to its last; nothing can be learnt from it: leave"
                     + " it out, or look at what wrote it");
-    }
-
-    @Test
-    void millimetresAreSuspected() throws Exception {
-        String text =
-                Rov.rows(
-                        "x,y,z,main,rudder",
-                        60,
-                        i -> "0," + 1000 * 0.5 * 20 / 30 * 0.01 * i * i + ",0,1,0");
-
-        assertThat(Rov.read(folder, ColumnMapping.USUAL, text).notices())
-                .anyMatch(notice -> notice.contains("1000 times less far"))
-                .anyMatch(notice -> notice.contains("are these positions in mm"));
-    }
-
-    @Test
-    void metresAreNotSuspected() throws Exception {
-        String text =
-                Rov.rows(
-                        "x,y,z,main,rudder",
-                        60,
-                        i -> "0," + 0.5 * 20 / 30 * 0.01 * i * i + ",0,1,0");
-
-        assertThat(Rov.read(folder, ColumnMapping.USUAL, text).notices()).isEmpty();
-    }
-
-    @Test
-    void velocitiesInAnotherUnitThanPositionsAreSuspected() throws Exception {
-        String text = Rov.rows("x,y,z,vx,vy,vz", ENOUGH, i -> i + ",0,0,10000,0,0");
-
-        assertThat(Rov.read(folder, ColumnMapping.USUAL, text).notices())
-                .anyMatch(
-                        notice ->
-                                notice.equals(
-                                        at(":2: columns 'x', 'vx': ")
-                                                + "positions go 0.001 times as far as velocities"
-                                                + " say: is one of them in another unit?"));
-    }
-
-    @Test
-    void millisecondsAreSuspected() throws Exception {
-        requireMilliseconds(i -> Integer.toString(50 * i));
-    }
-
-    /** 0.15 s are 150.00000000000003 ms. */
-    @Test
-    void soTheyAreWhereRoundingShows() throws Exception {
-        requireMilliseconds(i -> Double.toString(0.05 * i * 1000));
-    }
-
-    private void requireMilliseconds(IntFunction<String> time) throws Exception {
-        StringBuilder text = new StringBuilder("t,yaw\n");
-        for (int i = 0; i < ENOUGH; i++) {
-            text.append(time.apply(i)).append(',').append(0.1 * i).append('\n');
-        }
-
-        assertThat(Rov.read(folder, ColumnMapping.USUAL, text.toString()).notices())
-                .contains(
-                        at(":2: column 't': ")
-                                + "rows are 50 s apart by whole numbers: are these milliseconds? If"
-                                + " so, map 't' with a scale of 0.001 (--mapping)");
-    }
-
-    @Test
-    void degreesAreSuspected() throws Exception {
-        assertThat(
-                        Rov.read(
-                                        folder,
-                                        ColumnMapping.USUAL,
-                                        Rov.rows("yaw,r", ENOUGH, i -> 9 * i + "," + 3 * i))
-                                .notices())
-                .contains(
-                        at(":21: column 'yaw': ")
-                                + "angles go up to 171 rad: are they in degrees (--degrees)?",
-                        at(":2: column 'r': ")
-                                + "p, q, r differ by up to 57 rad/s: are they in degrees"
-                                + " (--degrees)?");
     }
 }

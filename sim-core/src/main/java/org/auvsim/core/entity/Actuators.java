@@ -34,12 +34,22 @@ public final class Actuators {
     }
 
     void set(int slot, List<Actuator> actuators) {
-        Actuator[] varying =
-                actuators.stream()
-                        .filter(actuator -> actuator.constantPush().isEmpty())
-                        .toArray(Actuator[]::new);
+        Actuator[] varying = varying(actuators);
         users += (varying.length == 0 ? 0 : 1) - (bySlot[slot].length == 0 ? 0 : 1);
-        bySlot[slot] = varying.length == 0 ? NONE : varying;
+        bySlot[slot] = varying;
+    }
+
+    /** Those whose push is not constant; commands come at every step, so it is no stream. */
+    private static Actuator[] varying(List<Actuator> actuators) {
+        Actuator[] varying = new Actuator[actuators.size()];
+        int count = 0;
+        for (Actuator actuator : actuators) {
+            if (actuator.constantPush().isEmpty()) {
+                varying[count] = actuator;
+                count++;
+            }
+        }
+        return count == 0 ? NONE : Arrays.copyOf(varying, count);
     }
 
     void remove(int slot, int count) {

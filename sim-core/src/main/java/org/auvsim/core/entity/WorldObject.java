@@ -60,7 +60,12 @@ public final class WorldObject extends RigidBody {
 
     /** The component of a type and name. */
     public <C extends Component> Optional<C> component(Class<C> type, String name) {
-        return components(type).stream().filter(c -> c.name().equals(name)).findFirst();
+        for (Component component : components) {
+            if (type.isInstance(component) && component.name().equals(name)) {
+                return Optional.of(type.cast(component));
+            }
+        }
+        return Optional.empty();
     }
 
     /**
@@ -160,11 +165,12 @@ public final class WorldObject extends RigidBody {
     }
 
     private void changed(Component component) {
-        sort();
         if (component instanceof Behavior) {
+            behaviors = List.copyOf(components(Behavior.class));
             behaviorsChanged();
         }
         if (component instanceof Actuator) {
+            actuators = List.copyOf(components(Actuator.class));
             resultantChanged();
         } else {
             equipmentChanged();

@@ -56,7 +56,11 @@ record Shooting(Stepping stepping, Variant variant, Misses of) {
                 motion[0].equals(Ensemble.LOST)
                         ? Ensemble.lost(entrants.size(), knots.samples().length)
                         : Ensemble.neighbours(
-                                stepping.rough(), of.run(), knots.samples(), entrants);
+                                stepping.rough(),
+                                of.run(),
+                                knots.samples(),
+                                entrants,
+                                stepping.commands());
         double[] missed = misses(window, entrants.getFirst(), motion, group);
         RigidMotion end = motion[window.length()];
         double[][] slopes = new double[rough.length - 1][];
@@ -76,14 +80,16 @@ record Shooting(Stepping stepping, Variant variant, Misses of) {
         List<Entrant> alone = List.of(new Entrant(variant, window.start()));
         Knots knots = knots(window);
         RigidMotion[] rough =
-                Ensemble.simulate(stepping.rough(), of.run(), knots.samples(), alone)[0];
+                Ensemble.simulate(
+                        stepping.rough(), of.run(), knots.samples(), alone, stepping.commands())[0];
         return knots.parted(motion, knots.of(motion), rough);
     }
 
     /** Into how many parts the engine cuts the steps of differences, by sample. */
     double cuts(Window window) {
         Entrant alone = new Entrant(variant, window.start());
-        return Ensemble.cuts(stepping.rough(), of.run(), knots(window).samples(), alone);
+        return Ensemble.cuts(
+                stepping.rough(), of.run(), knots(window).samples(), alone, stepping.commands());
     }
 
     private Knots knots(Window window) {

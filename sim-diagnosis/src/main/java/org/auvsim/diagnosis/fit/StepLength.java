@@ -28,7 +28,7 @@ final class StepLength {
     static Stepping converged(Fit following) {
         BelievedModel now = following.model();
         for (int h = 0; h < MOST_HALVINGS; h++) {
-            Stepping finer = new Stepping(now, now.stepping(step(now, following) / 2));
+            Stepping finer = Stepping.finer(now, step(now, following));
             if (difference(finer, following) < SHARE) {
                 break;
             }

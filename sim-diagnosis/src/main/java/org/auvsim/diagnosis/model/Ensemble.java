@@ -65,6 +65,17 @@ public final class Ensemble {
      */
     public record Entrant(Variant variant, RigidMotion start) {}
 
+    /** How commands hold between the samples at which motions are told. */
+    public enum Commands {
+        /** Each from its row to the next, as in the run. */
+        FROM_ROW_TO_ROW,
+        /**
+         * Their mean, where they change more than once from one sample to the next: steps may then
+         * be as long as that, and differences of two motions are nearly the same.
+         */
+        EVENED
+    }
+
     /**
      * A part of a run that all variants begin alike.
      *
@@ -79,6 +90,7 @@ public final class Ensemble {
     private final World world;
     private final List<WorldObject> bodies = new ArrayList<>();
     private final double longestStep;
+    private final Commands commands;
     private final Ground ground;
     private long made;
 
@@ -87,8 +99,10 @@ public final class Ensemble {
             MeasuredRun run,
             int from,
             List<Entrant> entrants,
-            double longestStep) {
+            double longestStep,
+            Commands commands) {
         this.run = run;
+        this.commands = commands;
         this.inputs = new Inputs(run, model.variant().body());
         this.longestStep = longestStep;
         WorldBuilder builder =
@@ -162,15 +176,25 @@ public final class Ensemble {
      */
     public static RigidMotion[][] simulate(
             BelievedModel model, MeasuredRun run, int[] samples, List<Entrant> entrants) {
+        return simulate(model, run, samples, entrants, Commands.FROM_ROW_TO_ROW);
+    }
+
+    /** The same under commands that may be evened out. */
+    public static RigidMotion[][] simulate(
+            BelievedModel model,
+            MeasuredRun run,
+            int[] samples,
+            List<Entrant> entrants,
+            Commands commands) {
         if (entrants.size() > together(model, entrants)) {
-            return halves(model, run, samples, entrants);
+            return halves(model, run, samples, entrants, commands);
         }
         try {
-            return inOneWorld(model, run, samples, entrants);
+            return inOneWorld(model, run, samples, entrants, commands);
         } catch (StepException e) {
             return entrants.size() == 1
                     ? lost(1, samples.length)
-                    : halves(model, run, samples, entrants);
+                    : halves(model, run, samples, entrants, commands);
         }
     }
 
@@ -179,24 +203,33 @@ public final class Ensemble {
      * of: if that one gets lost, all are lost, and none of them is tried alone.
      */
     public static RigidMotion[][] neighbours(
-            BelievedModel model, MeasuredRun run, int[] samples, List<Entrant> entrants) {
+            BelievedModel model,
+            MeasuredRun run,
+            int[] samples,
+            List<Entrant> entrants,
+            Commands commands) {
         try {
             return entrants.size() > together(model, entrants)
-                    ? halves(model, run, samples, entrants)
-                    : inOneWorld(model, run, samples, entrants);
+                    ? halves(model, run, samples, entrants, commands)
+                    : inOneWorld(model, run, samples, entrants, commands);
         } catch (StepException e) {
-            RigidMotion[] first = simulate(model, run, samples, entrants.subList(0, 1))[0];
+            RigidMotion[] first =
+                    simulate(model, run, samples, entrants.subList(0, 1), commands)[0];
             return first[0].equals(LOST)
                     ? lost(entrants.size(), samples.length)
-                    : halves(model, run, samples, entrants);
+                    : halves(model, run, samples, entrants, commands);
         }
     }
 
     /** All in one world. */
     private static RigidMotion[][] inOneWorld(
-            BelievedModel model, MeasuredRun run, int[] samples, List<Entrant> entrants) {
+            BelievedModel model,
+            MeasuredRun run,
+            int[] samples,
+            List<Entrant> entrants,
+            Commands commands) {
         double step = model.scenario().timeStep().delta();
-        return new Ensemble(model, run, samples[0], entrants, step).simulate(samples);
+        return new Ensemble(model, run, samples[0], entrants, step, commands).simulate(samples);
     }
 
     /**
@@ -206,9 +239,13 @@ public final class Ensemble {
      * @param samples between which it is simulated, in order
      */
     public static double cuts(
-            BelievedModel model, MeasuredRun run, int[] samples, Entrant entrant) {
+            BelievedModel model,
+            MeasuredRun run,
+            int[] samples,
+            Entrant entrant,
+            Commands commands) {
         double step = model.scenario().timeStep().delta();
-        Ensemble alone = new Ensemble(model, run, samples[0], List.of(entrant), step);
+        Ensemble alone = new Ensemble(model, run, samples[0], List.of(entrant), step, commands);
         try {
             alone.simulate(samples);
         } catch (StepException e) {
@@ -236,6 +273,11 @@ public final class Ensemble {
 
     /** From one sample to another, with what is commanded between them. */
     private void advance(int from, int to, boolean areNew) {
+        if (commands == Commands.EVENED && inputs.changes(from, to) > 1) {
+            inputs.commandMean(from, to, bodies);
+            advance(run.time(to));
+            return;
+        }
         for (int k = from; k < to; k++) {
             inputs.command(k, areNew && k == from, bodies);
             if (k + 1 == to || inputs.changeAt(k + 1)) {
@@ -255,11 +297,15 @@ public final class Ensemble {
 
     /** In two worlds: one that cannot be simulated takes none of the others with it. */
     private static RigidMotion[][] halves(
-            BelievedModel model, MeasuredRun run, int[] samples, List<Entrant> entrants) {
+            BelievedModel model,
+            MeasuredRun run,
+            int[] samples,
+            List<Entrant> entrants,
+            Commands commands) {
         int half = entrants.size() / 2;
-        RigidMotion[][] first = simulate(model, run, samples, entrants.subList(0, half));
+        RigidMotion[][] first = simulate(model, run, samples, entrants.subList(0, half), commands);
         RigidMotion[][] second =
-                simulate(model, run, samples, entrants.subList(half, entrants.size()));
+                simulate(model, run, samples, entrants.subList(half, entrants.size()), commands);
         RigidMotion[][] all = Arrays.copyOf(first, entrants.size());
         System.arraycopy(second, 0, all, half, second.length);
         return all;
@@ -309,7 +355,9 @@ public final class Ensemble {
         all.addAll(variants);
         double step = LONGER * model.scenario().timeStep().delta();
         try {
-            return new Ensemble(model, run, legs.getFirst().from(), entrants(legs, all), step)
+            int first = legs.getFirst().from();
+            return new Ensemble(
+                            model, run, first, entrants(legs, all), step, Commands.FROM_ROW_TO_ROW)
                     .part(legs);
         } catch (StepException e) {
             if (variants.size() == 1) {

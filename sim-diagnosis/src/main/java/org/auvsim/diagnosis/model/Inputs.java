@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 
 /** What a run did to the body: commands of actuators, and forces. */
 final class Inputs {
@@ -32,20 +33,18 @@ final class Inputs {
             return byAxis.stream().flatMap(Optional::stream).anyMatch(c -> c.changesAt(sample));
         }
 
-        NamedForce at(int sample) {
+        NamedForce with(ToDoubleFunction<Command> level) {
             Vec3 v = force.vector();
             return new NamedForce(
                     force.name(),
                     force.frame(),
                     new Vec3(
-                            level(0, sample, v.x()),
-                            level(1, sample, v.y()),
-                            level(2, sample, v.z())),
+                            along(0, level, v.x()), along(1, level, v.y()), along(2, level, v.z())),
                     force.point());
         }
 
-        private double level(int axis, int sample, double otherwise) {
-            return byAxis.get(axis).map(c -> c.level(sample)).orElse(otherwise);
+        private double along(int axis, ToDoubleFunction<Command> level, double otherwise) {
+            return byAxis.get(axis).map(level::applyAsDouble).orElse(otherwise);
         }
     }
 
@@ -108,6 +107,38 @@ final class Inputs {
                 || ofForces.stream().anyMatch(force -> force.changesAt(sample));
     }
 
+    /** How often commands change from one sample to another, that of the first not counted. */
+    int changes(int from, int to) {
+        int changes = 0;
+        for (int k = from + 1; k < to; k++) {
+            changes += changeAt(k) ? 1 : 0;
+        }
+        return changes;
+    }
+
+    /** Gives bodies the mean of what is commanded from one sample to another. */
+    void commandMean(int from, int to, List<WorldObject> bodies) {
+        for (Command command : ofActuators) {
+            double level = mean(command, from, to);
+            for (WorldObject body : bodies) {
+                body.command(Actuator.class, command.name(), level);
+            }
+        }
+        for (CommandedForce force : ofForces) {
+            NamedForce now = force.with(command -> mean(command, from, to));
+            bodies.forEach(body -> body.applyForce(now));
+        }
+    }
+
+    private double mean(Command command, int from, int to) {
+        double first = command.level(from);
+        double more = 0;
+        for (int k = from + 1; k < to; k++) {
+            more += (command.level(k) - first) * (run.time(k + 1) - run.time(k));
+        }
+        return first + more / (run.time(to) - run.time(from));
+    }
+
     /** Gives bodies what a sample commands; if they are new, also what was commanded before. */
     void command(int sample, boolean areNew, List<WorldObject> bodies) {
         for (Command command : ofActuators) {
@@ -119,7 +150,7 @@ final class Inputs {
         }
         for (CommandedForce force : ofForces) {
             if (areNew || force.changesAt(sample)) {
-                NamedForce now = force.at(sample);
+                NamedForce now = force.with(command -> command.level(sample));
                 bodies.forEach(body -> body.applyForce(now));
             }
         }

@@ -115,6 +115,7 @@ class LostMotionTest {
                 model,
                 MeasuredVehicle.run(model),
                 new int[] {0, 10, 20},
-                variants.stream().map(v -> new Ensemble.Entrant(v, start)).toList());
+                variants.stream().map(v -> new Ensemble.Entrant(v, start)).toList(),
+                Ensemble.Commands.FROM_ROW_TO_ROW);
     }
 }

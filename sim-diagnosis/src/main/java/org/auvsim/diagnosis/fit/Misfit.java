@@ -51,6 +51,7 @@ final class Misfit {
                 AXES.charAt(row.axis()),
                 of.run().name(),
                 of.run().time(peak),
+                judged.fit().motions().get(worstRun)[peak].position(),
                 frequency(misses, of.run().duration()),
                 share);
     }

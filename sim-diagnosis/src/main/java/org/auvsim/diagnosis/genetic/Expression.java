@@ -22,8 +22,9 @@ sealed interface Expression {
 
     /** One of what is known at a sample. */
     record Variable(int index) implements Expression {
-        /** Names of the variables: time (s), position (m), velocity (m/s), heading (rad). */
-        static final List<String> NAMES = List.of("t", "x", "y", "z", "vx", "vy", "vz", "yaw");
+        /** Names of the variables: time (s), position (m), velocity (m/s), angles (rad). */
+        static final List<String> NAMES =
+                List.of("t", "x", "y", "z", "vx", "vy", "vz", "roll", "pitch", "yaw");
 
         @Override
         public double at(double[] variables) {

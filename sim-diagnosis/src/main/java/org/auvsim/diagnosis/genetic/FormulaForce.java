@@ -24,6 +24,8 @@ record FormulaForce(List<Optional<Formula>> axes) implements BodyEffect {
             block.vx[i],
             block.vy[i],
             block.vz[i],
+            StrictMath.atan2(block.rzy[i], block.rzz[i]),
+            StrictMath.asin(Math.clamp(-block.rzx[i], -1, 1)),
             StrictMath.atan2(block.ryx[i], block.rxx[i])
         };
         block.addForce(i, new Vec3(along(0, variables), along(1, variables), along(2, variables)));

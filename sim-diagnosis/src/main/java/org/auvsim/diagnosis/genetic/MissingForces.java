@@ -1,12 +1,12 @@
 package org.auvsim.diagnosis.genetic;
 
 import org.apache.commons.math3.stat.regression.SimpleRegression;
-import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.genetic.Formula.Sample;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.ForceResidual;
 import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.EulerAngles;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
@@ -43,6 +43,7 @@ final class MissingForces {
     }
 
     private static double[] variables(MeasuredRun run, int at, Vec3 position) {
+        Vec3 angles = run.orientation(at).map(EulerAngles::of).orElse(Vec3.ZERO);
         return new double[] {
             run.time(at),
             position.x(),
@@ -51,7 +52,9 @@ final class MissingForces {
             velocity(run, at, 0),
             velocity(run, at, 1),
             velocity(run, at, 2),
-            run.orientation(at).map(MissingForces::yaw).orElse(0.0)
+            angles.x(),
+            angles.y(),
+            angles.z()
         };
     }
 
@@ -66,11 +69,6 @@ final class MissingForces {
         }
         double slope = line.getSlope();
         return Double.isNaN(slope) ? 0 : slope;
-    }
-
-    private static double yaw(Quat q) {
-        return StrictMath.atan2(
-                2 * (q.w() * q.z() + q.x() * q.y()), 1 - 2 * (q.y() * q.y() + q.z() * q.z()));
     }
 
     private static double axis(Vec3 v, int axis) {

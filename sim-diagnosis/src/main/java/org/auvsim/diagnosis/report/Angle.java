@@ -1,6 +1,8 @@
 package org.auvsim.diagnosis.report;
 
 import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.EulerAngles;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.Optional;
@@ -34,16 +36,11 @@ enum Angle {
 
     /** In rad; NaN of none. */
     private double of(Quat q) {
+        Vec3 angles = EulerAngles.of(q);
         return switch (this) {
-            case ROLL ->
-                    StrictMath.atan2(
-                            2 * (q.w() * q.x() + q.y() * q.z()),
-                            1 - 2 * (q.x() * q.x() + q.y() * q.y()));
-            case PITCH -> Math.asin(Math.clamp(2 * (q.w() * q.y() - q.z() * q.x()), -1, 1));
-            case YAW ->
-                    StrictMath.atan2(
-                            2 * (q.w() * q.z() + q.x() * q.y()),
-                            1 - 2 * (q.y() * q.y() + q.z() * q.z()));
+            case ROLL -> angles.x();
+            case PITCH -> angles.y();
+            case YAW -> angles.z();
         };
     }
 

@@ -67,6 +67,7 @@ record DiagnosisDocument(
             String axis,
             String run,
             double time,
+            List<Double> place,
             Optional<Double> frequency,
             double share) {}
 

@@ -109,6 +109,10 @@ final class DiagnosisJson {
                                                 String.valueOf(d.axis()),
                                                 d.run(),
                                                 d.time(),
+                                                List.of(
+                                                        d.place().x(),
+                                                        d.place().y(),
+                                                        d.place().z()),
                                                 d.frequency().stream().boxed().findFirst(),
                                                 d.share())),
                 of.approximation()

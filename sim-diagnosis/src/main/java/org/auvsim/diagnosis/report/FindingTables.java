@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.report;
 
+import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.result.Approximation;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
@@ -87,11 +88,20 @@ final class FindingTables {
         return text.replace("+-", "\u00b1");
     }
 
+    private static String place(Vec3 at) {
+        return "x %s, y %s, z %s m"
+                .formatted(
+                        Numbers.rounded(at.x(), 3),
+                        Numbers.rounded(at.y(), 3),
+                        Numbers.rounded(at.z(), 3));
+    }
+
     private Table discrepancy(Discrepancy seen) {
         List<List<String>> rows = new ArrayList<>();
         rows.add(List.of("shows most in", Sentence.words(seen.channel()) + ", " + seen.axis()));
         rows.add(List.of("largest in run", seen.run()));
         rows.add(List.of("largest at", Numbers.rounded(seen.time(), 3) + " s"));
+        rows.add(List.of("the model is then at", place(seen.place())));
         seen.frequency()
                 .ifPresent(hz -> rows.add(List.of("frequency", Numbers.rounded(hz) + " Hz")));
         rows.add(List.of("share that known causes take away", Numbers.percent(seen.share())));

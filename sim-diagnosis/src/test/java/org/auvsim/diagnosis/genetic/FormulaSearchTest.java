@@ -26,7 +26,7 @@ class FormulaSearchTest {
         SplittableRandom lot = new SplittableRandom(seed);
         List<Sample> samples = new ArrayList<>();
         for (int i = 0; i < count; i++) {
-            double[] variables = lot.doubles(8, -2, 2).toArray();
+            double[] variables = lot.doubles(10, -2, 2).toArray();
             variables[0] = 60 * lot.nextDouble();
             samples.add(new Sample(variables, law.force(variables)));
         }
@@ -52,6 +52,18 @@ class FormulaSearchTest {
 
         Formula found = search(seed).found(samples(seed, 90, law));
 
+        assertThat(found.shareOf(samples(seed + 100, 90, law))).as(found.text()).isGreaterThan(0.9);
+    }
+
+    /** A force that goes with the pitch, the ninth of what is known. */
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = {1, 2})
+    void whatGoesWithTheOrientationIsImitated(long seed) {
+        Law law = v -> 4 * v[8] * v[4];
+
+        Formula found = search(seed).found(samples(seed, 90, law));
+
+        assertThat(found.text()).contains("pitch");
         assertThat(found.shareOf(samples(seed + 100, 90, law))).as(found.text()).isGreaterThan(0.9);
     }
 

@@ -220,7 +220,14 @@ final class Diagnoses {
     static Diagnosis unexplained() {
         Map<Channel, Gain> heldOut = Map.of(Channel.POSITION, new Gain(0.834, 0.61, NOISE));
         Discrepancy seen =
-                new Discrepancy(Channel.POSITION, 'y', "run2", 12.4, OptionalDouble.of(0.31), 0.41);
+                new Discrepancy(
+                        Channel.POSITION,
+                        'y',
+                        "run2",
+                        12.4,
+                        new Vec3(3.21, -0.5, 2),
+                        OptionalDouble.of(0.31),
+                        0.41);
         return diagnosis(
                 Verdict.UNEXPLAINED,
                 new Sentence(heldOut, false).unexplained(Optional.of(seen)),

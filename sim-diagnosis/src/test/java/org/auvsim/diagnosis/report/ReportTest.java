@@ -146,6 +146,7 @@ class ReportTest {
     void thePageOfTheUnexplainedSaysWhatIsKnown() throws IOException {
         assertThat(page(Diagnoses.unexplained()))
                 .contains("<h1>sledge: unexplained</h1>")
+                .contains(">the model is then at</td><td>x 3.21, y -0.500, z 2.00 m</td>")
                 .contains(">frequency</td><td>0.31 Hz</td>")
                 .contains("A proposal, not a named cause (formula): F.x = -1.2 v.x |v| &lt; 0.");
     }

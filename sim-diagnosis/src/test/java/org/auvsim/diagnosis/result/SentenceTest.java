@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.result;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.run.Channel;
 import org.junit.jupiter.api.Test;
@@ -55,7 +56,8 @@ class SentenceTest {
                         "Stopped before the end; the best so far: the model as it is, for no cause"
                                 + " that was tried gains enough; held-out position error 0.83 m");
         Discrepancy seen =
-                new Discrepancy(Channel.POSITION, 'x', "run1", 3, OptionalDouble.empty(), 0.4);
+                new Discrepancy(
+                        Channel.POSITION, 'x', "run1", 3, Vec3.ZERO, OptionalDouble.empty(), 0.4);
         assertThat(Sentence.stopped(sentence.unexplained(Optional.of(seen))))
                 .startsWith(
                         "Stopped before the end; the best so far: something is missing that no"
@@ -139,7 +141,13 @@ class SentenceTest {
     void somethingUnknown() {
         Discrepancy seen =
                 new Discrepancy(
-                        Channel.ORIENTATION, 'z', "run2", 12.44, OptionalDouble.of(0.312), 0.41);
+                        Channel.ORIENTATION,
+                        'z',
+                        "run2",
+                        12.44,
+                        Vec3.ZERO,
+                        OptionalDouble.of(0.312),
+                        0.41);
         assertThat(sentence.unexplained(Optional.of(seen)))
                 .isEqualTo(
                         "Something is missing that no known cause explains; it shows most in the"

@@ -6,6 +6,7 @@ import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldEvent;
 import org.auvsim.core.world.WorldException;
 
+import java.util.Locale;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
@@ -65,21 +66,22 @@ final class BatchRun {
     /** What has been done, in a line. */
     String summary() {
         StepStatistics done = world.statistics();
-        return ("%d steps: %.6g s of world time in %.3g s, %.3g times real time; %d collisions,"
+        return String.format(
+                Locale.ROOT,
+                "%d steps: %.6g s of world time in %.3g s, %.3g times real time; %d collisions,"
                         + " %d events, %d sub-steps, %d contacts held, %d quick hits,"
-                        + " %d crowded hits, %d lowered hits, %d islands unsolved")
-                .formatted(
-                        steps,
-                        world.time() - startTime,
-                        elapsed(),
-                        timesRealTime(),
-                        collisions,
-                        done.events(),
-                        done.subSteps(),
-                        done.heldPairs(),
-                        done.quickHits(),
-                        done.crowdedHits(),
-                        done.loweredHits(),
-                        done.unsolvedIslands());
+                        + " %d crowded hits, %d lowered hits, %d islands unsolved",
+                steps,
+                world.time() - startTime,
+                elapsed(),
+                timesRealTime(),
+                collisions,
+                done.events(),
+                done.subSteps(),
+                done.heldPairs(),
+                done.quickHits(),
+                done.crowdedHits(),
+                done.loweredHits(),
+                done.unsolvedIslands());
     }
 }

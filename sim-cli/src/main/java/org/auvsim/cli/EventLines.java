@@ -50,8 +50,11 @@ final class EventLines {
                     event(
                             c.timestamp(),
                             c.entityId(),
-                            "collides with %s, impulse %.4g N s"
-                                    .formatted(name(c.otherId()), c.impulse().norm()));
+                            String.format(
+                                    Locale.ROOT,
+                                    "collides with %s, impulse %.4g N s",
+                                    name(c.otherId()),
+                                    c.impulse().norm()));
             case EntityAddedMessage a -> event(a.timestamp(), a.entityId(), "was added");
             case EntityRemovedMessage r -> event(r.timestamp(), r.entityId(), "was removed");
             case FeedbackAppliedNotification f ->
@@ -113,8 +116,14 @@ final class EventLines {
     private static String error(
             String what, String unit, OptionalDouble before, OptionalDouble after) {
         return before.isPresent() && after.isPresent()
-                ? ", %s %.4g %s before, %.4g %s after"
-                        .formatted(what, before.getAsDouble(), unit, after.getAsDouble(), unit)
+                ? String.format(
+                        Locale.ROOT,
+                        ", %s %.4g %s before, %.4g %s after",
+                        what,
+                        before.getAsDouble(),
+                        unit,
+                        after.getAsDouble(),
+                        unit)
                 : "";
     }
 

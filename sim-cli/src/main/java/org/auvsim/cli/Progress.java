@@ -1,6 +1,7 @@
 package org.auvsim.cli;
 
 import java.io.PrintWriter;
+import java.util.Locale;
 import java.util.function.LongSupplier;
 
 /** Says every two seconds how far a long run is; a short one stays silent. */
@@ -37,8 +38,11 @@ final class Progress {
         next = now + EVERY;
         double share = 100 * (time - from) / (until - from);
         double speed = (time - from) / ((now - began) * 1e-9);
-        String of = Double.isInfinite(until) ? "" : " of %.1f s (%.0f %%)".formatted(until, share);
-        out.printf("at %.1f s%s, %.3g times real time%n", time, of, speed);
+        String of =
+                Double.isInfinite(until)
+                        ? ""
+                        : String.format(Locale.ROOT, " of %.1f s (%.0f %%)", until, share);
+        out.printf(Locale.ROOT, "at %.1f s%s, %.3g times real time%n", time, of, speed);
         out.flush();
     }
 }

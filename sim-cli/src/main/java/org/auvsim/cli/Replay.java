@@ -25,6 +25,7 @@ import java.io.PrintWriter;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
@@ -155,12 +156,13 @@ final class Replay implements Callable<Integer> {
     private void tellChecked(long steps, long hashes) {
         if (steps > 0) {
             tell(
-                    "%,d %s replayed, %,d %s equal"
-                            .formatted(
-                                    steps,
-                                    steps == 1 ? "step" : "steps",
-                                    hashes,
-                                    hashes == 1 ? "hash" : "hashes"));
+                    String.format(
+                            Locale.ROOT,
+                            "%,d %s replayed, %,d %s equal",
+                            steps,
+                            steps == 1 ? "step" : "steps",
+                            hashes,
+                            hashes == 1 ? "hash" : "hashes"));
         } else if (hashes > 0) {
             tell("no step is recorded: nothing but the beginning was checked");
         } else {
@@ -175,8 +177,13 @@ final class Replay implements Callable<Integer> {
     private void tellEnd(Reach reach) {
         if (!reach.isWhole()) {
             tell(
-                    "%s: it reaches step %,d, %s s: %s"
-                            .formatted(file, reach.step(), reach.timestamp(), reach.reason()));
+                    String.format(
+                            Locale.ROOT,
+                            "%s: it reaches step %,d, %s s: %s",
+                            file,
+                            reach.step(),
+                            reach.timestamp(),
+                            reach.reason()));
         }
     }
 

@@ -2,6 +2,7 @@ package org.auvsim.cli;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.function.LongSupplier;
 
 /** Says every two seconds how much of a long file has been read; a short one stays silent. */
@@ -27,7 +28,7 @@ final class ShareRead {
             return;
         }
         next = now + EVERY;
-        out.printf("%.0f %% of %s read%n", 100 * share, file);
+        out.printf(Locale.ROOT, "%.0f %% of %s read%n", 100 * share, file);
         out.flush();
     }
 }

@@ -10,7 +10,6 @@ import java.util.List;
 
 /** Dry friction, in a pivot or on what the body slides on, and what contacts do. */
 final class FrictionCauses {
-    private static final double GRAVITY = 9.80665;
 
     /** Speeds (shares of the typical one) below which friction falls to nothing. */
     private static final double SLIP = 0.01;
@@ -33,13 +32,13 @@ final class FrictionCauses {
                             "coulomb_friction",
                             List.of(
                                     Parameter.positive(
-                                            "mu", "1", s.force() / (s.mass() * GRAVITY))),
+                                            "mu", "1", s.force() / (s.mass() * Earth.GRAVITY))),
                             (v, t) ->
                                     v.with(
                                             b ->
                                                     b.effect(
                                                             new CoulombFriction(
-                                                                    t[0], GRAVITY, slip)))));
+                                                                    t[0], Earth.GRAVITY, slip)))));
         }
         if (mayTouch(s)) {
             causes.addAll(contacts(s.body()));

@@ -9,7 +9,6 @@ import java.util.List;
 
 /** Forces that come again and again. */
 final class PeriodicCauses {
-    private static final double GRAVITY = 9.80665;
     private static final int DIRECTIONS = 4;
     private static final int FEWEST_WAVES = 12;
 
@@ -76,7 +75,7 @@ final class PeriodicCauses {
                 theta[2],
                 omega,
                 StrictMath.atan2(theta[1], theta[0]),
-                theta[4] * omega * omega / GRAVITY);
+                theta[4] * omega * omega / Earth.GRAVITY);
     }
 
     /** What is the same everywhere runs both ways: told as the one within half a turn of x. */

@@ -12,7 +12,6 @@ import java.util.List;
 
 /** Weight and buoyancy: their difference, and where the second acts. */
 final class WeightCauses {
-    private static final double GRAVITY = 9.80665;
 
     private WeightCauses() {}
 
@@ -47,7 +46,7 @@ final class WeightCauses {
     private static Cause offset(Setting s) {
         return Change.of(
                 "cob_offset",
-                Parameter.vector("offset", "m", s.torque() / (s.mass() * GRAVITY)),
+                Parameter.vector("offset", "m", s.torque() / (s.mass() * Earth.GRAVITY)),
                 (v, t) -> v.with(b -> shifted(b, v.body(), new Vec3(t[0], t[1], t[2]))));
     }
 
@@ -56,7 +55,7 @@ final class WeightCauses {
         if (Setting.has(body, Buoyancy.class)) {
             return b.effects(body.effect().stream().map(e -> shifted(e, offset)).toList());
         }
-        Vec3 weight = new Vec3(0, 0, -GRAVITY * body.mass().orElseThrow());
+        Vec3 weight = new Vec3(0, 0, -Earth.GRAVITY * body.mass().orElseThrow());
         String name = name(body, "found couple");
         return b.force(new NamedForce(name + ", up", Frame.WORLD, weight.negated(), offset))
                 .force(NamedForce.direct(name + ", down", Frame.WORLD, weight));

@@ -7,6 +7,7 @@ import org.auvsim.diagnosis.result.Alternative;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 
 /** Other sets of causes that explain the runs about as well as the best. */
 final class Alternatives {
@@ -153,21 +154,22 @@ final class Alternatives {
     static String relation(Quantity a, Quantity b) {
         if (isFactor(a) && isFactor(b)) {
             if (areAlike(a.value() * b.value(), 1)) {
-                return "%s / %s = %.3g".formatted(a.name(), b.name(), a.value());
+                return String.format(Locale.ROOT, "%s / %s = %.3g", a.name(), b.name(), a.value());
             }
             if (areAlike(a.value(), b.value())) {
-                return "%s * %s = %.3g".formatted(a.name(), b.name(), a.value());
+                return String.format(Locale.ROOT, "%s * %s = %.3g", a.name(), b.name(), a.value());
             }
         }
         double rate = excess(a) / excess(b);
-        return "%s %s %.3g %s = %.3g%s"
-                .formatted(
-                        term(a),
-                        rate < 0 ? "-" : "+",
-                        Math.abs(rate),
-                        term(b),
-                        excess(a),
-                        isFactor(a) ? "" : " " + a.unit());
+        return String.format(
+                Locale.ROOT,
+                "%s %s %.3g %s = %.3g%s",
+                term(a),
+                rate < 0 ? "-" : "+",
+                Math.abs(rate),
+                term(b),
+                excess(a),
+                isFactor(a) ? "" : " " + a.unit());
     }
 
     private static boolean isFactor(Quantity q) {

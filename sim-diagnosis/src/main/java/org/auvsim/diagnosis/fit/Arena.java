@@ -101,14 +101,12 @@ public final class Arena {
      * motion gets out of all bounds.
      */
     public double[] misfits(List<Variant> variants) {
-        return grounds.parallelStream()
-                .map(ground -> misfits(ground, variants))
-                .reduce(new double[variants.size()], Arena::sum);
-    }
-
-    private static double[] sum(double[] a, double[] b) {
-        double[] sum = new double[a.length];
-        Arrays.setAll(sum, i -> a[i] + b[i]);
+        List<double[]> byGround =
+                grounds.parallelStream().map(ground -> misfits(ground, variants)).toList();
+        double[] sum = new double[variants.size()];
+        for (double[] misfits : byGround) {
+            Arrays.setAll(sum, i -> sum[i] + misfits[i]);
+        }
         return sum;
     }
 

@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
@@ -17,6 +18,7 @@ import org.auvsim.server.feedback.RigidMotion;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -26,6 +28,7 @@ import java.util.Optional;
  */
 final class Menu {
     private static final int SAMPLES = 200;
+    private static final int AXES = 3;
 
     /** As long as the longest of the runs, but not more (s). */
     private static final double LONGEST = 30;
@@ -34,7 +37,11 @@ final class Menu {
     private static final double SPIN = 0.5;
     private static final double SHARE_OF_MASS = 0.2;
 
+    /** So much lower is another depth (m). */
+    private static final double DEEPER = 5;
+
     private final Stepping stepping;
+    private final MeasuredRun first;
     private final Noise noise;
     private final double duration;
     private final RigidMotion rest;
@@ -43,6 +50,7 @@ final class Menu {
     /** For a body that was measured so; its experiments begin where the first run did. */
     Menu(Fit fit, Noise noise) {
         this.stepping = fit.stepping();
+        this.first = fit.data().getFirst().run();
         this.noise = noise;
         double longest = 0;
         for (Misses of : fit.data()) {
@@ -143,8 +151,20 @@ final class Menu {
         return noise.tells(channel, axis);
     }
 
+    /** Its sensors err as lastingly as those of the first run did. */
     private MeasuredRunBuilder begun(Dish dish) {
-        return MeasuredRun.named(dish.id()).commands(dish.driven()).differences(dish.differences());
+        MeasuredRunBuilder run =
+                MeasuredRun.named(dish.id())
+                        .commands(dish.driven())
+                        .differences(dish.differences());
+        for (Channel channel : Channel.values()) {
+            for (int axis = 0; axis < AXES; axis++) {
+                for (LastingError error : first.lastingErrors(channel, axis)) {
+                    run.lastingError(channel, axis, error);
+                }
+            }
+        }
+        return run;
     }
 
     /** A sample, with what is commanded from it on. */
@@ -192,13 +212,22 @@ final class Menu {
                             "drive all at %s from rest, turned by 90 degrees".formatted(LEVEL),
                             propulsors,
                             turned()));
+            dishes.add(
+                    plain(
+                            "another_depth",
+                            "drive all at %s from rest, %s m deeper".formatted(LEVEL, DEEPER),
+                            propulsors,
+                            deeper()));
         }
         double mass = SHARE_OF_MASS * believed.body().mass().orElse(0.0);
         if (mass > 0) {
             dishes.add(
                     new Dish(
                             "known_mass",
-                            "repeat a run with %.3g kg more, tightly fixed".formatted(mass),
+                            String.format(
+                                    Locale.ROOT,
+                                    "repeat a run with %.3g kg more, tightly fixed",
+                                    mass),
                             propulsors,
                             new KnownDifferences(mass, List.of(), List.of()),
                             rest));
@@ -212,6 +241,14 @@ final class Menu {
 
     private RigidMotion moving(Vec3 velocity, Vec3 angular) {
         return new RigidMotion(rest.position(), rest.orientation(), velocity, angular);
+    }
+
+    private RigidMotion deeper() {
+        return new RigidMotion(
+                rest.position().plus(new Vec3(0, 0, -DEEPER)),
+                rest.orientation(),
+                Vec3.ZERO,
+                Vec3.ZERO);
     }
 
     private RigidMotion turned() {

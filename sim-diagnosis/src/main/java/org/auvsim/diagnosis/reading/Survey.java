@@ -7,6 +7,7 @@ import org.auvsim.auvsml.document.DocumentException;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -105,9 +106,12 @@ final class Survey {
             throw table.at(
                     row.getStartingLineNumber(),
                     time.name(),
-                    ("expected seconds, but %.0f follows %.0f: these look like hours, minutes and"
-                                    + " seconds; map the column with form=\"HHMMSS\"")
-                            .formatted(now, last));
+                    String.format(
+                            Locale.ROOT,
+                            "expected seconds, but %.0f follows %.0f: these look like hours,"
+                                    + " minutes and seconds; map the column with form=\"HHMMSS\"",
+                            now,
+                            last));
         }
     }
 

@@ -4,6 +4,7 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 
 import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.model.BelievedModel;
@@ -46,8 +47,17 @@ record Cart(double gain, double drag, double current) {
 
     /** Speed under constant thrust approaches a steady one, exponentially. */
     MeasuredRun run() {
+        return run(MeasuredRun.named("run"));
+    }
+
+    /** The same, of which the way is told with an error that lasts. */
+    MeasuredRun run(LastingError error) {
+        return run(MeasuredRun.named("run").lastingError(Channel.POSITION, 0, error));
+    }
+
+    private MeasuredRun run(MeasuredRunBuilder begun) {
         Random random = new Random(3);
-        MeasuredRunBuilder run = MeasuredRun.named("run").commands(List.of("motor"));
+        MeasuredRunBuilder run = begun.commands(List.of("motor"));
         double x = 0;
         double v = 0;
         double level = 0;
@@ -80,8 +90,13 @@ record Cart(double gain, double drag, double current) {
 
     /** A fit whose windows follow the run under a hypothesis. */
     Fit fit(Hypothesis hypothesis) throws AuvsmlException {
-        Noise noise = Noise.of(List.of(run()));
-        List<Misses> data = Misses.of(List.of(run()), noise);
+        return fit(hypothesis, run());
+    }
+
+    /** The same of one of its runs. */
+    static Fit fit(Hypothesis hypothesis, MeasuredRun run) throws AuvsmlException {
+        Noise noise = Noise.of(List.of(run));
+        List<Misses> data = Misses.of(List.of(run), noise);
         return Following.of(Stepping.longer(believed()).getFirst(), hypothesis, data, noise);
     }
 }

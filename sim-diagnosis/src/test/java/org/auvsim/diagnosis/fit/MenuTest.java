@@ -2,11 +2,13 @@ package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Parameter;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.NextExperiment;
+import org.auvsim.diagnosis.run.MeasuredRun;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
@@ -17,12 +19,18 @@ class MenuTest {
     private static final Cart CART = new Cart(0.8, 1e-5, 0);
 
     private static Judged judged(String id, double... numbers) throws Exception {
-        Cause cause = CART.cause(id);
-        return Judged.of(CART.fit(new Hypothesis(List.of(cause), List.of(numbers))).whole());
+        return judged(CART.run(), id, numbers);
     }
 
-    private static Optional<NextExperiment> next(Judged best, Judged other) throws Exception {
-        return new Menu(best.fit(), Noise.of(List.of(CART.run()))).next(best, List.of(other));
+    private static Judged judged(MeasuredRun run, String id, double... numbers) throws Exception {
+        Hypothesis of = new Hypothesis(List.of(CART.cause(id)), List.of(numbers));
+        return Judged.of(Cart.fit(of, run).whole());
+    }
+
+    private static Optional<NextExperiment> next(Judged best, Judged other) {
+        Fit fit = best.fit();
+        return new Menu(fit, Noise.of(List.of(fit.data().getFirst().run())))
+                .next(best, List.of(other));
     }
 
     /** The same motor on the same cart moves both alike; with a known load it does not. */
@@ -33,6 +41,20 @@ class MenuTest {
 
         assertThat(next.id()).isEqualTo("known_mass");
         assertThat(next.separates()).containsExactly("mass_error");
+    }
+
+    /** Sensors that err lastingly will do so again: another run tells less then. */
+    @Test
+    void errorsThatLastAreExpectedAgain() throws Exception {
+        MeasuredRun erring = CART.run(new LastingError(0.5, 5));
+
+        NextExperiment sharp =
+                next(judged("thruster_gain", -0.2), judged("mass_error", 0.25)).orElseThrow();
+        NextExperiment dull =
+                next(judged(erring, "thruster_gain", -0.2), judged(erring, "mass_error", 0.25))
+                        .orElseThrow();
+
+        assertThat(dull.evidence()).isLessThan(sharp.evidence() / 10);
     }
 
     /** Positions are told half a metre ahead. */

@@ -25,6 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 class CsvRunsTest {
@@ -231,7 +232,8 @@ class CsvRunsTest {
     void rowsThatSayOfWhichRunTheyAreBeginItAnew() throws Exception {
         StringBuilder text = new StringBuilder("run,t,x\n");
         for (int row = 0; row < 40; row++) {
-            text.append("%d,%.1f,%d%n".formatted(row / 20, 0.1 * (row % 20), row));
+            text.append(
+                    String.format(Locale.ROOT, "%d,%.1f,%d%n", row / 20, 0.1 * (row % 20), row));
         }
         RunFile file = Rov.read(folder, ColumnMapping.USUAL, text.toString());
 

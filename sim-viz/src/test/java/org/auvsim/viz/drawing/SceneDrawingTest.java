@@ -34,6 +34,7 @@ import org.auvsim.viz.source.SceneAlone;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
@@ -201,7 +202,11 @@ class SceneDrawingTest {
                         tube -> assertThat(tube).startsWith("tube 5.").endsWith("ff38c7c0"),
                         cone ->
                                 assertThat(cone)
-                                        .isEqualTo("cone %.3f 0.000 0.000 ff38c7c0", 6 - head));
+                                        .isEqualTo(
+                                                String.format(
+                                                        Locale.ROOT,
+                                                        "cone %.3f 0.000 0.000 ff38c7c0",
+                                                        6 - head)));
     }
 
     private void sensing(Sensor sensor) {

@@ -17,7 +17,6 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 import java.awt.Component;
 import java.awt.Window;
 import java.awt.event.InputEvent;
-import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -146,9 +145,9 @@ class MenusTest {
         for (int menu = 0; menu < bar.getMenuCount(); menu++) {
             for (Component item : bar.getMenu(menu).getMenuComponents()) {
                 if (item instanceof JMenuItem key && key.getAccelerator() != null) {
+                    String stroke = key.getAccelerator().toString();
                     String words =
-                            KeyEvent.getKeyText(key.getAccelerator().getKeyCode())
-                                    .toLowerCase(Locale.ROOT);
+                            stroke.substring(stroke.lastIndexOf(' ') + 1).toLowerCase(Locale.ROOT);
                     int modifiers = key.getAccelerator().getModifiers();
                     if ((modifiers & InputEvent.ALT_DOWN_MASK) != 0) {
                         all.add("alt+shift+" + words);

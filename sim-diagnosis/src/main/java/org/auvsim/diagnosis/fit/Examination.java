@@ -240,7 +240,7 @@ public final class Examination {
     private List<String> notices(Search.Found found, Verdict verdict) {
         List<String> notices = new ArrayList<>();
         double stated = model.scenario().timeStep().delta();
-        double used = found.stepping().model().scenario().timeStep().delta();
+        double used = found.stepping().fine().scenario().timeStep().delta();
         if (used < stated && verdict != Verdict.UNEXPLAINED) {
             notices.add(
                     ("the scenario's time step of %s s is too long for this data: steps of %s"

@@ -6,6 +6,7 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 
 /**
  * Samples of a window that are so far apart as a model's steps are long. What parts two motions
@@ -25,18 +26,41 @@ final class Knots {
 
     /** From a window's first sample to that of the next, at most a step (s) apart if they can. */
     static Knots of(MeasuredRun run, Window window, double step) {
+        return of(run, window, step, k -> false);
+    }
+
+    /** The same, and at each sample at which a command or a scheduled force changes. */
+    static Knots atEachCommand(MeasuredRun run, Window window, double step) {
+        return of(run, window, step, k -> changesAt(run, k));
+    }
+
+    private static Knots of(MeasuredRun run, Window window, double step, IntPredicate isKnot) {
         int[] samples = new int[window.length() + 1];
         int count = 0;
         samples[count++] = window.from();
         for (int k = window.from() + 1; k <= window.to(); k++) {
             boolean isNextTooFar =
                     k == window.to()
+                            || isKnot.test(k)
                             || run.time(k + 1) - run.time(samples[count - 1]) > step * (1 + 1e-9);
             if (isNextTooFar) {
                 samples[count++] = k;
             }
         }
         return new Knots(run, Arrays.copyOf(samples, count));
+    }
+
+    /** Also where a scheduled force begins or ends between it and one of its neighbours. */
+    private static boolean changesAt(MeasuredRun run, int sample) {
+        double from = run.time(sample - 1);
+        double to = run.time(Math.min(sample + 1, run.size() - 1));
+        return run.commands().stream().anyMatch(command -> command.changesAt(sample))
+                || run.forces().stream()
+                        .anyMatch(f -> isIn(f.from(), from, to) || isIn(f.until(), from, to));
+    }
+
+    private static boolean isIn(double time, double from, double to) {
+        return from <= time && time <= to;
     }
 
     /** Their samples, in order. */
@@ -51,6 +75,31 @@ final class Knots {
             at[q] = motion[samples[q] - samples[0]];
         }
         return at;
+    }
+
+    /**
+     * A motion at each sample of the window: ways and turns along the cubics that have what they
+     * are and their rates at both knots, velocities as these change.
+     *
+     * @param motion at each knot
+     */
+    RigidMotion[] filled(RigidMotion[] motion) {
+        RigidMotion[] filled = new RigidMotion[samples[samples.length - 1] - samples[0] + 1];
+        if (isLost(motion)) {
+            Arrays.fill(filled, Ensemble.LOST);
+            return filled;
+        }
+        filled[0] = motion[0];
+        for (int q = 1; q < samples.length; q++) {
+            double from = run.time(samples[q - 1]);
+            double duration = run.time(samples[q]) - from;
+            Arc arc = Arc.between(motion[q - 1], motion[q], duration);
+            for (int k = samples[q - 1] + 1; k < samples[q]; k++) {
+                filled[k - samples[0]] = arc.at((run.time(k) - from) / duration);
+            }
+            filled[samples[q] - samples[0]] = motion[q];
+        }
+        return filled;
     }
 
     /**

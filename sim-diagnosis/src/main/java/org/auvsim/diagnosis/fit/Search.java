@@ -10,6 +10,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.function.Predicate;
 
 /** Looks for the causes that explain what a model misses of measured runs. */
@@ -25,6 +26,8 @@ final class Search {
 
     private static final double FALSE_ALARMS = 0.01;
 
+    private final BelievedModel model;
+    private final List<MeasuredRun> runs;
     private final Stepping stepping;
     private final Noise noise;
     private final Fit base;
@@ -44,14 +47,26 @@ final class Search {
             List<Cause> library,
             Optional<Arena.Contest> contest,
             Course course) {
+        this(model, runs, library, contest, course, StepLength::converged);
+    }
+
+    private Search(
+            BelievedModel model,
+            List<MeasuredRun> runs,
+            List<Cause> library,
+            Optional<Arena.Contest> contest,
+            Course course,
+            Function<Fit, Stepping> length) {
+        this.model = model;
+        this.runs = runs;
         this.noise = Noise.of(runs);
         List<Misses> data = Misses.of(runs, noise);
         course.at("following the runs", 0.02);
         Stepping first = Stepping.longer(model).getFirst();
         Fit asStated = Following.of(first, Hypothesis.NONE, data, noise, course);
-        this.stepping = course.goesOn() ? StepLength.converged(asStated) : first;
+        this.stepping = course.goesOn() ? length.apply(asStated) : first;
         this.base =
-                stepping.model().equals(model)
+                stepping.fine().equals(model)
                         ? asStated.in(stepping)
                         : Following.of(stepping, Hypothesis.NONE, data, noise, course);
         this.followed = base;
@@ -106,8 +121,17 @@ final class Search {
         }
     }
 
-    /** Specific causes first; those that can imitate others only where none of those passes. */
+    /** What is found, again in steps to each sample if what was would need them. */
     Found found() {
+        Found found = inTheseSteps();
+        return StepLength.doFor(found.best().fit()) || !course.goesOn()
+                ? found
+                : new Search(model, runs, library, contest, course, StepLength::atEachSample)
+                        .inTheseSteps();
+    }
+
+    /** Specific causes first; those that can imitate others only where none of those passes. */
+    private Found inTheseSteps() {
         course.at("fitting the model as it is", 0.1);
         Judged none = Refinement.converge(Refinement.approach(base, 1), NONE_STEPS);
         judged.add(none);

@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
+import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble;
 import org.auvsim.diagnosis.model.Ensemble.Entrant;
 import org.auvsim.diagnosis.model.Variant;
@@ -31,7 +32,13 @@ record Shooting(Stepping stepping, Variant variant, Misses of) {
     /** The motion in a window, from its start to that of the next. */
     RigidMotion[] motion(Window window) {
         List<Entrant> alone = List.of(new Entrant(variant, window.start()));
-        return Ensemble.simulate(stepping.model(), of.run(), window.from(), window.to(), alone)[0];
+        if (!stepping.passesBy()) {
+            return Ensemble.simulate(stepping.model(), of.run(), window.from(), window.to(), alone)[
+                    0];
+        }
+        Knots knots = Knots.atEachCommand(of.run(), window, step(stepping.model()));
+        return knots.filled(
+                Ensemble.simulate(stepping.model(), of.run(), knots.samples(), alone)[0]);
     }
 
     /** What a motion in a window misses of its samples. */
@@ -85,15 +92,20 @@ record Shooting(Stepping stepping, Variant variant, Misses of) {
         return knots.parted(motion, knots.of(motion), rough);
     }
 
-    /** Into how many parts the engine cuts the steps of differences, by sample. */
-    double cuts(Window window) {
+    /** How many steps of differences a window takes, each part of one that is cut counted. */
+    long parts(Window window) {
         Entrant alone = new Entrant(variant, window.start());
-        return Ensemble.cuts(
-                stepping.rough(), of.run(), knots(window).samples(), alone, stepping.commands());
+        double apart = stepping.rough().equals(stepping.fine()) ? 0 : step(stepping.rough());
+        int[] samples = Knots.of(of.run(), window, apart).samples();
+        return Ensemble.parts(stepping.rough(), of.run(), samples, alone, stepping.commands());
     }
 
     private Knots knots(Window window) {
-        return Knots.of(of.run(), window, stepping.rough().scenario().timeStep().delta());
+        return Knots.of(of.run(), window, step(stepping.rough()));
+    }
+
+    private static double step(BelievedModel model) {
+        return model.scenario().timeStep().delta();
     }
 
     /** The variant from a start, then from the same with each number moved, then others. */

@@ -4,21 +4,27 @@ import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.List;
+import java.util.function.ToDoubleBiFunction;
 import java.util.stream.IntStream;
 
 /**
- * Shortens the model's steps until half of them makes no difference that the data could show: else
- * the integrator's error would be taken for a cause.
+ * Finds the steps of a search. The model's are halved until half of them makes no difference that
+ * the data could show: else the integrator's error would be taken for a cause. Where that is so at
+ * once, predictions take longer ones, which pass samples by, if those make no such difference
+ * either and save work; and differences of two motions take longer ones still.
  */
 final class StepLength {
     /** Half the step may move a prediction by this share of the noise. */
     private static final double SHARE = 0.1;
 
+    /** Predictions in longer steps may be moved by that of it. */
+    private static final double LONG_SHARE = 0.05;
+
     /** Steps that do for differences may move it by so much noise. */
     private static final double ROUGH = 1;
 
-    /** The engine may cut so many of them a sample: then shorter ones would cost less. */
-    private static final double FEW_CUTS = 0.1;
+    /** Longer steps are worth it if this share of the work is left, or less. */
+    private static final double LESS_WORK = 0.9;
 
     private static final int MOST_HALVINGS = 4;
 
@@ -26,32 +32,78 @@ final class StepLength {
 
     /** The model with steps that are short enough, judged over windows that follow the runs. */
     static Stepping converged(Fit following) {
+        BelievedModel fine = fine(following);
+        return withLongerDifferences(
+                fine.equals(following.model()) ? passing(fine, following) : Stepping.exact(fine),
+                following);
+    }
+
+    /** The same with predictions that pass no sample by. */
+    static Stepping atEachSample(Fit following) {
+        return withLongerDifferences(Stepping.exact(fine(following)), following);
+    }
+
+    private static BelievedModel fine(Fit following) {
         BelievedModel now = following.model();
         for (int h = 0; h < MOST_HALVINGS; h++) {
-            Stepping finer = Stepping.finer(now, step(now, following));
-            if (difference(finer, following) < SHARE) {
+            Stepping finer = Stepping.finer(now, step(now, following) / 2);
+            if (ofDifferences(finer, following) < SHARE) {
                 break;
             }
             now = finer.rough();
         }
-        return Stepping.longer(now).stream()
-                .filter(longer -> difference(longer, following) < ROUGH)
-                .filter(longer -> cuts(longer, following) < FEW_CUTS)
-                .findFirst()
-                .orElse(Stepping.exact(now));
+        return now;
     }
 
-    /** The most of any run. */
-    private static double cuts(Stepping stepping, Fit following) {
-        double most = 0;
-        for (int r = 0; r < following.data().size(); r++) {
-            Shooting shooting =
-                    new Shooting(stepping, following.variant(), following.data().get(r));
-            for (Window window : following.windows().get(r)) {
-                most = Math.max(most, shooting.cuts(window));
+    /** Predictions that pass samples by; of a body that may touch something none. */
+    private static Stepping passing(BelievedModel model, Fit following) {
+        Stepping exact = Stepping.exact(model);
+        if (!model.touchesNothing()) {
+            return exact;
+        }
+        return leastWork(
+                exact,
+                Stepping.predictingLonger(model, step(model, following)).stream()
+                        .filter(longer -> doFor(following.in(longer)))
+                        .toList(),
+                following);
+    }
+
+    private static Stepping withLongerDifferences(Stepping predicting, Fit following) {
+        return leastWork(
+                predicting,
+                predicting.withLongerDifferences().stream()
+                        .filter(longer -> ofDifferences(longer, following) < ROUGH)
+                        .toList(),
+                following);
+    }
+
+    /**
+     * The engine cuts steps that are too long for stiff forces: longer ones may be no less work.
+     */
+    private static Stepping leastWork(Stepping plain, List<Stepping> longer, Fit following) {
+        Stepping best = plain;
+        long least = parts(plain, following);
+        for (Stepping other : longer) {
+            long parts = parts(other, following);
+            if (parts < LESS_WORK * least) {
+                best = other;
+                least = parts;
             }
         }
-        return most;
+        return best;
+    }
+
+    /** How many steps, and parts of those that are cut, the motions of all runs take. */
+    private static long parts(Stepping stepping, Fit following) {
+        long sum = 0;
+        for (int r = 0; r < following.data().size(); r++) {
+            Shooting shooting = shooting(stepping, following, following.data().get(r));
+            for (Window window : following.windows().get(r)) {
+                sum += shooting.parts(window);
+            }
+        }
+        return sum;
     }
 
     /** The longest step that is really made: none is longer than the time between samples. */
@@ -65,35 +117,64 @@ final class StepLength {
         return Math.min(longest, model.scenario().timeStep().delta());
     }
 
-    /** The largest of any number; infinite where a motion gets out of all bounds. */
-    private static double difference(Stepping stepping, Fit following) {
-        return IntStream.range(0, following.data().size())
+    /** Whether steps of predictions that pass samples by move none that the data could show. */
+    static boolean doFor(Fit fit) {
+        return !fit.stepping().passesBy() || ofPredictions(fit) < LONG_SHARE;
+    }
+
+    /** The most by which predictions differ from those in fine steps. */
+    private static double ofPredictions(Fit fit) {
+        Stepping fine = Stepping.exact(fit.stepping().fine());
+        return largest(
+                fit,
+                (of, window) -> {
+                    Shooting one = shooting(fine, fit, of);
+                    Shooting other = shooting(fit.stepping(), fit, of);
+                    return distance(
+                            one.misses(window, one.motion(window)),
+                            other.misses(window, other.motion(window)));
+                });
+    }
+
+    /** The most by which motions in steps of differences differ from predictions. */
+    private static double ofDifferences(Stepping stepping, Fit following) {
+        return largest(
+                following,
+                (of, window) -> {
+                    Shooting shooting = shooting(stepping, following, of);
+                    RigidMotion[] motion = shooting.motion(window);
+                    return distance(
+                            shooting.misses(window, motion),
+                            shooting.misses(window, shooting.rough(window, motion)));
+                });
+    }
+
+    private static Shooting shooting(Stepping stepping, Fit fit, Misses of) {
+        return new Shooting(stepping, fit.variant(), of);
+    }
+
+    /** That of all windows. */
+    private static double largest(Fit fit, ToDoubleBiFunction<Misses, Window> distance) {
+        return IntStream.range(0, fit.data().size())
                 .parallel()
                 .mapToDouble(
                         r ->
-                                difference(
-                                        new Shooting(
-                                                stepping,
-                                                following.variant(),
-                                                following.data().get(r)),
-                                        following.windows().get(r)))
+                                fit.windows().get(r).stream()
+                                        .mapToDouble(
+                                                w -> distance.applyAsDouble(fit.data().get(r), w))
+                                        .max()
+                                        .orElse(0))
                 .max()
                 .orElse(0);
     }
 
-    private static double difference(Shooting shooting, List<Window> windows) {
+    /** Between the numbers that are farthest apart; infinite where a motion got lost. */
+    private static double distance(double[] one, double[] other) {
         double largest = 0;
-        for (Window window : windows) {
-            RigidMotion[] motion = shooting.motion(window);
-            double[] one = shooting.misses(window, motion);
-            double[] other = shooting.misses(window, shooting.rough(window, motion));
-            for (int i = 0; i < one.length; i++) {
-                double difference = Math.abs(one[i] - other[i]);
-                largest =
-                        Double.isNaN(difference)
-                                ? Double.POSITIVE_INFINITY
-                                : Math.max(largest, difference);
-            }
+        for (int i = 0; i < one.length; i++) {
+            double distance = Math.abs(one[i] - other[i]);
+            largest =
+                    Double.isNaN(distance) ? Double.POSITIVE_INFINITY : Math.max(largest, distance);
         }
         return largest;
     }

@@ -8,38 +8,64 @@ import org.auvsim.diagnosis.model.Variant;
 import java.util.List;
 
 /**
- * The model in steps of two lengths.
+ * The model in steps of three lengths.
  *
- * @param model in steps that are short enough for predictions
- * @param rough the same in longer ones, where that does for differences of two of its motions; else
- *     in the same ones
+ * @param fine in steps that are short enough, and end at each sample
+ * @param model for predictions: in longer ones, which pass samples by, where that makes no
+ *     difference that the data could show; else in the same ones
+ * @param rough for differences of two of its motions: in longer ones still, where that does
  * @param commands how they hold in those of differences
  */
-record Stepping(BelievedModel model, BelievedModel rough, Commands commands) {
+record Stepping(BelievedModel fine, BelievedModel model, BelievedModel rough, Commands commands) {
     /** Longer steps are longer by these factors. */
     private static final List<Double> LONGER = List.of(4.0, 2.0);
 
-    /** Differences in the steps of predictions, too. */
+    /** Those of predictions by these, but they are not longer than the longest (s). */
+    private static final List<Double> LONGER_PREDICTIONS = List.of(5.0, 4.0, 3.0, 2.0);
+
+    private static final double LONGEST = 0.1;
+
+    /** All in the same steps. */
     static Stepping exact(BelievedModel model) {
-        return new Stepping(model, model, Commands.FROM_ROW_TO_ROW);
+        return new Stepping(model, model, model, Commands.FROM_ROW_TO_ROW);
     }
 
-    /** Differences in half of a step (s). */
+    /** Differences in shorter steps (s). */
     static Stepping finer(BelievedModel model, double step) {
-        return new Stepping(model, model.stepping(step / 2), Commands.FROM_ROW_TO_ROW);
+        return new Stepping(model, model, model.stepping(step), Commands.FROM_ROW_TO_ROW);
     }
 
     /** Differences in longer steps, which may turn out to be too long; the longest first. */
     static List<Stepping> longer(BelievedModel model) {
+        return exact(model).withLongerDifferences();
+    }
+
+    /** Predictions in longer steps than one (s), alike. */
+    static List<Stepping> predictingLonger(BelievedModel model, double step) {
+        return LONGER_PREDICTIONS.stream()
+                .map(by -> by * step)
+                .filter(length -> length < LONGEST * (1 + 1e-9))
+                .map(model::stepping)
+                .map(long_ -> new Stepping(model, long_, long_, Commands.FROM_ROW_TO_ROW))
+                .toList();
+    }
+
+    /** The same with differences in longer steps than those of predictions, alike. */
+    List<Stepping> withLongerDifferences() {
         double step = model.scenario().timeStep().delta();
         return LONGER.stream()
-                .map(by -> new Stepping(model, model.stepping(by * step), Commands.EVENED))
+                .map(by -> new Stepping(fine, model, model.stepping(by * step), Commands.EVENED))
                 .toList();
     }
 
     /** The same for a variant: longer steps would miss what acts on it for a few of the others. */
     Stepping of(Variant variant) {
-        return variant.body().effect().stream().anyMatch(Effect::isAbrupt) ? exact(model) : this;
+        return variant.body().effect().stream().anyMatch(Effect::isAbrupt) ? exact(fine) : this;
+    }
+
+    /** Whether predictions pass samples by. */
+    boolean passesBy() {
+        return !model.equals(fine);
     }
 
     /** The body as it is believed. */

@@ -46,6 +46,11 @@ public record BelievedModel(Scenario scenario, String body) {
                                                                 .toList())));
     }
 
+    /** Whether nothing in the scenario is in the body's way. */
+    public boolean touchesNothing() {
+        return Ground.under(this).objects().isEmpty();
+    }
+
     /** How the body moves at the beginning by the scenario. */
     public RigidMotion start() {
         WorldObjectDefinition of = definition(scenario, body);

@@ -48,6 +48,9 @@ public final class Ensemble {
     /** No body is so far off (m), moves (m/s) or turns (rad/s) so fast. */
     private static final double OUT_OF_ALL_BOUNDS = 1e9;
 
+    /** So many parts a motion is said to take that got lost. */
+    private static final long TOO_MANY = 1L << 32;
+
     private static final Vec3 NOWHERE = new Vec3(Double.NaN, Double.NaN, Double.NaN);
 
     /** A motion of which nothing can be said: all NaN. */
@@ -233,12 +236,12 @@ public final class Ensemble {
     }
 
     /**
-     * Into how many parts the engine cuts steps of a variant that are too long for its stiff
-     * forces, by sample; 0 if none are.
+     * How many steps a variant takes, each part counted of one that the engine cuts as it is too
+     * long for stiff forces.
      *
      * @param samples between which it is simulated, in order
      */
-    public static double cuts(
+    public static long parts(
             BelievedModel model,
             MeasuredRun run,
             int[] samples,
@@ -249,9 +252,9 @@ public final class Ensemble {
         try {
             alone.simulate(samples);
         } catch (StepException e) {
-            return Double.POSITIVE_INFINITY;
+            return TOO_MANY;
         }
-        return (double) alone.world.statistics().subSteps() / samples.length;
+        return alone.made + alone.world.statistics().subSteps();
     }
 
     /** How many may share a world; every body asks all currents whether it feels them. */

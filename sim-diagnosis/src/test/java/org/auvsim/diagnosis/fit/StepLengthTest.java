@@ -14,9 +14,11 @@ import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
+import java.util.Random;
 
 /** Steps are as long as the data allows, and those of differences longer where they can be. */
 class StepLengthTest {
@@ -44,8 +46,27 @@ class StepLengthTest {
 
         Stepping stepping = StepLength.converged(following(model, MeasuredVehicle.run(model)));
 
-        assertThat(stepping.model()).isEqualTo(model);
+        assertThat(stepping.fine()).isEqualTo(model);
         assertThat(step(stepping.rough())).isGreaterThan(0.049);
+    }
+
+    /** Four rows a step, and no prediction that the data could tell from those of each row. */
+    @Test
+    void predictionsPassRowsByThatAreDenserThanTheMotionNeeds() throws Exception {
+        BelievedModel model = FreeSphere.believed(0.025);
+        MeasuredRunBuilder run = MeasuredRun.named("coasting");
+        Random random = new Random(2);
+        for (int k = 0; k < 200; k++) {
+            double t = 0.025 * k;
+            run.at(t).position(t + 0.01 * random.nextGaussian(), Double.NaN, Double.NaN);
+        }
+        Fit following = following(model, run.build());
+
+        Stepping stepping = StepLength.converged(following);
+
+        assertThat(stepping.fine()).isEqualTo(model);
+        assertThat(step(stepping.model())).isGreaterThan(0.049);
+        assertThat(StepLength.doFor(following.in(stepping))).isTrue();
     }
 
     @Test

@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.Finding;
 
 import java.util.ArrayList;
@@ -29,6 +30,7 @@ final class Findings {
     private static List<Finding> of(Search.Found found, List<List<Double>> deviations) {
         Judged best = found.best();
         Hypothesis hypothesis = best.fit().hypothesis();
+        Variant believed = best.fit().stepping().variant();
         List<Weighed> findings = new ArrayList<>();
         for (int c = 0; c < hypothesis.causes().size(); c++) {
             Cause cause = hypothesis.causes().get(c);
@@ -39,7 +41,8 @@ final class Findings {
                             cause.subject(),
                             cause.quantities(hypothesis.theta().get(c)),
                             deviations.get(c),
-                            share(without, best));
+                            share(without, best),
+                            !cause.in(believed, hypothesis.theta().get(c)).movesAs(believed));
             findings.add(new Weighed(finding, without.score()));
         }
         return findings.stream()

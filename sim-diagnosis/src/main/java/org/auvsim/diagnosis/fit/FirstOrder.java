@@ -109,7 +109,7 @@ final class FirstOrder {
     }
 
     private boolean movesOtherwise(Variant other) {
-        return !other.body().equals(variant.body()) || !other.currents().equals(variant.currents());
+        return !other.movesAs(variant);
     }
 
     private WindowDerivatives along(

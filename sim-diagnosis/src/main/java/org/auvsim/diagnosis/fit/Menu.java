@@ -226,7 +226,10 @@ final class Menu {
                             "known_mass",
                             String.format(
                                     Locale.ROOT,
-                                    "repeat a run with %.3g kg more, tightly fixed",
+                                    "%s with %.3g kg more, tightly fixed",
+                                    propulsors.isEmpty()
+                                            ? "let it go from rest"
+                                            : "drive all at %s from rest".formatted(LEVEL),
                                     mass),
                             propulsors,
                             new KnownDifferences(mass, List.of(), List.of()),

@@ -1,5 +1,8 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.core.entity.AddedMass;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.ForceResidual;
@@ -10,7 +13,8 @@ import java.util.List;
 
 /**
  * The force that a model lacks along a run: by how much the velocity at the beginning of a short
- * window differs from what the model makes of the window before, times mass over time.
+ * window differs from what the model makes of the window before, times mass over time. The mass is
+ * that of the body and of the water that it carries along each of its axes.
  */
 final class MissingForce {
     private MissingForce() {}
@@ -37,6 +41,19 @@ final class MissingForce {
         Vec3 end = shooting.motion(window)[window.length()].velocity();
         double between = (run.time(next.to()) - run.time(window.from())) / 2;
         Vec3 jump = next.start().velocity().minus(end);
-        return jump.times(shooting.variant().body().mass().orElse(1.0) / between);
+        return moving(shooting.variant().body(), next.start().orientation(), jump)
+                .times(1 / between);
+    }
+
+    /** Momentum (kg m/s) of a change of velocity, in the world's axes. */
+    private static Vec3 moving(WorldObjectDefinition body, Quat orientation, Vec3 velocity) {
+        double mass = body.mass().orElse(1.0);
+        Vec3 added = body.addedMass().map(AddedMass::linear).orElse(Vec3.ZERO);
+        Vec3 v = orientation.rotateInverse(velocity);
+        return orientation.rotate(
+                new Vec3(
+                        (mass + added.x()) * v.x(),
+                        (mass + added.y()) * v.y(),
+                        (mass + added.z()) * v.z()));
     }
 }

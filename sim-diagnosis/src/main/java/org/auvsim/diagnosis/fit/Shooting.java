@@ -4,6 +4,7 @@ import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble;
 import org.auvsim.diagnosis.model.Ensemble.Entrant;
+import org.auvsim.diagnosis.model.Ensemble.Work;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.server.feedback.RigidMotion;
 
@@ -92,12 +93,12 @@ record Shooting(Stepping stepping, Variant variant, Misses of) {
         return knots.parted(motion, knots.of(motion), rough);
     }
 
-    /** How many steps of differences a window takes, each part of one that is cut counted. */
-    long parts(Window window) {
+    /** What a window takes in steps of differences. */
+    Work work(Window window) {
         Entrant alone = new Entrant(variant, window.start());
         double apart = stepping.rough().equals(stepping.fine()) ? 0 : step(stepping.rough());
         int[] samples = Knots.of(of.run(), window, apart).samples();
-        return Ensemble.parts(stepping.rough(), of.run(), samples, alone, stepping.commands());
+        return Ensemble.work(stepping.rough(), of.run(), samples, alone, stepping.commands());
     }
 
     private Knots knots(Window window) {

@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.model.Ensemble.Work;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.List;
@@ -18,10 +19,13 @@ final class StepLength {
     private static final double SHARE = 0.1;
 
     /** Predictions in longer steps may be moved by that of it. */
-    private static final double LONG_SHARE = 0.05;
+    private static final double LONG_SHARE = 0.01;
 
     /** Steps that do for differences may move it by so much noise. */
     private static final double ROUGH = 1;
+
+    /** Of steps of differences the engine may cut this share. */
+    private static final double FEW_CUTS = 0.1;
 
     /** Longer steps are worth it if this share of the work is left, or less. */
     private static final double LESS_WORK = 0.9;
@@ -74,6 +78,7 @@ final class StepLength {
                 predicting,
                 predicting.withLongerDifferences().stream()
                         .filter(longer -> ofDifferences(longer, following) < ROUGH)
+                        .filter(longer -> areHardlyCut(work(longer, following)))
                         .toList(),
                 following);
     }
@@ -83,9 +88,9 @@ final class StepLength {
      */
     private static Stepping leastWork(Stepping plain, List<Stepping> longer, Fit following) {
         Stepping best = plain;
-        long least = parts(plain, following);
+        long least = work(plain, following).parts();
         for (Stepping other : longer) {
-            long parts = parts(other, following);
+            long parts = work(other, following).parts();
             if (parts < LESS_WORK * least) {
                 best = other;
                 least = parts;
@@ -94,13 +99,18 @@ final class StepLength {
         return best;
     }
 
-    /** How many steps, and parts of those that are cut, the motions of all runs take. */
-    private static long parts(Stepping stepping, Fit following) {
-        long sum = 0;
+    /** Motions whose steps are cut otherwise part by more than what moved them. */
+    private static boolean areHardlyCut(Work work) {
+        return work.cuts() < FEW_CUTS * work.steps();
+    }
+
+    /** What the motions of all runs take. */
+    private static Work work(Stepping stepping, Fit following) {
+        Work sum = Work.NONE;
         for (int r = 0; r < following.data().size(); r++) {
             Shooting shooting = shooting(stepping, following, following.data().get(r));
             for (Window window : following.windows().get(r)) {
-                sum += shooting.parts(window);
+                sum = sum.plus(shooting.work(window));
             }
         }
         return sum;

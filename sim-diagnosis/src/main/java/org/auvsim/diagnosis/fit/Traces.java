@@ -11,6 +11,7 @@ import org.auvsim.diagnosis.result.Identifiability.Confusion;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -108,23 +109,30 @@ final class Traces {
         return nearest;
     }
 
+    /** Names of causes none of whose guesses leaves a trace. */
     private List<String> unseen() {
-        List<String> unseen = new ArrayList<>();
+        Set<String> seen = new HashSet<>();
         for (Seed seed : seeds) {
-            String name = seed.cause().name();
-            boolean isSeen = false;
-            for (int c = 0; c < seed.columns().length; c++) {
-                int p = seed.guess().columns().get(c);
-                double scale = seed.cause().parameters().get(p).scale();
-                isSeen |= gram.norm(seed.columns()[c]) * scale > UNSEEN;
-            }
-            if (!isSeen && !unseen.contains(name)) {
-                unseen.add(name);
-            } else if (isSeen) {
-                unseen.remove(name);
+            if (isSeen(seed)) {
+                seen.add(seed.cause().name());
             }
         }
-        return unseen;
+        return seeds.stream()
+                .map(seed -> seed.cause().name())
+                .distinct()
+                .filter(name -> !seen.contains(name))
+                .toList();
+    }
+
+    private boolean isSeen(Seed seed) {
+        for (int c = 0; c < seed.columns().length; c++) {
+            int p = seed.guess().columns().get(c);
+            double scale = seed.cause().parameters().get(p).scale();
+            if (gram.norm(seed.columns()[c]) * scale > UNSEEN) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Degrees; 90 where one of them leaves no trace. */

@@ -48,7 +48,7 @@ public final class Ensemble {
     /** No body is so far off (m), moves (m/s) or turns (rad/s) so fast. */
     private static final double OUT_OF_ALL_BOUNDS = 1e9;
 
-    /** So many parts a motion is said to take that got lost. */
+    /** A motion that gets lost is said to be cut so often. */
     private static final long TOO_MANY = 1L << 32;
 
     private static final Vec3 NOWHERE = new Vec3(Double.NaN, Double.NaN, Double.NaN);
@@ -236,12 +236,31 @@ public final class Ensemble {
     }
 
     /**
-     * How many steps a variant takes, each part counted of one that the engine cuts as it is too
-     * long for stiff forces.
+     * What motions take.
+     *
+     * @param steps how many
+     * @param cuts how many more the engine makes of steps that are too long for stiff forces
+     */
+    public record Work(long steps, long cuts) {
+        public static final Work NONE = new Work(0, 0);
+
+        /** Both together. */
+        public Work plus(Work other) {
+            return new Work(steps + other.steps, cuts + other.cuts);
+        }
+
+        /** Steps, and parts of those that are cut. */
+        public long parts() {
+            return steps + cuts;
+        }
+    }
+
+    /**
+     * What a variant's motion takes.
      *
      * @param samples between which it is simulated, in order
      */
-    public static long parts(
+    public static Work work(
             BelievedModel model,
             MeasuredRun run,
             int[] samples,
@@ -252,9 +271,9 @@ public final class Ensemble {
         try {
             alone.simulate(samples);
         } catch (StepException e) {
-            return TOO_MANY;
+            return new Work(alone.made, TOO_MANY);
         }
-        return alone.made + alone.world.statistics().subSteps();
+        return new Work(alone.made, alone.world.statistics().subSteps());
     }
 
     /** How many may share a world; every body asks all currents whether it feels them. */

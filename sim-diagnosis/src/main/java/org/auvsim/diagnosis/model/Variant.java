@@ -21,6 +21,11 @@ public record Variant(WorldObjectDefinition body, List<Current> currents, Sensin
         currents = List.copyOf(currents);
     }
 
+    /** Whether another one moves alike, however it is measured. */
+    public boolean movesAs(Variant other) {
+        return body.equals(other.body) && currents.equals(other.currents);
+    }
+
     /** The same with another body. */
     public Variant with(UnaryOperator<WorldObjectDefinition.Builder> change) {
         return new Variant(change.apply(body.toBuilder()).build(), currents, sensing);

@@ -165,9 +165,9 @@ final class Learner implements Companion {
             messages.addAll(belief.changes(diagnosed, found.extended()));
             belief = belief.after(diagnosed, found.extended());
         }
+        boolean isExtended = !messages.isEmpty(); // what was found of sensors changes no world
         messages.add(
-                new AnnounceModelCorrectionCommand(
-                        objectId, Announcement.of(found, plan.extendsWorld())));
+                new AnnounceModelCorrectionCommand(objectId, Announcement.of(found, isExtended)));
         toSimulator.accept(messages);
     }
 }

@@ -8,7 +8,6 @@ import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Phrases;
 import org.auvsim.diagnosis.result.QuantityGroup;
-import org.auvsim.diagnosis.shaking.Imbalance;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -44,15 +43,17 @@ final class ExtendedScenario {
 
     private static List<String> lines(Diagnosis diagnosis) {
         List<String> lines = new ArrayList<>(heading(diagnosis));
-        List<Finding> added =
-                diagnosis.selected().stream()
-                        .filter(finding -> !finding.cause().equals(Imbalance.CAUSE))
-                        .toList();
+        List<Finding> added = diagnosis.selected().stream().filter(Finding::isOfModel).toList();
         lines.add(
                 added.isEmpty()
                         ? "Nothing was added: this is the model as it was believed."
                         : "What was added to the model as it was believed:");
         added.stream().map(ExtendedScenario::line).forEach(lines::add);
+        List<Finding> others = diagnosis.selected().stream().filter(f -> !f.isOfModel()).toList();
+        if (!others.isEmpty()) {
+            lines.add("What was found beside that, which no scenario has:");
+            others.stream().map(ExtendedScenario::line).forEach(lines::add);
+        }
         return lines;
     }
 

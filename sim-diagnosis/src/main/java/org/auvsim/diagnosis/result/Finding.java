@@ -13,13 +13,15 @@ import java.util.Optional;
  * @param quantities its numbers
  * @param deviations the standard deviation of each, in the same order; empty if none can be stated
  * @param share of the misfit beyond noise that goes when this cause is added last, 0 to 1
+ * @param isOfModel whether it changes the model; not what sensors tell of it, which no scenario has
  */
 public record Finding(
         String cause,
         Optional<String> subject,
         List<Quantity> quantities,
         List<Double> deviations,
-        double share) {
+        double share,
+        boolean isOfModel) {
     /** The lists cannot be changed. */
     public Finding {
         quantities = List.copyOf(quantities);

@@ -1,7 +1,8 @@
 package org.auvsim.diagnosis.result;
 
 /**
- * How well a held-out run is predicted some time ahead, from measured states all along it.
+ * How well held-out runs are predicted some time ahead, from states all along them that the model
+ * with what was found is fitted to.
  *
  * @param ahead (s)
  * @param position error (m)

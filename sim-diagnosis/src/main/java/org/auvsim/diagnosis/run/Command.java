@@ -18,7 +18,10 @@ public final class Command {
         return name;
     }
 
-    /** What it was told at a sample; it holds until the next. */
+    /**
+     * What it was told at a sample, until the next: a level (-1 to 1), an angle (rad), a component
+     * of a force (N).
+     */
     public double level(int sample) {
         return levels[sample];
     }

@@ -119,7 +119,10 @@ public final class MeasuredRun {
         return v.isFinite() ? Optional.of(v) : Optional.empty();
     }
 
-    /** Length of a vector by the axes along which it was measured; NaN if it was along none. */
+    /**
+     * Length of a vector (the channel's unit) by the axes along which it was measured; NaN if it
+     * was along none.
+     */
     public double norm(Channel channel, int sample) {
         double square = Double.NaN;
         for (int axis = 0; axis < AXES; axis++) {
@@ -151,8 +154,8 @@ public final class MeasuredRun {
     }
 
     /**
-     * What an axis of an accelerometer told at a sample, which tells how the body shakes; NaN where
-     * there is none.
+     * What an axis of an accelerometer told at a sample, which tells how the body shakes, in any
+     * unit, as ratios count alone; NaN where there is none.
      */
     public double acceleration(int sample) {
         return accelerations[sample];

@@ -52,7 +52,12 @@ public final class Imbalance {
         Quantity factor = new Quantity("factor", "1", shaking.factor());
         Finding found =
                 new Finding(
-                        CAUSE, Optional.empty(), List.of(factor), List.of(shaking.deviation()), 0);
+                        CAUSE,
+                        Optional.empty(),
+                        List.of(factor),
+                        List.of(shaking.deviation()),
+                        0,
+                        false);
         return byMotion.explained(
                 found,
                 Sentence.shaking(found, shaking.references()),

@@ -1,13 +1,20 @@
 package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.ForceResidual;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
+import java.util.Random;
 import java.util.function.ToDoubleFunction;
 
 /** A cart with a drag that the model does not have. */
@@ -31,6 +38,40 @@ class MissingForceTest {
         assertThat(forces).hasSizeGreaterThan(10);
         assertThat(mean(forces, f -> f.before().norm())).isGreaterThan(2);
         assertThat(mean(forces, f -> f.after().norm())).isLessThan(0.3);
+    }
+
+    /** A force of 3 N moves a ball of 10 kg and the 20 kg of water that it carries. */
+    @Test
+    void waterThatIsCarriedHasToBeMovedToo() throws Exception {
+        BelievedModel model =
+                new BelievedModel(
+                        ScenarioLoader.load(MissingForceTest.class.getClassLoader())
+                                .parse(
+                                        """
+                                        <scenario><time-step delta="0.05"/>
+                                          <world-object name="ball" mass="10"><sphere radius="0.2"/>
+                                            <added-mass><linear x="20" y="20" z="20"/></added-mass>
+                                          </world-object></scenario>
+                                        """
+                                                .getBytes(UTF_8)),
+                        "ball");
+        Random random = new Random(1);
+        MeasuredRunBuilder run = MeasuredRun.named("run");
+        for (int k = 0; k < 400; k++) {
+            double t = 0.05 * k;
+            double x = 3.0 / 30 * t * t / 2 + 0.002 * random.nextGaussian();
+            run.at(t).position(x, 0.002 * random.nextGaussian(), 0.002 * random.nextGaussian());
+        }
+        List<MeasuredRun> runs = List.of(run.build());
+        Noise noise = Noise.of(runs);
+        Stepping stepping = Stepping.exact(model);
+
+        List<ForceResidual> forces =
+                MissingForce.along(
+                        stepping, stepping.variant(), Misses.of(runs, noise).getFirst(), noise);
+
+        assertThat(mean(forces, f -> f.before().x())).isCloseTo(3, within(0.1));
+        assertThat(mean(forces, f -> f.before().y())).isCloseTo(0, within(0.1));
     }
 
     private static double mean(List<ForceResidual> forces, ToDoubleFunction<ForceResidual> of) {

@@ -52,14 +52,16 @@ final class Diagnoses {
                     Optional.empty(),
                     List.of(new Quantity("k", "kg/m", 12.43)),
                     List.of(0.31),
-                    0.991);
+                    0.991,
+                    true);
     static final Finding THRUST =
             new Finding(
                     "thruster_gain",
                     Optional.of("port"),
                     List.of(new Quantity("factor", "1", 0.8)),
                     List.of(0.004),
-                    0.3);
+                    0.3,
+                    true);
     static final Finding CURRENT =
             new Finding(
                     "current_constant",
@@ -69,7 +71,8 @@ final class Diagnoses {
                             new Quantity("u.y", "m/s", -0.1),
                             new Quantity("u.z", "m/s", 0)),
                     List.of(0.004, 0.003, 0.002),
-                    0.2);
+                    0.2,
+                    true);
     private static final Map<Channel, Double> NOISES =
             Map.of(Channel.POSITION, NOISE, Channel.ORIENTATION, TURN_NOISE);
 
@@ -251,7 +254,8 @@ final class Diagnoses {
                         Optional.empty(),
                         QUADRATIC_DRAG.quantities(),
                         List.of(),
-                        0.6);
+                        0.6,
+                        true);
         return seen.map(_ -> new Approximation(List.of(drag), scenario(12.43)));
     }
 

@@ -5,13 +5,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.document.Validation;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
+import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Finding;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 class ExtendedScenarioTest {
     private static final ClassLoader LOADER = ExtendedScenarioTest.class.getClassLoader();
@@ -53,6 +56,29 @@ class ExtendedScenarioTest {
                         -->
                         <scenario\
                         """);
+    }
+
+    @Test
+    void whatSensorsDoIsInNoScenario() throws Exception {
+        Finding bias =
+                new Finding(
+                        "sensor_bias",
+                        Optional.empty(),
+                        List.of(new Quantity("yaw", "rad", 0.1)),
+                        List.of(0.01),
+                        0.4,
+                        false);
+        assertThat(
+                        Files.readString(
+                                written(
+                                        Diagnoses.explained(
+                                                List.of(Diagnoses.QUADRATIC_DRAG, bias),
+                                                100,
+                                                List.of()))))
+                .containsPattern(
+                        "What was added to the model as it was believed:\n  - quadratic_drag: .*\n"
+                                + "  What was found beside that, which no scenario has:\n"
+                                + "  - sensor_bias: yaw = 0.100 \\+- 0.010 rad; .*\n-->");
     }
 
     @Test

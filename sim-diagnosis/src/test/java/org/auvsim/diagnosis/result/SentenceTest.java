@@ -33,7 +33,7 @@ class SentenceTest {
                     false);
 
     private static Finding found(String cause, List<Quantity> quantities, List<Double> deviations) {
-        return new Finding(cause, Optional.empty(), quantities, deviations, 0.99);
+        return new Finding(cause, Optional.empty(), quantities, deviations, 0.99, true);
     }
 
     @Test

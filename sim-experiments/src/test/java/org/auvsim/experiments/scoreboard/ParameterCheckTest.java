@@ -13,7 +13,7 @@ import java.util.Optional;
 
 class ParameterCheckTest {
     private static Finding found(String cause, List<Quantity> quantities, Double... deviations) {
-        return new Finding(cause, Optional.empty(), quantities, List.of(deviations), 1);
+        return new Finding(cause, Optional.empty(), quantities, List.of(deviations), 1, true);
     }
 
     @Test

@@ -74,7 +74,10 @@ public final class Auvsim implements Runnable {
      */
     static CommandLine commandLine(Path reports, Path home) {
         Auvsim auvsim = new Auvsim();
-        return OptionValues.readBy(new CommandLine(auvsim))
+        CommandLine line = new CommandLine(auvsim);
+        // Its options take many files: a misspelt option is none of them.
+        line.getSubcommands().get("diagnose").setUnmatchedOptionsAllowedAsOptionParameters(false);
+        return OptionValues.readBy(line)
                 .setExecutionStrategy(parsed -> auvsim.execute(parsed, home))
                 .setCaseInsensitiveEnumValuesAllowed(true)
                 .setParameterExceptionHandler(Auvsim::explain)

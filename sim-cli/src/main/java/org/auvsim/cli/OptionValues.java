@@ -1,5 +1,7 @@
 package org.auvsim.cli;
 
+import org.auvsim.auvsml.mapping.Names;
+
 import picocli.CommandLine;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.ArgSpec;
@@ -10,13 +12,20 @@ import picocli.CommandLine.TypeConversionException;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /** Reads the values of options, and says what was expected of one that cannot be read. */
 final class OptionValues {
     /** How picocli begins to tell that a value cannot be read, up to what its reader says. */
     private static final String OPENING = "^Invalid value for option '[^']*'[^:]*: ";
+
+    /** How it tells that one stands where a value is expected. */
+    private static final Pattern NO_VALUE =
+            Pattern.compile("^Unknown option: '([^']*)'; Expected parameter for .*");
 
     private OptionValues() {}
 
@@ -47,6 +56,17 @@ final class OptionValues {
      * fault.
      */
     static Optional<String> refusal(ParameterException e) {
+        Matcher unknown = NO_VALUE.matcher(String.valueOf(e.getMessage()));
+        if (unknown.matches()) {
+            Set<String> known = e.getCommandLine().getCommandSpec().optionsMap().keySet();
+            return Optional.of(
+                    Names.meant(Names.near(unknown.group(1), known))
+                            .map(
+                                    meant ->
+                                            "Unknown option: %s; %s"
+                                                    .formatted(quoted(unknown), meant))
+                            .orElse("Unknown option: %s.".formatted(quoted(unknown))));
+        }
         ArgSpec argument = e.getArgSpec();
         if (argument != null && String.valueOf(e.getMessage()).startsWith("Value for option ")) {
             return Optional.of(
@@ -66,6 +86,10 @@ final class OptionValues {
                                 .formatted(names(argument.auxiliaryTypes()[0]), e.getValue())
                         : String.valueOf(e.getMessage()).replaceFirst(OPENING, "");
         return Optional.of("%s: %s.".formatted(shown(argument), problem));
+    }
+
+    private static String quoted(Matcher unknown) {
+        return "'" + unknown.group(1) + "'";
     }
 
     private static String shown(ArgSpec argument) {

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -55,6 +56,8 @@ class DiagnoseTest {
     @ValueSource(
             strings = {
                 "--method shooting",
+                "--causes linear_drag --parts 1 --ignore-others",
+                "--causes linear_drag --from 0.2 --until 1.8 --body Ball",
                 "--method genetic --causes linear_drag,quadratic_drag,buoyancy_weight"
             })
     void aModelThatIsRightHasNothingMissing(String options) throws IOException {
@@ -107,6 +110,53 @@ class DiagnoseTest {
 
         assertThat(code).as(auvsim.err()).isEqualTo(1);
         assertThat(auvsim.out()).startsWith("A downward force is missing");
+        nothingIsLeftToSayOf(report.resolve("extended-scenario.xml"));
+    }
+
+    private void nothingIsLeftToSayOf(Path extended) throws IOException {
+        assertThat(auvsim.run("run", extended, "--until", "1")).as(auvsim.err()).isZero();
+        Path again = folder.resolve("again");
+        assertThat(
+                        diagnoseFalls(
+                                Files.readString(extended),
+                                0,
+                                "--causes",
+                                "buoyancy_weight",
+                                "--out",
+                                again,
+                                "--fail-on-discrepancy"))
+                .as(auvsim.err())
+                .isZero();
+        assertThat(again.resolve("diagnosis.json")).content().contains("\"verdict\" : \"none\"");
+    }
+
+    @Test
+    void withoutHeldOutRunsOneOfThemIsHeldOut() throws IOException {
+        Path report = folder.resolve("report");
+        int code =
+                diagnose(
+                        BALL,
+                        "--causes",
+                        "linear_drag",
+                        "--out",
+                        report,
+                        "--fit",
+                        fall("one.csv", 0),
+                        fall("two.csv", 1),
+                        fall("three.csv", 2));
+
+        assertThat(code).as(auvsim.err()).isZero();
+        assertThat(report.resolve("predictions").resolve("three.csv")).isNotEmptyFile();
+    }
+
+    /** After an option that takes many files. */
+    @Test
+    void anOptionThatIsMisspeltIsNoFile() throws IOException {
+        int code = diagnose(BALL, "--fit", fall("one.csv", 0), "--holdot", fall("two.csv", 1));
+
+        assertThat(code).isEqualTo(2);
+        assertThat(auvsim.err())
+                .startsWith("Unknown option: '--holdot'; did you mean '--holdout'?");
     }
 
     /** 2 s of a ball in vacuum that is thrown by lot, seen with 5 mm of noise. */

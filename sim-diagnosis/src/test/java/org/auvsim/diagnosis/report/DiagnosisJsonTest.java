@@ -8,6 +8,7 @@ import com.networknt.schema.Schema;
 import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
 
+import org.auvsim.diagnosis.PushedSphere;
 import org.auvsim.diagnosis.result.Alternative;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.shaking.Imbalance;
@@ -24,6 +25,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 
 class DiagnosisJsonTest {
@@ -55,6 +57,21 @@ class DiagnosisJsonTest {
     @MethodSource("diagnoses")
     void hasTheFormOfItsSchema(Diagnosis diagnosis) throws IOException {
         assertThat(faults(json(diagnosis))).isEmpty();
+    }
+
+    /**
+     * What a search made, with all that it fills in: a drag, and one that no cause looked for is.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"linear_drag", "current_constant"})
+    void whatASearchSaysHasItToo(String cause) throws IOException {
+        PushedSphere sphere =
+                new PushedSphere((_, v) -> new double[] {-8 * v[0], -8 * v[1], -8 * v[2]});
+
+        String json = json(sphere.investigation(1, Set.of(cause)).diagnose());
+
+        assertThat(json).contains("\"name\" : \"" + cause + "\"");
+        assertThat(faults(json)).isEmpty();
     }
 
     @ParameterizedTest

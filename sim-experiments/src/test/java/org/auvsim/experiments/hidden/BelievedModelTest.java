@@ -33,7 +33,7 @@ class BelievedModelTest {
                                                     model.variant(),
                                                     run.start().orElseThrow().motion())))[0]);
 
-            assertThat(of.error(r, motion)).as(of.toString()).isLessThan(2e-3);
+            assertThat(of.error(r, motion)).as(of.toString()).isLessThan(2e-4);
         }
     }
 }

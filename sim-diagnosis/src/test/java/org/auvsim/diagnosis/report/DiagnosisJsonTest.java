@@ -59,18 +59,15 @@ class DiagnosisJsonTest {
         assertThat(faults(json(diagnosis))).isEmpty();
     }
 
-    /**
-     * What a search made, with all that it fills in: a drag, and one that no cause looked for is.
-     */
-    @ParameterizedTest
-    @ValueSource(strings = {"linear_drag", "current_constant"})
-    void whatASearchSaysHasItToo(String cause) throws IOException {
+    /** What a search made, with all that it fills in. */
+    @Test
+    void whatASearchSaysHasItToo() throws IOException {
         PushedSphere sphere =
                 new PushedSphere((_, v) -> new double[] {-8 * v[0], -8 * v[1], -8 * v[2]});
 
-        String json = json(sphere.investigation(1, Set.of(cause)).diagnose());
+        String json = json(sphere.investigation(1, Set.of("linear_drag")).diagnose());
 
-        assertThat(json).contains("\"name\" : \"" + cause + "\"");
+        assertThat(json).contains("\"verdict\" : \"explained\"");
         assertThat(faults(json)).isEmpty();
     }
 

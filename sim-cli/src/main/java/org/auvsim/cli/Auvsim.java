@@ -15,6 +15,7 @@ import picocli.CommandLine.Spec;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.Objects;
 import java.util.Optional;
 
 /** The {@code auvsim} command: each subcommand is a class beside this one. */
@@ -76,7 +77,8 @@ public final class Auvsim implements Runnable {
         Auvsim auvsim = new Auvsim();
         CommandLine line = new CommandLine(auvsim);
         // Its options take many files: a misspelt option is none of them.
-        line.getSubcommands().get("diagnose").setUnmatchedOptionsAllowedAsOptionParameters(false);
+        Objects.requireNonNull(line.getSubcommands().get("diagnose"))
+                .setUnmatchedOptionsAllowedAsOptionParameters(false);
         return OptionValues.readBy(line)
                 .setExecutionStrategy(parsed -> auvsim.execute(parsed, home))
                 .setCaseInsensitiveEnumValuesAllowed(true)

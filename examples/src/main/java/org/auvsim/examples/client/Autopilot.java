@@ -14,6 +14,7 @@ import org.auvsim.core.math.Vec3;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -104,8 +105,11 @@ public final class Autopilot {
         Vec3 way = goal.get().minus(state.position());
         if (Math.hypot(way.x(), way.y()) < NEAR) {
             System.out.printf(
+                    Locale.ROOT,
                     "%7.1f s  %s reached at a height of %.1f m%n",
-                    state.timestamp(), left.remove(), state.position().z());
+                    state.timestamp(),
+                    left.remove(),
+                    state.position().z());
             return List.of();
         }
         steered = state.timestamp();

@@ -46,7 +46,7 @@ record Stepping(BelievedModel fine, BelievedModel model, BelievedModel rough, Co
                 .map(by -> by * step)
                 .filter(length -> length < LONGEST * (1 + 1e-9))
                 .map(model::stepping)
-                .map(long_ -> new Stepping(model, long_, long_, Commands.FROM_ROW_TO_ROW))
+                .map(longer -> new Stepping(model, longer, longer, Commands.FROM_ROW_TO_ROW))
                 .toList();
     }
 

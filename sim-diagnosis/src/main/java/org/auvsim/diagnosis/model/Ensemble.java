@@ -242,6 +242,7 @@ public final class Ensemble {
      * @param cuts how many more the engine makes of steps that are too long for stiff forces
      */
     public record Work(long steps, long cuts) {
+        /** That of no motion. */
         public static final Work NONE = new Work(0, 0);
 
         /** Both together. */

@@ -3,15 +3,19 @@ package org.auvsim.diagnosis.fit;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.auvsim.core.entity.Frame;
+import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.Ensemble;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.diagnosis.run.ScheduledForce;
 import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
 
 import java.util.Arrays;
+import java.util.List;
 
 /** Between knots, what parts two motions is as smooth as they are. */
 class KnotsTest {
@@ -48,6 +52,42 @@ class KnotsTest {
         RigidMotion[] course = new RigidMotion[SAMPLES];
         Arrays.setAll(course, k -> spun(k * APART, tilt));
         return course;
+    }
+
+    /** A command changes at sample 4, and a force ends between samples 9 and 10. */
+    @Test
+    void predictionsHaveKnotsWhereSomethingChanges() {
+        MeasuredRunBuilder told = MeasuredRun.named("told").commands(List.of("motor"));
+        for (int k = 0; k < SAMPLES; k++) {
+            told.at(k * APART).position(0, 0, 0).command(0, k < 4 ? 0.2 : 0.7);
+        }
+        NamedForce tow = NamedForce.direct("tow", Frame.WORLD, new Vec3(1, 0, 0));
+        told.force(new ScheduledForce(0, 9.5 * APART, tow));
+
+        assertThat(Knots.atEachCommand(told.build(), window, 0.15).samples())
+                .containsExactly(0, 1, 4, 7, 9, 10, 13, 16, 19, 20);
+    }
+
+    @Test
+    void betweenKnotsAMotionIsFilledIn() {
+        Knots knots = Knots.of(run, window, 0.1);
+
+        RigidMotion[] filled = knots.filled(knots.of(motion));
+
+        for (int k = 0; k < SAMPLES; k++) {
+            for (double off : filled[k].minus(motion[k])) {
+                assertThat(off).isCloseTo(0, within(1e-12));
+            }
+        }
+    }
+
+    @Test
+    void whatGotLostStaysLost() {
+        Knots knots = Knots.of(run, window, 0.1);
+        RigidMotion[] lost = new RigidMotion[knots.samples().length];
+        Arrays.fill(lost, Ensemble.LOST);
+
+        assertThat(knots.filled(lost)).hasSize(SAMPLES).containsOnly(Ensemble.LOST);
     }
 
     @Test

@@ -67,6 +67,23 @@ class StepLengthTest {
         assertThat(stepping.fine()).isEqualTo(model);
         assertThat(step(stepping.model())).isGreaterThan(0.049);
         assertThat(StepLength.doFor(following.in(stepping))).isTrue();
+        assertThat(StepLength.doFor(shaken(following.in(stepping)))).isFalse();
+    }
+
+    /** By what the steps were not chosen for: 20 N on 1 kg at 40 rad/s. */
+    private static Fit shaken(Fit fit) {
+        Cause shaking =
+                Library.of(fit.model(), List.of(fit.data().getFirst().run())).stream()
+                        .filter(cause -> cause.id().equals("periodic_force"))
+                        .findFirst()
+                        .orElseThrow();
+        double[] numbers = new double[shaking.parameters().size()];
+        numbers[0] = 20;
+        for (int p = 0; p < numbers.length; p++) {
+            boolean isFrequency = shaking.parameters().get(p).name().equals("omega");
+            numbers[p] = isFrequency ? 40 : numbers[p];
+        }
+        return fit.with(Hypothesis.NONE.and(shaking, numbers), fit.windows());
     }
 
     @Test

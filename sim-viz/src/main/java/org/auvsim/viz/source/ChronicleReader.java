@@ -23,6 +23,7 @@ import org.auvsim.viz.scene.SeenObject;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -151,7 +152,8 @@ final class ChronicleReader {
         before = time;
         chronicle.cut(where.cut());
         where.scenario().ifPresent(scenario -> chronicle.install(scenario, order));
-        chronicle.tell(time, order, "The world came here from %.2f s.".formatted(left));
+        chronicle.tell(
+                time, order, String.format(Locale.ROOT, "The world came here from %.2f s.", left));
     }
 
     private void tell(Entry entry) {

@@ -96,7 +96,7 @@ final class ActuatorSlider {
                 desk,
                 propulsor,
                 1,
-                level -> "%.2f".formatted(level),
+                level -> String.format(Locale.ROOT, "%.2f", level),
                 level -> new SetPropulsorCommand(id, propulsor.name(), level));
     }
 

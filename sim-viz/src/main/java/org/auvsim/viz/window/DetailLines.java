@@ -41,20 +41,18 @@ final class DetailLines {
         line("Position", vector(motion.position()) + " m");
         line("Depth", number(-motion.position().z()) + " m");
         double[] turn = Angles.rollPitchYaw(motion.orientation());
-        line(
-                "Roll, pitch, yaw",
-                "%.1f, %.1f, %.1f \u00b0"
-                        .formatted(degrees(turn[0]), degrees(turn[1]), degrees(turn[2])));
+        line("Roll, pitch, yaw", inDegrees(turn[0], turn[1], turn[2]) + " \u00b0");
         heading("Velocity");
         line("World", vector(motion.velocity()) + " m/s");
         Vec3 body = motion.orientation().rotateInverse(motion.velocity());
         line("Surge, sway, heave", vector(body) + " m/s");
         line("Speed", number(motion.velocity().norm()) + " m/s");
         Vec3 spin = motion.orientation().rotateInverse(motion.angularVelocity());
-        line(
-                "Roll, pitch, yaw rate",
-                "%.1f, %.1f, %.1f \u00b0/s"
-                        .formatted(degrees(spin.x()), 0.0 - degrees(spin.y()), degrees(spin.z())));
+        line("Roll, pitch, yaw rate", inDegrees(spin.x(), 0.0 - spin.y(), spin.z()) + " \u00b0/s");
+    }
+
+    private static String inDegrees(double x, double y, double z) {
+        return String.format(Locale.ROOT, "%.1f, %.1f, %.1f", degrees(x), degrees(y), degrees(z));
     }
 
     private void body(WorldObjectDefinition definition) {

@@ -255,12 +255,20 @@ final class Diagnose implements Callable<Integer> {
                                     seed,
                                     bar)
                             .by(method);
-            return sound(model, runs)
-                    .map(investigation::comparedWith)
-                    .orElse(investigation)
-                    .diagnose()
-                    .noticing(runs.notices());
+            Diagnosis diagnosis =
+                    sound(model, runs)
+                            .map(investigation::comparedWith)
+                            .orElse(investigation)
+                            .diagnose()
+                            .noticing(runs.notices());
+            return told(diagnosis, runs);
         }
+    }
+
+    /** With what the user's choice of causes and doubtful data mean for the verdict. */
+    private Diagnosis told(Diagnosis diagnosis, RunFiles runs) {
+        Diagnosis ofAsked = causes.isEmpty() ? diagnosis : diagnosis.ofSomeCauses();
+        return runs.isDoubtful() ? ofAsked.doubted() : ofAsked;
     }
 
     private static Optional<SoundRuns> sound(BelievedModel model, RunFiles runs) {

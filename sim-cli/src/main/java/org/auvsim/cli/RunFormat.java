@@ -4,6 +4,7 @@ import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.auvsml.run.ColumnMapping;
 import org.auvsim.auvsml.run.MappedColumn;
+import org.auvsim.auvsml.run.MeasuredAxes;
 import org.auvsim.diagnosis.reading.RunReader;
 
 import picocli.CommandLine.Option;
@@ -60,7 +61,7 @@ final class RunFormat {
                 mapping.isPresent()
                         ? RunReader.mapping(mapping.get(), mapper)
                         : ColumnMapping.USUAL;
-        stated = ned ? stated.inNed() : stated;
+        stated = ned ? stated.in(MeasuredAxes.NED) : stated;
         stated = degrees ? stated.inDegrees() : stated;
         stated = ignoreOthers ? stated.ignoringOthers() : stated;
         List<MappedColumn> columns = new ArrayList<>();

@@ -114,7 +114,7 @@ class InterruptionTest {
         } finally {
             process.destroyForcibly();
         }
-        assertThat(folder.resolve("out.txt")).content().startsWith("Stopped before the end; ");
+        assertThat(folder.resolve("out.txt")).content().startsWith("Stopped before ");
         assertThat(folder.resolve("report").resolve("diagnosis.json"))
                 .content()
                 .contains("\"complete\" : false");

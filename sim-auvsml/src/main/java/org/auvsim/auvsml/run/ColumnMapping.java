@@ -54,9 +54,9 @@ public record ColumnMapping(
         }
     }
 
-    /** The same with positions and velocities in axes x north, y east, z down. */
-    public ColumnMapping inNed() {
-        return new ColumnMapping(MeasuredAxes.NED, degrees, ignoreOthers, start, shaking, column);
+    /** The same with positions, orientations and velocities in other axes. */
+    public ColumnMapping in(MeasuredAxes other) {
+        return new ColumnMapping(other, degrees, ignoreOthers, start, shaking, column);
     }
 
     /** The same with angles in degrees. */

@@ -2,6 +2,7 @@ package org.auvsim.cli.diagnose;
 
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Effort;
+import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.diagnosis.result.Ranked;
 
 import java.util.ArrayList;
@@ -28,6 +29,12 @@ public final class Account {
             lines.add(Effort.words(diagnosis) + ".");
             lines.add("");
             addRanking(ranked, lines);
+            Effort.behind(diagnosis)
+                    .ifPresent(
+                            reasons -> {
+                                lines.add("");
+                                lines.add(reasons);
+                            });
         }
         diagnosis
                 .proposal()
@@ -43,7 +50,7 @@ public final class Account {
         int width =
                 Math.min(
                         WIDEST,
-                        ranked.stream().mapToInt(each -> name(each).length()).max().orElse(0));
+                        ranked.stream().mapToInt(each -> each.name().length()).max().orElse(0));
         String row = "%-" + Math.max(width, "causes".length()) + "s  %12s  %11s";
         lines.add(row.formatted("causes", "log evidence", "probability"));
         double best = ranked.getFirst().logEvidence();
@@ -52,13 +59,9 @@ public final class Account {
                     String.format(
                             Locale.ROOT,
                             row,
-                            name(each),
+                            each.name(),
                             String.format(Locale.ROOT, "%.1f", each.logEvidence() - best),
-                            String.format(Locale.ROOT, "%.1f %%", 100 * each.probability())));
+                            Numbers.probability(each.probability())));
         }
-    }
-
-    private static String name(Ranked set) {
-        return set.causes().isEmpty() ? "none" : String.join(" + ", set.causes());
     }
 }

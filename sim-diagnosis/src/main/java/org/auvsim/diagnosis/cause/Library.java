@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.cause;
 
 import org.auvsim.auvsml.mapping.ContextClasses;
+import org.auvsim.auvsml.mapping.Names;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
@@ -88,10 +89,14 @@ public final class Library {
     private static void require(List<String> names, List<Cause> library, String known) {
         for (String name : names) {
             if (library.stream().noneMatch(cause -> isNamed(cause, name))) {
+                List<String> ids = library.stream().map(Cause::id).distinct().toList();
+                String asked =
+                        Names.meant(Names.near(name, ids)).map(" (%s)"::formatted).orElse("");
                 throw new IllegalArgumentException(
-                        "no cause '%s' %s %s"
+                        "no cause '%s'%s %s %s"
                                 .formatted(
                                         name,
+                                        asked,
                                         known,
                                         library.stream()
                                                 .map(Cause::name)

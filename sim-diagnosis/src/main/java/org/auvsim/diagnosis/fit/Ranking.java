@@ -5,6 +5,7 @@ import org.auvsim.diagnosis.result.Ranked;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 
 /** Sets of causes by how well they explain the runs. */
@@ -31,7 +32,10 @@ final class Ranking {
             boolean isChosen = causes(judged).equals(causes(found.best()));
             ranked.add(
                     isChosen ? 0 : ranked.size(),
-                    ranked(judged, StrictMath.exp(judged.logEvidence() - most) / sum));
+                    ranked(
+                            judged,
+                            StrictMath.exp(judged.logEvidence() - most) / sum,
+                            isChosen ? Optional.empty() : behind(judged, found)));
         }
         return ranked;
     }
@@ -40,7 +44,36 @@ final class Ranking {
         return Set.copyOf(of.fit().hypothesis().causes());
     }
 
-    private static Ranked ranked(Judged judged, double probability) {
+    /** Why one was not chosen whose evidence is larger than that of what was. */
+    private static Optional<String> behind(Judged other, Search.Found found) {
+        Judged chosen = found.best();
+        return other.logEvidence() > chosen.logEvidence()
+                ? Optional.of(reason(other, chosen))
+                : Optional.empty();
+    }
+
+    private static String reason(Judged other, Judged chosen) {
+        Hypothesis of = other.fit().hypothesis();
+        Hypothesis best = chosen.fit().hypothesis();
+        if (other.score() > chosen.score()) {
+            return "too little gain for one of so many that were tried";
+        }
+        if (chosen.isNone()) {
+            return "not borne out by held-out runs, or no more gain than noise alone might have";
+        }
+        if (of.isGeneric() && !best.isGeneric()) {
+            return "can imitate others, and specific causes explain the runs, too";
+        }
+        if (Alternatives.areSame(other, chosen)) {
+            return "predicts the very same, and what was chosen is commoner";
+        }
+        if (of.causes().size() > best.causes().size()) {
+            return "more causes, and what was chosen leaves nothing but noise, too";
+        }
+        return "runs left out of the fit in turn speak for what was chosen";
+    }
+
+    private static Ranked ranked(Judged judged, double probability, Optional<String> behind) {
         Hypothesis of = judged.fit().hypothesis();
         List<String> names = new ArrayList<>();
         List<List<Quantity>> quantities = new ArrayList<>();
@@ -48,6 +81,6 @@ final class Ranking {
             names.add(of.causes().get(c).name());
             quantities.add(of.causes().get(c).quantities(of.theta().get(c)));
         }
-        return new Ranked(names, quantities, judged.logEvidence(), probability);
+        return new Ranked(names, quantities, judged.logEvidence(), probability, behind);
     }
 }

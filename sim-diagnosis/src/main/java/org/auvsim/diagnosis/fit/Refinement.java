@@ -93,7 +93,7 @@ final class Refinement {
         Gram gram =
                 Gram.of(blocks, size)
                         .with(fit.knowledge(), fit.hypothesis().numbers())
-                        .floored(fit.hypothesis().parameters());
+                        .cautious(fit.hypothesis().parameters());
         if (!gram.isFinite()) {
             return Optional.empty();
         }

@@ -133,7 +133,9 @@ final class Search {
     /** Specific causes first; those that can imitate others only where none of those passes. */
     private Found inTheseSteps() {
         course.at("fitting the model as it is", 0.1);
-        Judged none = Refinement.converge(Refinement.approach(base, 1), NONE_STEPS);
+        Judged none =
+                Refinement.converge(
+                        Refinement.approach(base, 1), NONE_STEPS, Double.POSITIVE_INFINITY, course);
         judged.add(none);
         List<Cause> specific = library.stream().filter(c -> !c.isGeneric()).toList();
         Judged best = searched(none, specific, cause -> true);
@@ -153,18 +155,34 @@ final class Search {
         for (Judged more = completed(best); !more.equals(best); more = completed(best)) {
             best = more;
         }
-        Judged first = best;
-        Traces traces = screen(first.fit().hypothesis(), plain).traces();
-        best = exchanged(first, traces);
+        return chosen(none, best, plain);
+    }
+
+    /**
+     * What is believed of that and what the data cannot tell from it. If it is not what was found,
+     * what the data cannot tell from that may not have been tried yet.
+     */
+    private Found chosen(Judged none, Judged found, List<Cause> plain) {
+        Traces traces = traces(found, plain);
+        Judged best = exchanged(found, traces);
         Choice choice = Choice.near(best, eachSetOnce(), library);
-        best = choice.instead(best, course);
+        Judged chosen = choice.instead(best, course);
+        if (!hasCausesOf(chosen, best) && !chosen.isNone()) {
+            best = exchanged(chosen, traces(chosen, plain));
+            choice = Choice.near(best, eachSetOnce(), library);
+            chosen = choice.instead(best, course);
+        }
         return new Found(
                 none,
-                best,
+                chosen,
                 choice.judged(),
-                choice.competitors(best),
-                best.equals(first) ? traces : screen(best.fit().hypothesis(), plain).traces(),
+                choice.competitors(chosen),
+                hasCausesOf(chosen, found) ? traces : traces(chosen, plain),
                 noise);
+    }
+
+    private static boolean hasCausesOf(Judged one, Judged other) {
+        return isSame(one.fit().hypothesis().causes(), other.fit().hypothesis().causes());
     }
 
     /**
@@ -179,6 +197,12 @@ final class Search {
         List<Screen.Start> missed =
                 more(best).stream().filter(start -> start.promise() > DOUBTFUL).toList();
         return missed.isEmpty() ? best : pruned(tournament(missed, best, 0.8, 0.85));
+    }
+
+    /** What causes leave beside something; those of none, once the search was told to stop. */
+    private Traces traces(Judged beside, List<Cause> causes) {
+        Hypothesis of = beside.fit().hypothesis();
+        return course.goesOn() ? screen(of, causes).traces() : Traces.none(of);
     }
 
     private static boolean hasRoom(Judged best) {
@@ -236,10 +260,12 @@ final class Search {
         if (contest.isPresent()) {
             return pruned(tournament(competing(contest.get(), causes), none, 0.4, 0.7));
         }
-        course.at("screening causes", 0.2);
+        if (!course.at("screening causes", 0.2)) {
+            return none;
+        }
         Screen screen = new Screen(base, causes, guesses, asBelieved());
         Judged best = tournament(screen.starts(1, isNew), none, 0.3, 0.5);
-        if (!isWhite(best)) {
+        if (!isWhite(best) && course.goesOn()) {
             best = pruned(tournament(screen.starts(2, isNew), best, 0.5, 0.7));
         }
         return best;

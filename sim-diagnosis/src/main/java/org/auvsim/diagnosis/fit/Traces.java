@@ -46,6 +46,11 @@ final class Traces {
         this.seeds = seeds;
     }
 
+    /** Of no other causes. */
+    static Traces none(Hypothesis beside) {
+        return new Traces(beside, new Gram(new double[1][1]), List.of());
+    }
+
     /** What is confused with the causes that were found, and what could not have been seen. */
     Identifiability identifiability(List<Cause> found) {
         List<Confusion> confusions = new ArrayList<>();

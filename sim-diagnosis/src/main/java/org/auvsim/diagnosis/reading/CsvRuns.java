@@ -26,6 +26,7 @@ final class CsvRuns {
     private final List<String> notices = new ArrayList<>();
     private List<Source> sources = List.of();
     private Source longest;
+    private boolean isDoubtful;
 
     CsvRuns(Path file, String name, ColumnMapping mapping, MeasuredBody body, KnownOfRun known) {
         this.file = file;
@@ -77,10 +78,20 @@ final class CsvRuns {
         return notices;
     }
 
+    /** Whether some of that doubts that the numbers are what they are taken for. */
+    boolean isDoubtful() {
+        return isDoubtful;
+    }
+
+    private void doubt(String notice) {
+        notices.add(notice);
+        isDoubtful = true;
+    }
+
     private Survey survey() throws DocumentException {
         try (CsvTable table = CsvTable.open(file)) {
             Layout layout = new Layout(table, mapping, body.commands());
-            body.undirected(layout.commands()).forEach(actuator -> notices.add(lacks(actuator)));
+            body.undirected(layout.commands()).forEach(actuator -> doubt(lacks(actuator)));
             return Survey.of(table, layout);
         } catch (IOException e) {
             throw CsvTable.unreadable(file, e);
@@ -111,7 +122,7 @@ final class CsvRuns {
                             .formatted(file, time, Figures.shown(1 / survey.interval())));
         }
         if (survey.looksLikeMilliseconds()) {
-            notices.add(
+            doubt(
                     "%s:2: column '%s': rows are %s s apart by whole numbers: are these milliseconds? If so, map '%s' with a scale of 0.001 (--mapping)"
                             .formatted(file, time, Figures.shown(survey.interval()), time));
         }
@@ -119,7 +130,7 @@ final class CsvRuns {
 
     private void tellAngles(RowReader rows) {
         if (rows.largestAngle() > SEVERAL_TURNS && !mapping.degrees()) {
-            notices.add(
+            doubt(
                     "%s:%d: column '%s': angles go up to %s rad: are they in degrees (--degrees)?"
                             .formatted(
                                     file,

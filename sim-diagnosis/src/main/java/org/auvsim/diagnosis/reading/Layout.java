@@ -16,12 +16,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** What each column of one file has, by its header, a mapping and what the body can be told. */
 final class Layout {
     private static final double RADIANS = Math.PI / 180;
+
+    /** What people call the column that has the time. */
+    private static final Pattern TIME_LIKE = Pattern.compile("(?i)time|stamp|sec");
 
     private final CsvTable table;
     private final ColumnMapping mapping;
@@ -182,7 +186,9 @@ final class Layout {
         List<String> names = new ArrayList<>(Slots.byName().keySet());
         names.addAll(known.names());
         List<String> near = Names.near(meaning, names);
-        String usual = near.isEmpty() ? Remedy.USUAL : near.getFirst();
+        boolean isTime = !filled.containsKey(Slots.TIME) && TIME_LIKE.matcher(column).find();
+        String other = isTime ? Slots.TIME_NAME : Remedy.USUAL;
+        String usual = near.isEmpty() ? other : near.getFirst();
         return table.at(
                 1,
                 column,

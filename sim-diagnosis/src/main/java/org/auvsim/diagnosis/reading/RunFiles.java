@@ -20,12 +20,14 @@ import java.util.stream.Stream;
  * @param heldOut what judges them
  * @param reference that are known to be sound, beside them
  * @param notices what was done to the data, and what looks wrong with it
+ * @param isDoubtful whether some of them doubt that the numbers are what they are taken for
  */
 public record RunFiles(
         List<MeasuredRun> fit,
         List<MeasuredRun> heldOut,
         List<MeasuredRun> reference,
-        List<String> notices) {
+        List<String> notices,
+        boolean isDoubtful) {
     /** The lists cannot be changed. */
     public RunFiles {
         fit = List.copyOf(fit);
@@ -58,7 +60,7 @@ public record RunFiles(
         requireOthers(reference, fit, heldOut);
         List<MeasuredRun> toFit = new ArrayList<>();
         List<MeasuredRun> toJudge = new ArrayList<>();
-        List<String> notices = new ArrayList<>();
+        List<String> notices = new ArrayList<>(reader.notices());
         List<Path> all = new ArrayList<>(fit);
         all.addAll(heldOut);
         int asked = all.size();
@@ -79,7 +81,8 @@ public record RunFiles(
             }
         }
         ToldAlike.require(read);
-        return told(toFit, toJudge, sound, notices, all.subList(0, asked));
+        boolean isDoubtful = read.stream().anyMatch(RunFile::isDoubtful);
+        return told(toFit, toJudge, sound, notices, isDoubtful, all.subList(0, asked));
     }
 
     /**
@@ -107,7 +110,7 @@ public record RunFiles(
                     "%s: fitted in %d parts of %s s, each with a start of its own"
                             .formatted(run.name(), count, Figures.shown(run.duration() / count)));
         }
-        return new RunFiles(parts, heldOut, reference, told);
+        return new RunFiles(parts, heldOut, reference, told, isDoubtful);
     }
 
     private static MeasuredRun part(MeasuredRun run, int i, int of) {
@@ -125,6 +128,7 @@ public record RunFiles(
             List<MeasuredRun> heldOut,
             List<MeasuredRun> reference,
             List<String> notices,
+            boolean isDoubtful,
             List<Path> all)
             throws DocumentException {
         if (fit.isEmpty()) {
@@ -133,12 +137,12 @@ public record RunFiles(
                             .formatted(all));
         }
         if (!heldOut.isEmpty()) {
-            return new RunFiles(fit, heldOut, reference, notices);
+            return new RunFiles(fit, heldOut, reference, notices, isDoubtful);
         }
         try {
             Split split = Split.of(fit);
             notices.add(split.notice());
-            return new RunFiles(split.fit(), split.heldOut(), reference, notices);
+            return new RunFiles(split.fit(), split.heldOut(), reference, notices, isDoubtful);
         } catch (IllegalArgumentException e) {
             throw new DocumentException(all.getFirst() + ": " + e.getMessage(), e);
         }

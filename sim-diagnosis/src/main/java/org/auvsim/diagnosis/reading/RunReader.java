@@ -5,6 +5,7 @@ import org.auvsim.auvsml.document.DocumentKind;
 import org.auvsim.auvsml.document.MissingFile;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.auvsml.run.MeasuredAxes;
 import org.auvsim.auvsml.run.Run;
 import org.auvsim.auvsml.run.RunDifferences;
 import org.auvsim.core.entity.Current;
@@ -59,6 +60,16 @@ public final class RunReader {
      */
     public RunReader between(double from, double until) {
         return new RunReader(model, mapping, mapper, new Stretch(from, until));
+    }
+
+    /** What is to be known of all runs, however many. */
+    List<String> notices() {
+        return mapping.axes() == MeasuredAxes.NED
+                ? List.of(
+                        "runs are read in axes x north, y east, z down; all that is said of them,"
+                                + " and the scenario, is in x east, y north, z up, of the body in"
+                                + " forward, left, up")
+                : List.of();
     }
 
     /**
@@ -123,6 +134,12 @@ public final class RunReader {
 
     private static DocumentKind kind(Path file) throws DocumentException {
         try {
+            if (Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file)) {
+                throw new DocumentException(
+                        file
+                                + " is a pipe or a device, which can be read once only; expected a"
+                                + " file, as runs are read twice: write it to one");
+            }
             return DocumentKind.of(file);
         } catch (IOException e) {
             throw CsvTable.unreadable(file, e);
@@ -132,11 +149,19 @@ public final class RunReader {
     private RunFile csv(Path file, String name) throws DocumentException {
         List<String> notices = new ArrayList<>();
         Run document = documentBeside(file, name, notices);
-        KnownOfRun known = new KnownOfRun(document, mapping.start());
-        CsvRuns csv = new CsvRuns(file, name, mapping, body, known);
+        CsvRuns csv = csv(file, name, document, mapping.axes());
         List<MeasuredRun> runs = csv.read();
         notices.addAll(csv.notices());
-        return checked(file, runs, csv.sources(), document, notices);
+        List<String> doubts = new ArrayList<>();
+        new ModelAxes(model, mapping.axes())
+                .suspicion(runs, other -> csv(file, name, document, other).read())
+                .ifPresent(doubt -> doubts.add(file + ": " + doubt));
+        return checked(file, runs, csv.sources(), document, notices, doubts, csv.isDoubtful());
+    }
+
+    private CsvRuns csv(Path file, String name, Run document, MeasuredAxes axes) {
+        KnownOfRun known = new KnownOfRun(document, mapping.start());
+        return new CsvRuns(file, name, mapping.in(axes), body, known);
     }
 
     private RunFile checked(
@@ -144,13 +169,22 @@ public final class RunReader {
             List<MeasuredRun> runs,
             List<Source> sources,
             Run document,
-            List<String> notices)
+            List<String> notices,
+            List<String> doubts,
+            boolean isDoubtful)
             throws DocumentException {
         for (int i = 0; i < runs.size(); i++) {
-            notices.addAll(new Plausibility(model, runs.get(i), sources.get(i)).notices());
+            doubts.addAll(new Plausibility(model, runs.get(i), sources.get(i)).notices());
         }
-        notices.addAll(new StatedPlausibility(beside(file), document, runs, sources).notices());
-        return new RunFile(file, stretch.of(runs, sources), sources, document.role(), notices);
+        doubts.addAll(new StatedPlausibility(beside(file), document, runs, sources).notices());
+        notices.addAll(doubts);
+        return new RunFile(
+                file,
+                stretch.of(runs, sources),
+                sources,
+                document.role(),
+                notices,
+                isDoubtful || !doubts.isEmpty());
     }
 
     private RunFile recorded(Path file, String name) throws DocumentException {
@@ -161,7 +195,7 @@ public final class RunReader {
         List<MeasuredRun> runs = recorded.read();
         notices.addAll(recorded.notices());
         List<Source> sources = Collections.nCopies(runs.size(), Source.of(file));
-        return checked(file, runs, sources, document, notices);
+        return checked(file, runs, sources, document, notices, new ArrayList<>(), false);
     }
 
     /** Where a document is that says something of a file's runs, if there is one. */

@@ -58,7 +58,8 @@ record DiagnosisDocument(
             double logEvidence,
             double probability,
             List<String> causes,
-            List<Map<String, Object>> params) {}
+            List<Map<String, Object>> params,
+            Optional<String> behind) {}
 
     record AlternativePart(List<String> names, boolean indistinguishable, String determined) {}
 

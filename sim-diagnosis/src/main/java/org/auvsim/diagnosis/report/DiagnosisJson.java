@@ -160,7 +160,6 @@ final class DiagnosisJson {
     }
 
     private static RankedPart ranked(Ranked of) {
-        String name = of.causes().isEmpty() ? "none" : String.join(" + ", of.causes());
         List<Map<String, Object>> params = new ArrayList<>();
         for (List<Quantity> quantities : of.quantities()) {
             Map<String, Object> numbers = new LinkedHashMap<>();
@@ -169,7 +168,8 @@ final class DiagnosisJson {
             }
             params.add(numbers);
         }
-        return new RankedPart(name, of.logEvidence(), of.probability(), of.causes(), params);
+        return new RankedPart(
+                of.name(), of.logEvidence(), of.probability(), of.causes(), params, of.behind());
     }
 
     private static RunPart run(NamedRun file, Map<Channel, Double> noise) {

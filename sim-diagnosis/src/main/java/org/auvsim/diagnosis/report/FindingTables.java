@@ -134,14 +134,15 @@ final class FindingTables {
                     List.of(
                             ranked.causes().isEmpty()
                                     ? "none: the model as believed"
-                                    : String.join(" + ", ranked.causes()),
+                                    : ranked.name(),
                             numbers(ranked),
                             Numbers.rounded(ranked.logEvidence() - best, 3),
-                            probability(ranked.probability())));
+                            Numbers.probability(ranked.probability())));
         }
         int more = of.ranked().size() - rows.size();
-        return List.of(
-                new Text(Effort.words(of) + "."),
+        List<Block> blocks = new ArrayList<>();
+        blocks.add(new Text(Effort.words(of) + "."));
+        blocks.add(
                 new Table(
                         List.of("causes", "numbers", "log evidence", "probability"),
                         rows,
@@ -150,12 +151,8 @@ final class FindingTables {
                                 + (more > 0
                                         ? " diagnosis.json has %d more.".formatted(more)
                                         : "")));
-    }
-
-    private static String probability(double value) {
-        return value > 0.9995 && value < 1
-                ? "> 99.9 %"
-                : value >= 0.0005 ? Numbers.percent(value) : "< 0.1 %";
+        Effort.behind(of).map(Text::new).ifPresent(blocks::add);
+        return blocks;
     }
 
     private static String numbers(Ranked ranked) {

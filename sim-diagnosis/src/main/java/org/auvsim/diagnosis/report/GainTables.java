@@ -20,9 +20,16 @@ import java.util.function.ToDoubleFunction;
 /** How much better held-out runs are predicted. */
 final class GainTables {
     private final Diagnosis of;
+    private final String after;
 
-    GainTables(Diagnosis of) {
+    /**
+     * Tables of a diagnosis.
+     *
+     * @param after name of the model that is not the believed one
+     */
+    GainTables(Diagnosis of, String after) {
         this.of = of;
+        this.after = after;
     }
 
     List<Block> byChannel() {
@@ -33,7 +40,7 @@ final class GainTables {
         of.heldOut().forEach((channel, gain) -> rows.add(row(channel, gain)));
         return List.of(
                 new Table(
-                        List.of("", "as believed", "with what was found", "noise", "unit"),
+                        List.of("", "as believed", after, "noise", "unit"),
                         rows,
                         of.usedHeldOut()
                                 ? "Root mean square errors; the held-out runs had to be used for"
@@ -62,10 +69,11 @@ final class GainTables {
                         "error (m)",
                         List.of(
                                 curve("as believed", Mark.LINE, Gain::before),
-                                curve("with what was found", Mark.LINE, Gain::after),
+                                curve(after, Mark.LINE, Gain::after),
                                 curve("noise", Mark.DASHED, Gain::noise)),
-                        "From eight states along each held-out run, fitted by the extended"
-                                + " model."));
+                        "From eight states along each held-out run, each fitted by the model: "
+                                + after
+                                + "."));
     }
 
     private Curve curve(String name, Mark mark, ToDoubleFunction<Gain> of) {

@@ -26,14 +26,13 @@ final class Page {
     /** Of the models that runs are compared with: one, if nothing changes. */
     private static List<String> names(Diagnosis of) {
         boolean isChanged = of.runs().stream().anyMatch(run -> !run.before().equals(run.after()));
-        if (!isChanged) {
-            return List.of("simulated");
-        }
-        return List.of(
-                "as believed",
-                of.verdict() == Verdict.EXPLAINED
-                        ? "with what was found"
-                        : "with the best that was tried");
+        return isChanged ? List.of("as believed", after(of)) : List.of("simulated");
+    }
+
+    private static String after(Diagnosis of) {
+        return of.verdict() == Verdict.UNEXPLAINED
+                ? "with the best that was tried"
+                : "with what was found";
     }
 
     static Report of(Diagnosis diagnosis) {
@@ -76,7 +75,7 @@ final class Page {
     }
 
     private List<Block> gain() {
-        GainTables tables = new GainTables(of);
+        GainTables tables = new GainTables(of, after(of));
         return Stream.of(tables.byChannel(), tables.byHorizon()).flatMap(List::stream).toList();
     }
 

@@ -70,7 +70,22 @@ public record Diagnosis(
 
     /** The same, said of a search that was stopped before its end, if it was. */
     public Diagnosis toldAsFarAsItCame() {
-        return isComplete ? this : with(Sentence.stopped(sentence), proposal, notices);
+        if (isComplete) {
+            return this;
+        }
+        boolean isAtOnce = ranked.stream().allMatch(set -> set.causes().isEmpty());
+        String told = isAtOnce ? Sentence.stoppedAtOnce() : Sentence.stopped(sentence);
+        return with(told, proposal, notices);
+    }
+
+    /** The same, only some of the causes that are known having been looked for. */
+    public Diagnosis ofSomeCauses() {
+        return with(Sentence.ofSome(sentence), proposal, notices);
+    }
+
+    /** The same of runs whose numbers may not be what they are taken for, as notices say. */
+    public Diagnosis doubted() {
+        return with(Sentence.doubted(sentence), proposal, notices);
     }
 
     /** The same with a formula or field that imitates the misfit. */

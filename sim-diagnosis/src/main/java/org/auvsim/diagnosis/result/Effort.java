@@ -1,7 +1,16 @@
 package org.auvsim.diagnosis.result;
 
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
 /** How much was tried for a verdict: one of many that were compared says more than one of few. */
 public final class Effort {
+    private static final int MOST = 3;
+
     private Effort() {}
 
     /** In words: {@code Causes looked for: 62; sets of them that were fitted: 23}. */
@@ -13,5 +22,33 @@ public final class Effort {
                         : "Causes to be looked for: %d; sets of them that were fitted before the"
                                 + " search was stopped: %d";
         return form.formatted(of.candidates(), sets);
+    }
+
+    /** Why sets with more evidence than what was chosen were not, if there are any. */
+    public static Optional<String> behind(Diagnosis of) {
+        Map<String, List<String>> byReason = new LinkedHashMap<>();
+        for (Ranked set : of.ranked()) {
+            set.behind()
+                    .ifPresent(
+                            reason ->
+                                    byReason.computeIfAbsent(reason, _ -> new ArrayList<>())
+                                            .add(set.name()));
+        }
+        return byReason.isEmpty()
+                ? Optional.empty()
+                : Optional.of(
+                        byReason.entrySet().stream()
+                                .map(e -> "%s (%s)".formatted(list(e.getValue()), e.getKey()))
+                                .collect(
+                                        Collectors.joining(
+                                                "; ",
+                                                "Not chosen in spite of more evidence: ",
+                                                ".")));
+    }
+
+    private static String list(List<String> names) {
+        int more = names.size() - MOST;
+        String some = names.stream().limit(MOST).collect(Collectors.joining(", "));
+        return more > 0 ? "%s and %d more".formatted(some, more) : some;
     }
 }

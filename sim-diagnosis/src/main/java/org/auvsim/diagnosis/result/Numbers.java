@@ -78,6 +78,13 @@ public final class Numbers {
                 : String.format(Locale.ROOT, "%.1f %%", percent);
     }
 
+    /** A probability in percent: {@code 92.5 %}, {@code > 99.9 %}. */
+    public static String probability(double value) {
+        return value > 0.9995 && value < 1
+                ? "> 99.9 %"
+                : value >= 0.0005 ? percent(value) : "< 0.1 %";
+    }
+
     private static boolean isPlain(double value) {
         return Math.abs(value) >= SMALL && Math.abs(value) < LARGE;
     }

@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.result;
 import org.auvsim.diagnosis.cause.Quantity;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A set of causes that was tried; the empty one is the model as it is believed.
@@ -11,15 +12,22 @@ import java.util.List;
  * @param quantities the numbers of each cause
  * @param logEvidence natural logarithm, up to the same constant for all sets
  * @param probability among all sets that were tried
+ * @param behind why it was not chosen, where its evidence is larger than that of what was
  */
 public record Ranked(
         List<String> causes,
         List<List<Quantity>> quantities,
         double logEvidence,
-        double probability) {
+        double probability,
+        Optional<String> behind) {
     /** The lists cannot be changed. */
     public Ranked {
         causes = List.copyOf(causes);
         quantities = List.copyOf(quantities);
+    }
+
+    /** The causes in a row. */
+    public String name() {
+        return causes.isEmpty() ? "none" : String.join(" + ", causes);
     }
 }

@@ -140,6 +140,25 @@ public final class Sentence {
                                 .replace(BEST, "; the best of these take "));
     }
 
+    /** The same where the search was stopped before it had fitted any cause. */
+    public static String stoppedAtOnce() {
+        return "Stopped before any cause was tried: nothing can be said of the model yet";
+    }
+
+    /** What one of these sentences still says when only some causes were looked for. */
+    public static String ofSome(String sentence) {
+        return sentence.replace(
+                        SOMETHING,
+                        "Something is missing that none of the causes explains that were to be"
+                                + " looked for")
+                .replace(BEST, "; the best of these take ");
+    }
+
+    /** The same of runs whose numbers may not be what they are taken for. */
+    public static String doubted(String sentence) {
+        return sentence + "; but notices doubt the data: look at them first";
+    }
+
     private static String known(Discrepancy of) {
         String frequency =
                 of.frequency().isPresent()

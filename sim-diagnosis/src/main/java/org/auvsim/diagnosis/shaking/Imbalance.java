@@ -73,7 +73,13 @@ public final class Imbalance {
                         .findFirst()
                         .orElse(Double.NEGATIVE_INFINITY);
         List<Ranked> sets = new ArrayList<>();
-        sets.add(new Ranked(List.of(CAUSE), List.of(List.of(factor)), believed + more, 0));
+        sets.add(
+                new Ranked(
+                        List.of(CAUSE),
+                        List.of(List.of(factor)),
+                        believed + more,
+                        0,
+                        Optional.empty()));
         sets.addAll(byMotion);
         double best = sets.stream().mapToDouble(Ranked::logEvidence).max().orElse(0);
         double sum = sets.stream().mapToDouble(s -> StrictMath.exp(s.logEvidence() - best)).sum();
@@ -84,7 +90,8 @@ public final class Imbalance {
                                         s.causes(),
                                         s.quantities(),
                                         s.logEvidence(),
-                                        StrictMath.exp(s.logEvidence() - best) / sum))
+                                        StrictMath.exp(s.logEvidence() - best) / sum,
+                                        s.behind()))
                 .toList();
     }
 }

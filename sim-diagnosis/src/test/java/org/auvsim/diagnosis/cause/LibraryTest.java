@@ -111,6 +111,9 @@ class LibraryTest {
                         "no cause 'thruster_gain' is known of '%s'; those that are known are"
                                 .formatted(PENDULUM.body()))
                 .hasMessageContaining("linear_drag");
+        assertThatThrownBy(() -> Library.requireKnown(List.of("linear_drga"), PENDULUM))
+                .hasMessageStartingWith(
+                        "no cause 'linear_drga' (did you mean 'linear_drag'?) is known of");
     }
 
     @Test

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.diagnosis.result.Ranked;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
@@ -46,6 +47,24 @@ class AliasTest {
                         .findFirst()
                         .orElseThrow();
         assertThat(Alternatives.alternative(found.best(), alias).isIndistinguishable()).isTrue();
+    }
+
+    /** Whoever sees it behind a set of less evidence is told why. */
+    @Test
+    void whatIsRankedBehindLessEvidenceSaysWhy() {
+        List<Ranked> ranked = Ranking.of(found);
+        double chosen = ranked.getFirst().logEvidence();
+
+        assertThat(ranked.getFirst().behind()).isEmpty();
+        assertThat(ranked.subList(1, ranked.size()))
+                .allMatch(set -> set.behind().isPresent() == set.logEvidence() > chosen)
+                .anyMatch(set -> set.behind().isEmpty());
+        Search.Found other = found.nothing();
+        assertThat(Ranking.of(other).getFirst().name()).isEqualTo("none");
+        assertThat(Ranking.of(other).get(1).behind())
+                .contains(
+                        "not borne out by held-out runs, or no more gain than noise alone might"
+                                + " have");
     }
 
     @Test

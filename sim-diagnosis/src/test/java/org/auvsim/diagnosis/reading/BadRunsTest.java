@@ -99,6 +99,15 @@ class BadRunsTest {
     }
 
     @Test
+    void aTimeByAnotherNameHasTheUsualOne() {
+        refused(
+                Rov.rows("x", ENOUGH, String::valueOf).replace("t,x", "time_s,x"),
+                ":1: column 'time_s': nothing is known by the name 'time_s'; rename it to what it"
+                        + " has (--rename time_s=t), ignore it (--ignore time_s), or name a force"
+                        + " or actuator of 'Rov' so");
+    }
+
+    @Test
     void capitalsAreASlip() {
         refused(
                 moving("Yaw", "0"),

@@ -111,7 +111,7 @@ class CsvRunsTest {
         MeasuredRun run =
                 Rov.run(
                         folder,
-                        ColumnMapping.USUAL.inNed().inDegrees(),
+                        ColumnMapping.USUAL.in(MeasuredAxes.NED).inDegrees(),
                         Rov.rows(
                                 "x,y,z,roll,pitch,yaw,u,v,w,wx,wy,wz,sd_x",
                                 20,
@@ -134,7 +134,7 @@ class CsvRunsTest {
         MeasuredRun run =
                 Rov.run(
                         folder,
-                        ColumnMapping.USUAL.inNed(),
+                        ColumnMapping.USUAL.in(MeasuredAxes.NED),
                         Rov.rows("x,qw,qx,qy,qz", 20, i -> i + "," + half + ",0,0," + half));
 
         Quat east = run.orientation(0).orElseThrow();

@@ -3,8 +3,11 @@ package org.auvsim.diagnosis.reading;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.auvsml.run.MeasuredAxes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 import java.nio.file.Path;
 import java.util.function.IntFunction;
@@ -41,6 +44,35 @@ class SuspicionsTest {
                         i -> "0," + 0.5 * 20 / 30 * 0.01 * i * i + ",0,1,0");
 
         assertThat(Rov.read(folder, ColumnMapping.USUAL, text).notices()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"ENU, ENU, 0", "NED, NED, 0", "NED, ENU, 1", "ENU, NED, 1"})
+    void otherAxesAreSuspectedByHowTheModelMoves(
+            MeasuredAxes told, MeasuredAxes readAs, int suspicions) throws Exception {
+        RunFile file = Rov.read(folder, ColumnMapping.USUAL.in(readAs), sinking(told));
+
+        assertThat(file.notices())
+                .filteredOn(notice -> notice.contains("are these the axes?"))
+                .hasSize(suspicions)
+                .allMatch(
+                        notice -> notice.startsWith(at(": the model moves as this does if x is")));
+        assertThat(file.isDoubtful()).isEqualTo(suspicions > 0);
+    }
+
+    /** A push of 5 N to the left and up, which the Rov has all the time, for 6 s. */
+    private static String sinking(MeasuredAxes axes) {
+        return Rov.rows(
+                "x,y,z,main,rudder",
+                60,
+                i -> {
+                    double along = 0.5 / 30 * 0.01 * i * i;
+                    double y = 3 * along;
+                    double z = 4 * along;
+                    return axes == MeasuredAxes.NED
+                            ? y + ",0," + -z + ",0,0"
+                            : "0," + y + "," + z + ",0,0";
+                });
     }
 
     @Test

@@ -335,6 +335,13 @@ final class Diagnoses {
         return with(of, of.body(), of.nextExperiment(), false).toldAsFarAsItCame();
     }
 
+    /** The same, a set that was not chosen having more evidence. */
+    static Diagnosis outweighed(Diagnosis of, String reason) {
+        List<Ranked> sets = new ArrayList<>(of.ranked());
+        sets.add(new Ranked(List.of("magnetic"), List.of(List.of()), 0, 0, Optional.of(reason)));
+        return of.explained(of.selected().getFirst(), of.sentence(), sets);
+    }
+
     /** The same without anything that is left open. */
     static Diagnosis settled(Diagnosis of) {
         return with(of, of.body(), Optional.empty(), of.isComplete());
@@ -372,16 +379,19 @@ final class Diagnoses {
                         selected.stream().map(Finding::name).toList(),
                         selected.stream().map(Finding::quantities).toList(),
                         -1234.5,
-                        0.9999),
+                        0.9999,
+                        Optional.empty()),
                 new Ranked(
                         List.of("linear_drag"),
                         List.of(List.of(new Quantity("c", "N s/m", 8.1))),
                         -1260,
-                        1e-11),
+                        1e-11,
+                        Optional.empty()),
                 new Ranked(
                         List.of("magnus"),
                         List.of(List.of(new Quantity("s", "kg", 8.1))),
                         Double.NEGATIVE_INFINITY,
-                        0));
+                        0,
+                        Optional.empty()));
     }
 }

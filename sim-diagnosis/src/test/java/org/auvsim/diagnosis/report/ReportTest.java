@@ -131,6 +131,13 @@ class ReportTest {
     }
 
     @Test
+    void thePageSaysWhyWhatHasMoreEvidenceWasNotChosen() throws IOException {
+        assertThat(page(Diagnoses.explained())).doesNotContain("Not chosen");
+        assertThat(page(Diagnoses.outweighed(Diagnoses.explained(), "can imitate others")))
+                .contains("Not chosen in spite of more evidence: magnetic (can imitate others).");
+    }
+
+    @Test
     void thePageOfASearchThatWasStoppedSaysNoMore() throws IOException {
         assertThat(page(Diagnoses.stopped(Diagnoses.unexplained())))
                 .contains("<h1>sledge: unexplained so far, stopped early</h1>")

@@ -64,6 +64,28 @@ class SentenceTest {
                             + " cause tried so far explains; it shows most in the position along x,"
                             + " at 3.00 s of run1; the best of these take 40.0 % of it away;")
                 .doesNotContain("known");
+        assertThat(Sentence.stoppedAtOnce()).startsWith("Stopped before any cause was tried");
+    }
+
+    @Test
+    void aSearchForSomeCausesSaysNothingOfOthers() {
+        Discrepancy seen =
+                new Discrepancy(
+                        Channel.POSITION, 'x', "run1", 3, Vec3.ZERO, OptionalDouble.empty(), 0.4);
+
+        assertThat(Sentence.ofSome(sentence.unexplained(Optional.of(seen))))
+                .startsWith(
+                        "Something is missing that none of the causes explains that were to be"
+                                + " looked for; it shows most in the position along x, at 3.00 s of"
+                                + " run1; the best of these take 40.0 % of it away;");
+        assertThat(Sentence.ofSome(sentence.none())).isEqualTo(sentence.none());
+    }
+
+    @Test
+    void doubtfulDataIsNotBelievedWithoutAWord() {
+        assertThat(Sentence.doubted(sentence.none()))
+                .startsWith(sentence.none())
+                .endsWith("; but notices doubt the data: look at them first");
     }
 
     @Test

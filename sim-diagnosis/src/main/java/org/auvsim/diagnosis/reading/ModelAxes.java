@@ -1,0 +1,93 @@
+package org.auvsim.diagnosis.reading;
+
+import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.run.MeasuredAxes;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/**
+ * Whether runs may be told in other axes than they are read in: the model then bends as they do
+ * once they are read in those, and not before. A body that its weight or its actuators move says
+ * so; one that moves the same way in either says nothing.
+ */
+final class ModelAxes {
+    /**
+     * A misfit of this share of what forces do is little; for the model may lack something, too.
+     */
+    private static final double FITS = 0.5;
+
+    /** A misfit of this share, and so many times that in other axes, is that of other axes. */
+    private static final double FITS_NOT = 0.9;
+
+    private static final double BETTER = 3;
+
+    private static final int PARTS = 3;
+
+    private final BelievedModel model;
+    private final MeasuredAxes axes;
+
+    ModelAxes(BelievedModel model, MeasuredAxes axes) {
+        this.model = model;
+        this.axes = axes;
+    }
+
+    /** Reads the same runs again. */
+    @FunctionalInterface
+    interface Again {
+        List<MeasuredRun> in(MeasuredAxes other) throws DocumentException;
+    }
+
+    /** What is suspected, in words, if anything is. */
+    Optional<String> suspicion(List<MeasuredRun> runs, Again again) throws DocumentException {
+        int longest =
+                IntStream.range(0, runs.size())
+                        .boxed()
+                        .max(Comparator.comparingDouble(i -> runs.get(i).duration()))
+                        .orElseThrow();
+        double asTold = misfit(runs.get(longest));
+        if (!(asTold >= FITS_NOT)) {
+            return Optional.empty();
+        }
+        MeasuredAxes other = axes == MeasuredAxes.NED ? MeasuredAxes.ENU : MeasuredAxes.NED;
+        double otherwise = misfit(again.in(other).get(longest));
+        return otherwise <= FITS && asTold >= BETTER * otherwise
+                ? Optional.of(words(other))
+                : Optional.empty();
+    }
+
+    private static String words(MeasuredAxes other) {
+        return switch (other) {
+            case NED ->
+                    "the model moves as this does if x is north, y east and z down: are these the"
+                            + " axes? If so, say so (--ned)";
+            case ENU ->
+                    "the model moves as this does if x is east, y north and z up: are these the"
+                            + " axes? If so, leave out --ned, or axes=\"NED\" of the mapping";
+        };
+    }
+
+    /** The mean misfit of parts of a run, each begun as measured, as a share of what forces do. */
+    private double misfit(MeasuredRun run) {
+        List<Integer> measured =
+                IntStream.range(0, 3)
+                        .filter(axis -> run.measures(Channel.POSITION, axis))
+                        .boxed()
+                        .toList();
+        int size = run.size() / PARTS;
+        if (measured.isEmpty() || size < UnitTrial.FEWEST) {
+            return Double.NaN;
+        }
+        double sum = 0;
+        for (int part = 0; part < PARTS; part++) {
+            UnitTrial trial = UnitTrial.of(model, run, part * size, (part + 1) * size - 1);
+            sum += trial.of(List.of()).misfit(UnitTrial.AS_TOLD, measured);
+        }
+        return sum / PARTS;
+    }
+}

@@ -37,7 +37,7 @@ public final class Format {
             return;
         }
         System.err.printf(
-                "Not in google-java-format (AOSP style): %s. Mend with: mvn -q -N -Pformat"
+                "Not in google-java-format (AOSP style): %s. Mend with: mvn -q -pl build -Pformat"
                         + " validate%n",
                 wrong.stream().map(root::relativize).map(Path::toString).collect(joining(", ")));
         System.exit(1);

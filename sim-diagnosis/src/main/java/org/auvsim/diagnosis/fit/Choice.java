@@ -49,7 +49,7 @@ record Choice(List<Judged> judged, List<Cause> library) {
                 .filter(j -> !j.isNone() && !found.isNone())
                 .filter(j -> j.fit().hypothesis().causes().size() <= of.causes().size())
                 .filter(j -> of.isGeneric() || !j.fit().hypothesis().isGeneric())
-                .filter(j -> Search.isWhite(j) || !Search.isWhite(found))
+                .filter(j -> j.isWhite() || !found.isWhite())
                 .findFirst()
                 .orElse(found);
     }

@@ -81,7 +81,7 @@ public final class Examination {
             Judged best = found.best();
             Judged before = trial.prediction(Hypothesis.NONE);
             Judged after = best.isNone() ? before : trial.prediction(best.fit().hypothesis());
-            if (!Search.isWhite(best)) {
+            if (!best.isWhite()) {
                 return new Judgement(found, trial, before, after, false, false);
             }
             Judged adjusted = Trial.adjusted(best, after, new Uncertainty(best).knowledge());
@@ -103,7 +103,7 @@ public final class Examination {
         Judgement orAsBelieved() {
             Judged none = found.none();
             boolean isNone =
-                    !passes && Search.isWhite(none) && Trial.passes(none, before, before, before);
+                    !passes && none.isWhite() && Trial.passes(none, before, before, before);
             return isNone
                     ? new Judgement(found.nothing(), trial, before, before, true, true)
                     : this;
@@ -111,7 +111,7 @@ public final class Examination {
 
         /** Whether the fit is content and the held-out runs are not. */
         boolean isOfTwoMinds() {
-            return Search.isWhite(found.best()) && !agrees;
+            return found.best().isWhite() && !agrees;
         }
 
         /** Whether what all runs say is something else than what those of the fit said. */
@@ -151,7 +151,7 @@ public final class Examination {
     private boolean isConvincing(Search.Found all, Search.Found ofFit) {
         Judged best = all.best();
         return !best.isNone()
-                && Search.isWhite(best)
+                && best.isWhite()
                 && (ofFit.best().isNone()
                         || !LeaveOneOut.canJudge(allRuns())
                         || Trial.holdsLeftOut(all.none(), best, course));

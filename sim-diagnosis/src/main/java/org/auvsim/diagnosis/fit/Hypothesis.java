@@ -60,6 +60,11 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
         return causes.stream().anyMatch(Cause::isGeneric);
     }
 
+    /** Whether both have the same causes, in whatever order. */
+    boolean hasCausesOf(Hypothesis other) {
+        return causes.size() == other.causes.size() && causes.containsAll(other.causes);
+    }
+
     /** Number of parameters of all causes. */
     int size() {
         return theta.stream().mapToInt(t -> t.length).sum();

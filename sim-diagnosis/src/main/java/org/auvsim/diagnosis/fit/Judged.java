@@ -49,6 +49,27 @@ record Judged(Fit fit, Outcome outcome, double score) {
                 && other.outcome.deviance() < outcome.deviance();
     }
 
+    /** Whether both are of the same causes. */
+    boolean hasCausesOf(Judged other) {
+        return fit.hypothesis().hasCausesOf(other.fit.hypothesis());
+    }
+
+    /** Whether what is missed of each run is noise. */
+    boolean isWhite() {
+        return whiteness() < Whiteness.LIMIT;
+    }
+
+    /** The largest deviate of the block sums over all runs. */
+    double whiteness() {
+        double largest = 0;
+        for (int r = 0; r < fit.data().size(); r++) {
+            largest =
+                    Math.max(
+                            largest, Whiteness.largest(outcome.misses().get(r), fit.data().get(r)));
+        }
+        return largest;
+    }
+
     /** Whether nothing is wrong with the model, by this. */
     boolean isNone() {
         return fit.hypothesis().causes().isEmpty();

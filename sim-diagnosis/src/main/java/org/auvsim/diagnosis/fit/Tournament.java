@@ -97,7 +97,7 @@ final class Tournament {
 
     /** The cost that is too large to become like that of one which leaves nothing but noise. */
     private static double hopeless(Judged judged) {
-        return Search.isWhite(judged)
+        return judged.isWhite()
                 ? HOPELESS * judged.cost() + HOPELESS_OF_FEW
                 : Double.POSITIVE_INFINITY;
     }

@@ -81,7 +81,7 @@ final class Trial {
 
     /** Whether what is missed of other runs, parameters held to what the fit says, is noise. */
     private static boolean holds(Judged prediction, Judged fitted) {
-        return Search.whiteness(prediction) < LIMIT
+        return prediction.whiteness() < LIMIT
                 && worstRatio(prediction.outcome(), fitted.outcome()) < MOST_RATIO;
     }
 

@@ -40,7 +40,7 @@ class TournamentTest {
         List<Judged> last = last(none, List.of(gain, drag));
 
         assertThat(number(of(drag, last))).isCloseTo(DRAG, within(0.01));
-        assertThat(Search.isWhite(of(drag, last))).isTrue();
+        assertThat(of(drag, last).isWhite()).isTrue();
         assertThat(number(of(gain, last))).isEqualTo(GUESSED_GAIN);
     }
 
@@ -55,7 +55,7 @@ class TournamentTest {
     void whileNothingExplainsAllOthersComeAsCloseAsTheyCan() {
         Judged alone = of(gain, last(none, List.of(gain)));
 
-        assertThat(Search.isWhite(alone)).isFalse();
+        assertThat(alone.isWhite()).isFalse();
         assertThat(number(alone)).isNotEqualTo(GUESSED_GAIN);
         assertThat(alone.cost()).isLessThan(Judged.of(gain.fit().whole()).cost());
     }

@@ -1,0 +1,202 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.diagnosis.cause.Cause;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+
+/**
+ * Selects the causes that explain what a model misses of measured runs: one or two at once, more
+ * one by one, as few as are worth it.
+ */
+final class Selection {
+    private static final int MOST_CAUSES = 3;
+    private static final int FORWARD = 4;
+
+    /** A gain below this may be one of noise, among so many causes. */
+    static final double DOUBTFUL = 30;
+
+    private static final double FALSE_ALARMS = 0.01;
+
+    private final Fit base;
+    private final Judged none;
+    private final List<Cause> library;
+    private final Optional<Arena.Contest> contest;
+    private final Course course;
+    private final Noise noise;
+    private final Screening screening;
+    private final Tried tried;
+
+    /**
+     * By columns of a screening, or else by a contest of models.
+     *
+     * @param base what follows the measurement by the model as it is believed
+     * @param none that model, fitted
+     */
+    Selection(
+            Fit base,
+            Judged none,
+            Noise noise,
+            List<Cause> library,
+            Optional<Arena.Contest> contest,
+            Course course) {
+        this.base = base;
+        this.none = none;
+        this.noise = noise;
+        this.library = library;
+        this.contest = contest;
+        this.course = course;
+        this.screening = new Screening(base, noise, library, none.outcome(), course);
+        this.tried = new Tried(none, course);
+    }
+
+    /** Specific causes first; those that can imitate others only where none of those passes. */
+    Search.Found found() {
+        List<Cause> specific = library.stream().filter(c -> !c.isGeneric()).toList();
+        Judged best = searched(specific, cause -> true);
+        if (!best.isWhite() && specific.size() < library.size() && course.goesOn()) {
+            Judged generic = searched(library, Cause::isGeneric);
+            best = generic.score() < best.score() ? generic : best;
+        }
+        if (contest.isEmpty()) {
+            best = extended(best);
+        }
+        if (!best.isWhite() && contest.isEmpty() && course.goesOn()) {
+            best = rescued(best, specific);
+        }
+        best = contest.isEmpty() ? plainer(best) : best;
+        best = isByChance(best) ? none : best;
+        for (Judged more = completed(best); !more.equals(best); more = completed(best)) {
+            best = more;
+        }
+        return chosen(best);
+    }
+
+    /**
+     * What is believed of that and what the data cannot tell from it. If it is not what was found,
+     * what the data cannot tell from that may not have been tried yet.
+     */
+    private Search.Found chosen(Judged found) {
+        Traces traces = screening.traces(found);
+        Judged best = exchanged(found, traces);
+        Choice choice = Choice.near(best, tried.eachSetOnce(), library);
+        Judged chosen = choice.instead(best, course);
+        if (!chosen.hasCausesOf(best) && !chosen.isNone()) {
+            best = exchanged(chosen, screening.traces(chosen));
+            choice = Choice.near(best, tried.eachSetOnce(), library);
+            chosen = choice.instead(best, course);
+        }
+        return new Search.Found(
+                none,
+                chosen,
+                choice.judged(),
+                choice.competitors(chosen),
+                chosen.hasCausesOf(found) ? traces : screening.traces(chosen),
+                noise);
+    }
+
+    /** Where as many as there may be miss something, others will, too. */
+    private Judged exchanged(Judged found, Traces traces) {
+        boolean isWorthIt = contest.isEmpty() && (hasRoom(found) || found.isWhite());
+        return isWorthIt
+                ? new Exchange(library, screening, tried, course).best(found, traces)
+                : found;
+    }
+
+    /**
+     * With what is surely missed still, though all that is left together passes for noise: the test
+     * of one cause sees more than that of any memory.
+     */
+    private Judged completed(Judged best) {
+        boolean isOpen = !best.isNone() && hasRoom(best) && best.isWhite() && course.goesOn();
+        if (!isOpen || contest.isPresent()) {
+            return best;
+        }
+        List<Screen.Start> missed =
+                more(best).stream().filter(start -> start.promise() > DOUBTFUL).toList();
+        return missed.isEmpty() ? best : tried.pruned(tried.tournament(missed, best, 0.8, 0.85));
+    }
+
+    private static boolean hasRoom(Judged best) {
+        return best.fit().hypothesis().causes().size() < MOST_CAUSES;
+    }
+
+    /** With one more cause each, the most promising ones. */
+    private List<Screen.Start> more(Judged best) {
+        Hypothesis of = best.fit().hypothesis();
+        List<Cause> others = library.stream().filter(c -> !of.causes().contains(c)).toList();
+        return Screening.promising(screening.beside(of, others)).stream().limit(FORWARD).toList();
+    }
+
+    /** Whether noise alone would gain as much, among all causes together, too often. */
+    private boolean isByChance(Judged best) {
+        double gain = none.score() - best.score();
+        return !best.isNone()
+                && gain <= DOUBTFUL
+                && course.goesOn()
+                && gain < screening.of(library).chance().exceededBy(FALSE_ALARMS);
+    }
+
+    /**
+     * The best set of one or two causes.
+     *
+     * @param isNew those of which a set must have one
+     */
+    private Judged searched(List<Cause> causes, Predicate<Cause> isNew) {
+        if (contest.isPresent()) {
+            List<Screen.Start> models = competing(contest.get(), causes);
+            return tried.pruned(tried.tournament(models, none, 0.4, 0.7));
+        }
+        if (!course.at("screening causes", 0.2)) {
+            return none;
+        }
+        Screen screen = screening.of(causes);
+        Judged best = tried.tournament(screen.starts(1, isNew), none, 0.3, 0.5);
+        if (!best.isWhite() && course.goesOn()) {
+            best = tried.pruned(tried.tournament(screen.starts(2, isNew), best, 0.5, 0.7));
+        }
+        return best;
+    }
+
+    /** With more causes, one by one, while something is missed. */
+    private Judged extended(Judged found) {
+        Judged best = found;
+        while (hasRoom(best) && !best.isWhite() && course.goesOn()) {
+            Judged more = tried.pruned(tried.tournament(more(best), best, 0.7, 0.8));
+            if (more.score() >= best.score()) {
+                break;
+            }
+            best = more;
+        }
+        return best;
+    }
+
+    /** One cause that can imitate others, where it says as much as several specific ones do. */
+    private Judged plainer(Judged best) {
+        Hypothesis of = best.fit().hypothesis();
+        List<Cause> generic = library.stream().filter(Cause::isGeneric).toList();
+        if (of.causes().size() < 2 || of.isGeneric() || generic.isEmpty() || !course.goesOn()) {
+            return best;
+        }
+        return tried.tournament(screening.of(generic).starts(1, cause -> true), best, 0.8, 0.85);
+    }
+
+    private List<Screen.Start> competing(Arena.Contest models, List<Cause> causes) {
+        return models.candidates(new Arena(base, course), causes).stream()
+                .map(c -> new Hypothesis(c.causes(), c.theta()))
+                .map(h -> new Screen.Start(base.with(h, base.windows()), 1, 0))
+                .toList();
+    }
+
+    /** What has many places to begin is begun at the best of them: alone, then beside another. */
+    private Judged rescued(Judged best, List<Cause> causes) {
+        List<Cause> many = causes.stream().filter(screening::hasManyGuesses).toList();
+        Judged alone = rescued(best, screening.of(many));
+        return alone.isWhite() ? alone : rescued(alone, screening.beside(tried.strongest(), many));
+    }
+
+    private Judged rescued(Judged best, Screen screen) {
+        return tried.pruned(tried.tournament(screen.startsOfEach(), best, 0.8, 0.9));
+    }
+}

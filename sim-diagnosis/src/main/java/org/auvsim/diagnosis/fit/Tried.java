@@ -1,0 +1,81 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.diagnosis.cause.Cause;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+
+/** Sets of causes that were fitted and judged, and what lets more of them compete. */
+final class Tried {
+    private final List<Judged> judged = new ArrayList<>();
+    private final Course course;
+
+    /** Nothing yet but the model as it is believed. */
+    Tried(Judged none, Course course) {
+        judged.add(none);
+        this.course = course;
+    }
+
+    /** The best of all, if it is better than what was found otherwise. */
+    Judged tournament(List<Screen.Start> starts, Judged otherwise, double from, double to) {
+        List<Judged> last = new Tournament(otherwise, course, from, to).last(starts);
+        judged.addAll(last);
+        return last.stream()
+                .filter(j -> j.score() < otherwise.score())
+                .min(Comparator.comparingDouble(Judged::score))
+                .orElse(otherwise);
+    }
+
+    /** Without the causes that are not worth their price. */
+    Judged pruned(Judged start) {
+        Judged best = start;
+        boolean goesOn = true;
+        while (goesOn && course.goesOn()) {
+            goesOn = false;
+            Hypothesis hypothesis = best.fit().hypothesis();
+            for (int c = 0; hypothesis.causes().size() > 1 && c < hypothesis.causes().size(); c++) {
+                Fit fewer = best.fit().with(hypothesis.without(c), best.fit().windows());
+                double toBeat = best.score() + Tournament.BESIDE;
+                Judged without =
+                        Refinement.converge(
+                                Judged.of(fewer), Tournament.TO_THE_END, toBeat, course);
+                judged.add(without);
+                if (without.score() < best.score()) {
+                    best = without;
+                    goesOn = true;
+                    break;
+                }
+            }
+        }
+        return best;
+    }
+
+    /** The best cause alone; none if none was fitted alone. */
+    Hypothesis strongest() {
+        return judged.stream()
+                .filter(j -> j.fit().hypothesis().causes().size() == 1)
+                .min(Comparator.comparingDouble(Judged::score))
+                .map(j -> j.fit().hypothesis())
+                .orElse(Hypothesis.NONE);
+    }
+
+    /** Whether a cause beside others was judged, and fitted as well as that. */
+    boolean has(Hypothesis others, Cause cause, double score) {
+        Hypothesis of = others.and(cause, new double[0]);
+        return judged.stream()
+                .filter(j -> j.score() < score)
+                .anyMatch(j -> j.fit().hypothesis().hasCausesOf(of));
+    }
+
+    /** All, the best first, of each set of causes the best alone. */
+    List<Judged> eachSetOnce() {
+        Set<Set<Cause>> taken = new HashSet<>();
+        return judged.stream()
+                .sorted(Comparator.comparingDouble(Judged::score))
+                .filter(j -> taken.add(Set.copyOf(j.fit().hypothesis().causes())))
+                .toList();
+    }
+}

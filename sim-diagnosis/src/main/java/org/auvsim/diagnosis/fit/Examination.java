@@ -135,13 +135,26 @@ public final class Examination {
         course.at("judging by held-out runs", 0.9);
         Judgement judgement =
                 Judgement.of(found, new Trial(found.stepping(), heldOut, found.noise()));
-        if (judgement.isOfTwoMinds() && course.goesOn()) {
+        if (judgement.isOfTwoMinds() && areAsLong() && course.goesOn()) {
             Search.Found all = new Search(model, allRuns(), causes, contest, course).found();
             if (isConvincing(all, found) && judgement.isNews(all)) {
                 return diagnosis(judgement.convinced(all), true);
             }
         }
         return diagnosis(judgement.orAsBelieved(), false);
+    }
+
+    /**
+     * Whether all runs can be searched together. They cannot where those of the fit were cut into
+     * parts and the held-out ones were not: so far ahead the model was not to predict.
+     */
+    private boolean areAsLong() {
+        return fit.stream().noneMatch(Examination::isPart)
+                || heldOut.stream().allMatch(Examination::isPart);
+    }
+
+    private static boolean isPart(MeasuredRun run) {
+        return run.whole().size() > run.size();
     }
 
     /**

@@ -22,8 +22,12 @@ class ScoreFilesTest {
     @TempDir private Path folder;
 
     private static Outcome outcome(double noise, long seed) {
+        return outcome(Method.SHOOTING, noise, seed);
+    }
+
+    private static Outcome outcome(Method method, double noise, long seed) {
         return new Outcome(
-                Method.SHOOTING,
+                method,
                 CaseKind.SINGLE,
                 noise,
                 seed,
@@ -61,6 +65,32 @@ class ScoreFilesTest {
                 .content()
                 .contains("Incomplete: 3 of 6 diagnoses were judged. 3 of 3 cases are right.");
         assertThat(PLAN.shortfall(3)).contains("Incomplete: 3 of 6 diagnoses were judged.");
+    }
+
+    /** The first case is searched by both, the second by one. */
+    @Test
+    void modelsThatCompeteStandBesideTheMainMethod() throws IOException {
+        Plan plan = new Plan(7, 2, List.of(CaseKind.SINGLE), List.of(0.01), 1);
+        List<Outcome> outcomes =
+                plan.drawings().stream()
+                        .map(each -> outcome(each.method(), each.noise(), each.seed()))
+                        .toList();
+
+        ScoreFiles.write(folder, plan, outcomes);
+
+        assertThat(plan.drawings())
+                .extracting(Plan.Drawing::method)
+                .containsExactly(Method.SHOOTING, Method.GENETIC, Method.SHOOTING);
+        assertThat(Files.readAllLines(folder.resolve("cases.csv"), UTF_8))
+                .hasSize(4)
+                .anyMatch(line -> line.startsWith("genetic,single,0.01,7,"));
+        assertThat(Files.readString(folder.resolve("scores.json"), UTF_8).replaceAll("\\s+", ""))
+                .contains("\"noise\":0.01,\"method\":\"genetic\",\"judged\":1")
+                .contains("\"noise\":0.01,\"method\":\"shooting\",\"judged\":2");
+        assertThat(folder.resolve("report.html"))
+                .content()
+                .contains("the first 1 also by models that compete (genetic).")
+                .contains("noise 1.0 %, genetic");
     }
 
     @Test

@@ -62,15 +62,15 @@ final class Ranking {
             return "not borne out by held-out runs, or no more gain than noise alone might have";
         }
         if (of.isGeneric() && !best.isGeneric()) {
-            return "can imitate others, and specific causes explain the runs, too";
+            return "can imitate others, which what was chosen cannot";
         }
         if (Alternatives.areSame(other, chosen)) {
             return "predicts the very same, and what was chosen is commoner";
         }
-        if (of.causes().size() > best.causes().size()) {
-            return "more causes, and what was chosen leaves nothing but noise, too";
+        if (chosen.isWhite() && !other.isWhite()) {
+            return "leaves more than noise";
         }
-        return "runs left out of the fit in turn speak for what was chosen";
+        return "not clearly better, and no runs left out of the fit speak for it";
     }
 
     private static Ranked ranked(Judged judged, double probability, Optional<String> behind) {

@@ -91,7 +91,9 @@ final class CsvRuns {
     private Survey survey() throws DocumentException {
         try (CsvTable table = CsvTable.open(file)) {
             Layout layout = new Layout(table, mapping, body.commands());
-            body.undirected(layout.commands()).forEach(actuator -> doubt(lacks(actuator)));
+            List<Actuator> undirected = body.undirected(layout.commands());
+            undirected.forEach(actuator -> notices.add(lacks(actuator)));
+            isDoubtful |= !undirected.isEmpty() && body.isAll(undirected);
             return Survey.of(table, layout);
         } catch (IOException e) {
             throw CsvTable.unreadable(file, e);

@@ -38,4 +38,9 @@ final class MeasuredBody {
                 ? List.of()
                 : commands.actuators().stream().filter(a -> !told.contains(a.name())).toList();
     }
+
+    /** Whether there are no other actuators. */
+    boolean isAll(List<Actuator> some) {
+        return some.size() == commands.actuators().size();
+    }
 }

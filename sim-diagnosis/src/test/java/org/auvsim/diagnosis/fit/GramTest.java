@@ -37,6 +37,18 @@ class GramTest {
     /** (a - 1)^2 + (b + 2)^2 + (a + b)^2, the lowest where a = 4/3 and b = -5/3. */
     private static final Gram BOWL = new Gram(new double[][] {{2, 1, -1}, {1, 2, 2}, {-1, 2, 5}});
 
+    /** The cost is lowest 500 scales away, though noise hides all that is nearer than 1000. */
+    @Test
+    void whatTheDataHardlyTellsIsHardlyMoved() {
+        Gram hardlyTold = new Gram(new double[][] {{1e-6, -5e-4}, {-5e-4, 1}});
+        Gram told = new Gram(new double[][] {{1e4, -5e4}, {-5e4, 1e6}});
+        List<Parameter> one = List.of(Parameter.signed("a", "1", 1));
+
+        assertThat(hardlyTold.solve(new int[] {0}, free(1))[0]).isCloseTo(500, within(0.1));
+        assertThat(hardlyTold.cautious(one).solve(new int[] {0}, free(1))[0]).isBetween(0.0, 1.0);
+        assertThat(told.cautious(one).solve(new int[] {0}, free(1))[0]).isCloseTo(5, within(1e-5));
+    }
+
     @Test
     void whatMayBeAnyNumberIsWhereTheCostIsLowest() {
         double[] change = BOWL.solve(new int[] {0, 1}, free(2));

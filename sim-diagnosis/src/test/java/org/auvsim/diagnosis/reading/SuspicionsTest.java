@@ -22,6 +22,21 @@ class SuspicionsTest {
         return folder.resolve("run.csv") + place;
     }
 
+    /** One that is not told may be off; where none is, what was told is missing. */
+    @ParameterizedTest
+    @CsvSource({"'x,main,rudder', 0, false", "'x,main', 1, false", "x, 2, true"})
+    void commandsThatAreMissingAreTold(String header, int missing, boolean isDoubtful)
+            throws Exception {
+        String zeros = ",0".repeat(header.split(",", -1).length - 1);
+
+        RunFile file = Rov.read(folder, ColumnMapping.USUAL, Rov.rows(header, 60, i -> i + zeros));
+
+        assertThat(file.notices())
+                .filteredOn(notice -> notice.contains("the header has no such column"))
+                .hasSize(missing);
+        assertThat(file.isDoubtful()).isEqualTo(isDoubtful);
+    }
+
     @Test
     void millimetresAreSuspected() throws Exception {
         String text =

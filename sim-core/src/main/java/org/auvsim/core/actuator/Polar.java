@@ -51,8 +51,10 @@ final class Polar {
 
     /** The share of the flat plate, 0 to 1. */
     private static double stalled(Fin fin, double angle) {
-        double x = Math.abs(angle) / fin.stallAngle() - 1;
-        double step = Math.max(0, Math.min(1, x));
+        if (Math.abs(angle) <= fin.stallAngle()) {
+            return 0;
+        }
+        double step = Math.min(1, Math.abs(angle) / fin.stallAngle() - 1);
         return step * step * (3 - 2 * step);
     }
 }

@@ -130,11 +130,15 @@ public class RigidBody implements Collidable {
                 state.column(column + 2)[slot]);
     }
 
-    private void setVector(int column, Vec3 v, String what) {
+    private void requireFinite(Vec3 v, String what) {
         if (!v.isFinite()) {
             throw new IllegalArgumentException(
                     what + " of '" + name() + "' must be finite, but is " + v);
         }
+    }
+
+    private void setVector(int column, Vec3 v, String what) {
+        requireFinite(v, what);
         state.column(column)[slot] = v.x();
         state.column(column + 1)[slot] = v.y();
         state.column(column + 2)[slot] = v.z();
@@ -255,6 +259,22 @@ public class RigidBody implements Collidable {
         Mat3 inertia = definition.massProperties().orElseThrow().inertia();
         Vec3 inBody = inertia.times(turn.rotateInverse(angularVelocity));
         setAngularMomentum(turn.rotate(inBody));
+    }
+
+    /**
+     * Sets the momenta to those of this velocity and angular velocity, at once: of a body with
+     * added mass or an uneven inertia that costs a quarter of one after the other.
+     */
+    public final void setTwist(Twist twist) {
+        requireFinite(twist.velocity(), "velocity");
+        requireFinite(twist.angularVelocity(), "angular velocity");
+        SpatialInertia spatial = state.spatial(slot);
+        if (spatial != null && !isFixed()) {
+            setTwist(spatial, twist);
+            return;
+        }
+        setVelocity(twist.velocity());
+        setAngularVelocity(twist.angularVelocity());
     }
 
     /** The inverse of its inertia in the world's axes; zeros for a fixed body. */

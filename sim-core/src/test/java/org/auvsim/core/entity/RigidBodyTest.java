@@ -46,6 +46,42 @@ class RigidBodyTest {
         assertNear(body.motion().velocityAt(point), v.plus(w.cross(new Vec3(0.5, 1, 0))), 1e-13);
     }
 
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = {1, 2, 3, 4})
+    void bothVelocitiesAreSetAtOnceAsOneAfterTheOther(long seed) {
+        Draws draws = new Draws(seed);
+        Vec3 ones = new Vec3(1, 2, 3);
+        List<WorldObjectDefinition.Builder> kinds =
+                List.of(
+                        crate().mass(5),
+                        crate().mass(5).centreOfMass(draws.vector(0.1)),
+                        crate().mass(5).addedMass(new AddedMass(ones, ones, List.of())),
+                        crate().fixed());
+        for (int k = 0; k < kinds.size(); k++) {
+            WorldObjectDefinition.Builder kind = kinds.get(k);
+            WorldObject atOnce = bodies.add(2 * k + 1, kind.renamed("at once " + k).build());
+            WorldObject inTurn = bodies.add(2 * k + 2, kind.renamed("in turn " + k).build());
+            Twist twist = new Twist(draws.vector(3), draws.vector(3));
+            Quat turn = draws.orientation();
+            atOnce.setOrientation(turn);
+            atOnce.setTwist(twist);
+            inTurn.setOrientation(turn);
+            inTurn.setVelocity(twist.velocity());
+            inTurn.setAngularVelocity(twist.angularVelocity());
+            assertNear(atOnce.linearMomentum(), inTurn.linearMomentum(), 1e-12);
+            assertNear(atOnce.angularMomentum(), inTurn.angularMomentum(), 1e-12);
+        }
+    }
+
+    @Test
+    void ofTwoVelocitiesNoneIsSetIfOneIsNotFinite() {
+        WorldObject body = bodies.add(1, crate().mass(1).build());
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> body.setTwist(new Twist(PUSH, new Vec3(0, Double.NaN, 0))))
+                .withMessage("angular velocity of 'crate' must be finite, but is (0.0, NaN, 0.0)");
+        assertThat(body.velocity()).isEqualTo(Vec3.ZERO);
+    }
+
     @Test
     void aMovementStateIsSetAndReadBack() {
         WorldObject body = bodies.add(1, crate().mass(5).build());

@@ -30,8 +30,7 @@ public record RigidMotion(Vec3 position, Quat orientation, Vec3 velocity, Vec3 a
     public void giveTo(WorldObject object) {
         object.setPosition(position);
         object.setOrientation(orientation);
-        object.setVelocity(velocity);
-        object.setAngularVelocity(angularVelocity);
+        object.setTwist(new Twist(velocity, angularVelocity));
     }
 
     /**

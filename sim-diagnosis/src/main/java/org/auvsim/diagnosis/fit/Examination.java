@@ -135,7 +135,7 @@ public final class Examination {
         course.at("judging by held-out runs", 0.9);
         Judgement judgement =
                 Judgement.of(found, new Trial(found.stepping(), heldOut, found.noise()));
-        if (judgement.isOfTwoMinds() && areAsLong() && course.goesOn()) {
+        if (judgement.isOfTwoMinds() && areAsLong(fit, heldOut) && course.goesOn()) {
             Search.Found all = new Search(model, allRuns(), causes, contest, course).found();
             if (isConvincing(all, found) && judgement.isNews(all)) {
                 return diagnosis(judgement.convinced(all), true);
@@ -148,7 +148,7 @@ public final class Examination {
      * Whether all runs can be searched together. They cannot where those of the fit were cut into
      * parts and the held-out ones were not: so far ahead the model was not to predict.
      */
-    private boolean areAsLong() {
+    static boolean areAsLong(List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
         return fit.stream().noneMatch(Examination::isPart)
                 || heldOut.stream().allMatch(Examination::isPart);
     }

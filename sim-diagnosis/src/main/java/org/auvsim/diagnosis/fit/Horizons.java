@@ -8,7 +8,10 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 
 /**
@@ -21,9 +24,6 @@ final class Horizons {
 
     /** So many predictions begin in each run. */
     private static final int BEGINNINGS = 8;
-
-    private static final List<double[]> NOTHING =
-            List.of(new double[SHARES.length], new double[SHARES.length]);
 
     private final Stepping stepping;
     private final Noise noise;
@@ -39,19 +39,27 @@ final class Horizons {
         for (Misses of : data) {
             shortest = Math.min(shortest, of.run().duration());
         }
-        List<HorizonGain> gains = new ArrayList<>();
         List<List<Window>> begun = begun(data, after);
-        List<double[]> before = squares(data, begun, stepping.variant(), shortest);
-        List<double[]> with = squares(data, begun, after, shortest);
-        for (int s = 0; s < SHARES.length; s++) {
-            if (before.get(1)[s] > 0 && with.get(1)[s] > 0) {
-                gains.add(
-                        new HorizonGain(
-                                SHARES[s] * shortest,
-                                new Gain(
-                                        Math.sqrt(before.get(0)[s] / before.get(1)[s]),
-                                        Math.sqrt(with.get(0)[s] / with.get(1)[s]),
-                                        noise.of(Channel.POSITION))));
+        HorizonErrors before = errors(data, begun, stepping.variant(), shortest);
+        HorizonErrors with = errors(data, begun, after, shortest);
+        List<HorizonGain> gains = new ArrayList<>();
+        for (int h = 0; h < SHARES.length; h++) {
+            Map<Channel, Gain> byChannel = byChannel(before, with, h);
+            if (!byChannel.isEmpty()) {
+                gains.add(new HorizonGain(SHARES[h] * shortest, byChannel));
+            }
+        }
+        return gains;
+    }
+
+    private Map<Channel, Gain> byChannel(HorizonErrors before, HorizonErrors after, int horizon) {
+        Map<Channel, Gain> gains = new EnumMap<>(Channel.class);
+        for (Channel channel : Channel.values()) {
+            OptionalDouble believed = before.of(channel, horizon);
+            OptionalDouble found = after.of(channel, horizon);
+            if (believed.isPresent() && found.isPresent()) {
+                double of = noise.of(channel);
+                gains.put(channel, new Gain(believed.getAsDouble(), found.getAsDouble(), of));
             }
         }
         return gains;
@@ -78,49 +86,31 @@ final class Horizons {
         return begun;
     }
 
-    /** Sums of squared position errors (m^2) by share, and how many they are. */
-    private List<double[]> squares(
+    private HorizonErrors errors(
             List<Misses> data, List<List<Window>> begun, Variant variant, double shortest) {
         return IntStream.range(0, data.size())
                 .parallel()
                 .mapToObj(
                         r -> {
                             Shooting shooting = new Shooting(stepping, variant, data.get(r));
-                            return squares(shooting, begun.get(r), shortest);
+                            HorizonErrors errors = new HorizonErrors(SHARES.length);
+                            begun.get(r).forEach(window -> add(shooting, window, shortest, errors));
+                            return errors;
                         })
-                .reduce(NOTHING, Horizons::sum);
-    }
-
-    private static List<double[]> sum(List<double[]> some, List<double[]> others) {
-        List<double[]> sum = new ArrayList<>();
-        for (int i = 0; i < some.size(); i++) {
-            double[] both = some.get(i).clone();
-            for (int s = 0; s < both.length; s++) {
-                both[s] += others.get(i)[s];
-            }
-            sum.add(both);
-        }
-        return sum;
-    }
-
-    private static List<double[]> squares(Shooting shooting, List<Window> begun, double shortest) {
-        double[] sums = new double[SHARES.length];
-        double[] counts = new double[SHARES.length];
-        begun.forEach(window -> add(shooting, window, shortest, sums, counts));
-        return List.of(sums, counts);
+                .reduce(new HorizonErrors(SHARES.length), HorizonErrors::plus);
     }
 
     private static void add(
-            Shooting shooting, Window window, double shortest, double[] sums, double[] counts) {
+            Shooting shooting, Window window, double shortest, HorizonErrors errors) {
         Misses of = shooting.of();
         RigidMotion[] motion = shooting.motion(window);
         double[] misses =
                 of.plain(motion, shooting.variant().sensing(), window.from(), motion.length);
-        for (int s = 0; s < SHARES.length; s++) {
-            double until = of.run().time(window.from()) + SHARES[s] * shortest;
+        for (int h = 0; h < SHARES.length; h++) {
+            double until = of.run().time(window.from()) + SHARES[h] * shortest;
             for (int k = window.from(); k <= window.to(); k++) {
                 if (of.run().time(k) >= until) {
-                    addSample(of, misses, k, window.from(), s, sums, counts);
+                    addSample(of, misses, k, window.from(), h, errors);
                     break;
                 }
             }
@@ -128,27 +118,14 @@ final class Horizons {
     }
 
     private static void addSample(
-            Misses of,
-            double[] misses,
-            int sample,
-            int from,
-            int share,
-            double[] sums,
-            double[] counts) {
-        double square = 0;
-        boolean isMeasured = false;
+            Misses of, double[] misses, int sample, int from, int horizon, HorizonErrors errors) {
         int rows = of.rows().size();
         for (int r = 0; r < rows; r++) {
-            if (of.rows().get(r).channel() == Channel.POSITION) {
-                double miss = misses[(sample - from) * rows + r];
-                double off = miss * of.deviation(sample * rows + r);
-                square += off * off;
-                isMeasured = true;
+            int number = sample * rows + r;
+            if (of.isMeasured(number)) {
+                double miss = misses[number - from * rows] * of.deviation(number);
+                errors.add(of.rows().get(r).channel(), horizon, miss);
             }
-        }
-        if (isMeasured && Double.isFinite(square)) {
-            sums[share] += square;
-            counts[share]++;
         }
     }
 }

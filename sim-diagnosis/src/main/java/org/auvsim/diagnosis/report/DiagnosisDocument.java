@@ -3,7 +3,6 @@ package org.auvsim.diagnosis.report;
 import com.fasterxml.jackson.annotation.JsonProperty;
 
 import org.auvsim.diagnosis.result.Gain;
-import org.auvsim.diagnosis.result.HorizonGain;
 import org.auvsim.diagnosis.result.Identifiability;
 import org.auvsim.diagnosis.result.NextExperiment;
 import org.auvsim.diagnosis.result.Proposal;
@@ -35,7 +34,7 @@ record DiagnosisDocument(
         boolean complete,
         boolean usedHeldout,
         int candidates,
-        List<HorizonGain> horizons,
+        List<HorizonPart> horizons,
         Optional<DiscrepancyPart> discrepancy,
         Optional<ApproximationPart> approximation,
         Optional<Proposal> proposal,
@@ -62,6 +61,9 @@ record DiagnosisDocument(
             Optional<String> behind) {}
 
     record AlternativePart(List<String> names, boolean indistinguishable, String determined) {}
+
+    /** Errors so far ahead (s). */
+    record HorizonPart(double ahead, Map<String, Gain> errors) {}
 
     record DiscrepancyPart(
             String channel,

@@ -1,11 +1,14 @@
 package org.auvsim.diagnosis.report;
 
+import static java.util.function.Function.identity;
+
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.report.DiagnosisDocument.AlternativePart;
 import org.auvsim.diagnosis.report.DiagnosisDocument.ApproximationPart;
 import org.auvsim.diagnosis.report.DiagnosisDocument.DiscrepancyPart;
 import org.auvsim.diagnosis.report.DiagnosisDocument.ForcePart;
+import org.auvsim.diagnosis.report.DiagnosisDocument.HorizonPart;
 import org.auvsim.diagnosis.report.DiagnosisDocument.RankedPart;
 import org.auvsim.diagnosis.report.DiagnosisDocument.RunPart;
 import org.auvsim.diagnosis.report.DiagnosisDocument.SelectedPart;
@@ -88,10 +91,10 @@ final class DiagnosisJson {
                                                 a.isIndistinguishable(),
                                                 a.determined()))
                         .toList(),
-                byName(of.noise(), Function.identity()),
+                byName(of.noise(), identity()),
                 position.map(Gain::before),
                 position.map(Gain::after),
-                byName(of.heldOut(), Function.identity()),
+                byName(of.heldOut(), identity()),
                 of.nextExperiment(),
                 of.seed(),
                 DiagnosisDocument.VERSION,
@@ -100,7 +103,9 @@ final class DiagnosisJson {
                 of.isComplete(),
                 of.usedHeldOut(),
                 of.candidates(),
-                of.horizons(),
+                of.horizons().stream()
+                        .map(h -> new HorizonPart(h.ahead(), byName(h.errors(), identity())))
+                        .toList(),
                 of.discrepancy()
                         .map(
                                 d ->
@@ -191,7 +196,7 @@ final class DiagnosisJson {
                 of.isHeldOut(),
                 run.size(),
                 run.duration(),
-                byName(errors, Function.identity()),
+                byName(errors, identity()),
                 of.isHeldOut() ? Optional.of("predictions/" + file.name()) : Optional.empty(),
                 "residuals/" + file.name(),
                 of.forces().stream().map(DiagnosisJson::force).toList());

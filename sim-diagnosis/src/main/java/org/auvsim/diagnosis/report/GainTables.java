@@ -59,28 +59,41 @@ final class GainTables {
     }
 
     List<Block> byHorizon() {
-        if (of.horizons().size() < 2) {
-            return List.of();
+        List<Block> charts = new ArrayList<>();
+        for (Channel channel : Channel.values()) {
+            List<HorizonGain> horizons =
+                    of.horizons().stream().filter(h -> h.errors().containsKey(channel)).toList();
+            if (horizons.size() > 1) {
+                charts.add(chart(channel, horizons));
+            }
         }
-        return List.of(
-                new Chart(
-                        "Position error by how far ahead is predicted",
-                        "ahead (s)",
-                        "error (m)",
-                        List.of(
-                                curve("as believed", Mark.LINE, Gain::before),
-                                curve(after, Mark.LINE, Gain::after),
-                                curve("noise", Mark.DASHED, Gain::noise)),
-                        "From eight states along each held-out run, each fitted by the model: "
-                                + after
-                                + "."));
+        return charts;
     }
 
-    private Curve curve(String name, Mark mark, ToDoubleFunction<Gain> of) {
-        List<Point> points = new ArrayList<>();
-        for (HorizonGain horizon : this.of.horizons()) {
-            points.add(new Point(horizon.ahead(), of.applyAsDouble(horizon.position())));
-        }
+    private Chart chart(Channel channel, List<HorizonGain> horizons) {
+        return new Chart(
+                "Error of the %s by how far ahead is predicted".formatted(Sentence.words(channel)),
+                "ahead (s)",
+                "error (%s)".formatted(Sentence.unit(channel)),
+                List.of(
+                        curve("as believed", Mark.LINE, channel, horizons, Gain::before),
+                        curve(after, Mark.LINE, channel, horizons, Gain::after),
+                        curve("noise", Mark.DASHED, channel, horizons, Gain::noise)),
+                "From eight states along each held-out run, each fitted by the model: "
+                        + after
+                        + ".");
+    }
+
+    private static Curve curve(
+            String name,
+            Mark mark,
+            Channel channel,
+            List<HorizonGain> horizons,
+            ToDoubleFunction<Gain> of) {
+        List<Point> points =
+                horizons.stream()
+                        .map(h -> new Point(h.ahead(), of.applyAsDouble(h.errors().get(channel))))
+                        .toList();
         return new Curve(name, mark, points);
     }
 }

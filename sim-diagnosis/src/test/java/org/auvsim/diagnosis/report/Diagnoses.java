@@ -259,6 +259,10 @@ final class Diagnoses {
         return seen.map(_ -> new Approximation(List.of(drag), scenario(12.43)));
     }
 
+    private static HorizonGain ahead(double seconds, double before, double after) {
+        return new HorizonGain(seconds, Map.of(Channel.POSITION, new Gain(before, after, NOISE)));
+    }
+
     private static Diagnosis diagnosis(
             Verdict verdict,
             String sentence,
@@ -281,10 +285,10 @@ final class Diagnoses {
                 NOISES,
                 heldOut,
                 List.of(
-                        new HorizonGain(1, new Gain(0.012, 0.0105, NOISE)),
-                        new HorizonGain(5, new Gain(0.08, 0.0107, NOISE)),
-                        new HorizonGain(20, new Gain(0.4, 0.011, NOISE)),
-                        new HorizonGain(60, new Gain(0.834, 0.0112, NOISE))),
+                        ahead(1, 0.012, 0.0105),
+                        ahead(5, 0.08, 0.0107),
+                        ahead(20, 0.4, 0.011),
+                        ahead(60, 0.834, 0.0112)),
                 false,
                 runs,
                 discrepancy,

@@ -1,0 +1,30 @@
+package org.auvsim.diagnosis.fit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+
+class ExaminationTest {
+    private static final MeasuredRun WHOLE = new Cart(0.8, 1e-5, 0).run();
+    private static final MeasuredRun FIRST = WHOLE.part("first", 0, 200);
+    private static final MeasuredRun SECOND = WHOLE.part("second", 200, 399);
+
+    @Test
+    void runsAreSearchedTogetherThatAreToBePredictedAsFarAhead() {
+        assertThat(areAsLong(List.of(WHOLE), List.of(WHOLE))).isTrue();
+        assertThat(areAsLong(List.of(FIRST), List.of(SECOND))).isTrue();
+    }
+
+    @Test
+    void partsAreNotSearchedTogetherWithWholeRuns() {
+        assertThat(areAsLong(List.of(FIRST, SECOND), List.of(WHOLE))).isFalse();
+        assertThat(areAsLong(List.of(FIRST), List.of(SECOND, WHOLE))).isFalse();
+    }
+
+    private static boolean areAsLong(List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
+        return Examination.areAsLong(fit, heldOut);
+    }
+}

@@ -52,8 +52,7 @@ class InterruptionTest {
         List<String> command = new ArrayList<>();
         command.add(ENV.toString());
         command.add("--default-signal=INT");
-        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-        command.addAll(List.of("-cp", System.getProperty("java.class.path")));
+        command.addAll(OwnProcess.java());
         command.addAll(List.of(arguments));
         return new ProcessBuilder(command);
     }

@@ -383,15 +383,10 @@ class ReplayTest {
 
         /** How its process is started. */
         static ProcessBuilder builder(String command, List<String> arguments) {
-            ProcessBuilder builder =
-                    new ProcessBuilder(
-                            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                            "-cp",
-                            System.getProperty("java.class.path"),
-                            Auvsim.class.getName(),
-                            command);
-            builder.command().addAll(arguments);
-            return builder;
+            List<String> words = OwnProcess.java();
+            words.addAll(List.of(Auvsim.class.getName(), command));
+            words.addAll(arguments);
+            return new ProcessBuilder(words);
         }
 
         int port() {

@@ -308,19 +308,17 @@ class RunTest {
     @Timeout(60)
     void anInterruptedRunLeavesAWholeCsv() throws Exception {
         Path csv = folder.resolve("run.csv");
-        Process process =
-                new ProcessBuilder(
-                                ProcessHandle.current().info().command().orElseThrow(),
-                                "-cp",
-                                System.getProperty("java.class.path"),
-                                Auvsim.class.getName(),
-                                "run",
-                                SCENARIOS.resolve("back-and-forth.xml").toString(),
-                                "--until",
-                                "1e9",
-                                "--out",
-                                csv.toString())
-                        .start();
+        List<String> command = OwnProcess.java();
+        command.addAll(
+                List.of(
+                        Auvsim.class.getName(),
+                        "run",
+                        SCENARIOS.resolve("back-and-forth.xml").toString(),
+                        "--until",
+                        "1e9",
+                        "--out",
+                        csv.toString()));
+        Process process = new ProcessBuilder(command).start();
         try (BufferedReader progress = process.errorReader(UTF_8)) {
             assertThat(progress.readLine()).startsWith("at ");
             process.toHandle().destroy(); // and leave its output open

@@ -278,16 +278,8 @@ class ViewTest {
     private static String refused(
             Map<String, String> environment, String property, String... arguments)
             throws Exception {
-        List<String> command =
-                new ArrayList<>(
-                        List.of(
-                                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                                property,
-                                "--enable-native-access=ALL-UNNAMED",
-                                "-cp",
-                                System.getProperty("java.class.path"),
-                                Auvsim.class.getName(),
-                                "view"));
+        List<String> command = OwnProcess.java(property, "--enable-native-access=ALL-UNNAMED");
+        command.addAll(List.of(Auvsim.class.getName(), "view"));
         command.addAll(List.of(arguments));
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
         builder.environment().remove("DISPLAY");

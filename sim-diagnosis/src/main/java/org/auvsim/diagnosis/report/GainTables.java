@@ -81,7 +81,7 @@ final class GainTables {
                         curve("noise", Mark.DASHED, channel, horizons, Gain::noise)),
                 "From eight states along each held-out run, each fitted by the model: "
                         + after
-                        + ".");
+                        + "; so few errors may lie below the noise.");
     }
 
     private static Curve curve(

@@ -5,16 +5,25 @@ import org.auvsim.core.math.Vec3;
 
 /** Turns as rotation vectors (rad, world): an axis, as long as the angle. */
 final class Turns {
-    /** Half an angle, below which its sine is the angle itself. */
-    private static final double SMALL = 1e-9;
+    /**
+     * Half an angle (rad), below which three terms of a series leave less than rounding does, and
+     * need no function.
+     */
+    private static final double SMALL = 1e-3;
 
     private Turns() {}
 
     /** The quaternion that turns by a rotation vector. */
     static Quat of(Vec3 turn) {
         double half = turn.norm() / 2;
-        double k = half > SMALL ? StrictMath.sin(half) / half / 2 : 0.5;
-        return new Quat(StrictMath.cos(half), turn.x() * k, turn.y() * k, turn.z() * k);
+        double square = half * half;
+        boolean isSmall = half < SMALL;
+        double cosine = isSmall ? 1 - square / 2 * (1 - square / 12) : StrictMath.cos(half);
+        double k =
+                isSmall
+                        ? (1 - square / 6 * (1 - square / 20)) / 2
+                        : StrictMath.sin(half) / half / 2;
+        return new Quat(cosine, turn.x() * k, turn.y() * k, turn.z() * k);
     }
 
     /** The shortest turn that leads from one orientation to another. */
@@ -22,8 +31,12 @@ final class Turns {
         Quat turn = to.times(from.conjugate());
         Vec3 axis = new Vec3(turn.x(), turn.y(), turn.z());
         double sine = axis.norm();
-        double sign = turn.w() < 0 ? -1 : 1;
-        double half = StrictMath.atan2(sine, sign * turn.w());
-        return axis.times(sign * (sine > SMALL ? 2 * half / sine : 2));
+        double cosine = Math.abs(turn.w());
+        double square = sine * sine / (cosine * cosine);
+        double halfBySine =
+                sine < SMALL * cosine
+                        ? (1 - square / 3 * (1 - square * 3 / 5)) / cosine
+                        : StrictMath.atan2(sine, cosine) / sine;
+        return axis.times((turn.w() < 0 ? -2 : 2) * halfBySine);
     }
 }

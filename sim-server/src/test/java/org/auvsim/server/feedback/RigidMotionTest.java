@@ -52,9 +52,19 @@ class RigidMotionTest {
         assertThat(Turns.between(to, to).norm()).isLessThan(1e-16);
     }
 
-    @Test
-    void smallTurnsKeepTheirSize() {
-        Vec3 small = AXIS.times(1e-11);
-        assertThat(Turns.between(Quat.IDENTITY, Turns.of(small)).distance(small)).isLessThan(1e-26);
+    /** Around 0.002 rad the way in which they are computed changes. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-11, 1e-6, 1e-3, 1.9999e-3, 2.0001e-3, 0.1, 1})
+    void turnsOfEverySizeKeepIt(double angle) {
+        Vec3 turn = AXIS.times(angle);
+        Quat quaternion = Turns.of(turn);
+        Vec3 axis = new Vec3(quaternion.x(), quaternion.y(), quaternion.z());
+        double sine = StrictMath.sin(angle / 2);
+        assertThat(axis.distance(AXIS.times(sine))).isLessThan(4e-16 * sine);
+        assertThat(quaternion.w()).isCloseTo(StrictMath.cos(angle / 2), within(1.2e-16));
+        assertThat(Turns.between(Quat.IDENTITY, quaternion).distance(turn))
+                .isLessThan(8e-16 * angle);
+        Quat longer = new Quat(2 * quaternion.w(), 2 * axis.x(), 2 * axis.y(), 2 * axis.z());
+        assertThat(Turns.between(Quat.IDENTITY, longer).distance(turn)).isLessThan(8e-16 * angle);
     }
 }

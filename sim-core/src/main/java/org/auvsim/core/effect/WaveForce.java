@@ -52,16 +52,41 @@ public record WaveForce(
 
     @Override
     public BlockEffect layOut(List<List<Effect>> bySlot, Surroundings around) {
-        return OneByOne.mild(bySlot, (effect, b, i) -> ((WaveForce) effect).add(b, i));
+        Crests[][] crests = new Crests[bySlot.size()][];
+        for (int slot = 0; slot < crests.length; slot++) {
+            crests[slot] =
+                    bySlot.get(slot).stream()
+                            .map(effect -> new Crests((WaveForce) effect))
+                            .toArray(Crests[]::new);
+        }
+        return (PlainForce) block -> add(block, crests);
     }
 
-    private void add(Block b, int i) {
-        double dx = StrictMath.cos(direction);
-        double dy = StrictMath.sin(direction);
-        double way = dx * b.state[BodyState.X][i] + dy * b.state[BodyState.Y][i];
-        double force =
-                amplitude * StrictMath.sin(angularFrequency * b.time - waveNumber * way + phase);
-        b.fx[i] += force * dx;
-        b.fy[i] += force * dy;
+    private static void add(Block b, Crests[][] crests) {
+        for (int i = 0; i < b.count; i++) {
+            for (Crests of : crests[b.slot(i)]) {
+                of.add(b, i);
+            }
+        }
+    }
+
+    /**
+     * A wave and where it runs.
+     *
+     * @param dx cosine of its direction
+     * @param dy sine
+     */
+    private record Crests(WaveForce of, double dx, double dy) {
+        Crests(WaveForce of) {
+            this(of, StrictMath.cos(of.direction), StrictMath.sin(of.direction));
+        }
+
+        void add(Block b, int i) {
+            double way = dx * b.state[BodyState.X][i] + dy * b.state[BodyState.Y][i];
+            double angle = of.angularFrequency * b.time - of.waveNumber * way + of.phase;
+            double force = of.amplitude * StrictMath.sin(angle);
+            b.fx[i] += force * dx;
+            b.fy[i] += force * dy;
+        }
     }
 }

@@ -1,8 +1,8 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
-import org.auvsim.diagnosis.model.Ensemble;
-import org.auvsim.diagnosis.model.Ensemble.Leg;
+import org.auvsim.diagnosis.model.Partings;
+import org.auvsim.diagnosis.model.Partings.Leg;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.server.feedback.RigidMotion;
 
@@ -98,8 +98,7 @@ final class FirstOrder {
         double[][][] ofMoving =
                 moving.isEmpty()
                         ? new double[0][][]
-                        : Ensemble.partings(
-                                shooting.stepping().model(), of.run(), legs, variant, moving);
+                        : Partings.of(shooting.stepping().model(), of.run(), legs, variant, moving);
         double[][][] all = new double[moves.size()][][];
         int next = 0;
         for (int p = 0; p < all.length; p++) {

@@ -2,7 +2,7 @@ package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble;
-import org.auvsim.diagnosis.model.Ensemble.Leg;
+import org.auvsim.diagnosis.model.Partings.Leg;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.server.feedback.RigidMotion;
 

@@ -123,7 +123,7 @@ record Shooting(Stepping stepping, Variant variant, Misses of) {
         for (int i = 0; i < RigidMotion.SIZE; i++) {
             double[] by = new double[RigidMotion.SIZE];
             by[i] = step(i);
-            entrants.add(new Entrant(variant, start.plus(stepping.model().free(by))));
+            entrants.add(new Entrant(variant, start.plus(stepping.model().startable(by))));
         }
         return entrants;
     }

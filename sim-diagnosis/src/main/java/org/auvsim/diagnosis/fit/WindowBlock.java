@@ -228,7 +228,7 @@ final class WindowBlock {
                 change[i] *= share;
             }
             Window window = windows.get(w).window;
-            moved.add(window.startingAt(window.start().plus(model.free(change))));
+            moved.add(window.startingAt(window.start().plus(model.startable(change))));
         }
         return moved;
     }

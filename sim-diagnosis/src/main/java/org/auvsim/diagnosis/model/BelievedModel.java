@@ -84,6 +84,18 @@ public record BelievedModel(Scenario scenario, String body) {
         return free;
     }
 
+    /**
+     * What of a change of its motion its start may differ by: where its mount holds it, it may be
+     * anywhere, and turned anyhow, but does not move.
+     *
+     * @param change as for {@link #free}
+     */
+    public double[] startable(double[] change) {
+        double[] startable = free(change).clone();
+        System.arraycopy(change, 0, startable, 0, RigidMotion.SIZE / 2);
+        return startable;
+    }
+
     /** The body as it is believed. */
     public Variant variant() {
         return new Variant(definition(scenario, body), List.of(), Sensing.EXACT);

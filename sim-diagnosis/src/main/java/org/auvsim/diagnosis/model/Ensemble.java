@@ -8,6 +8,7 @@ import org.auvsim.core.math.Vec3;
 import org.auvsim.core.step.StepException;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldBuilder;
+import org.auvsim.diagnosis.model.Partings.Leg;
 import org.auvsim.diagnosis.run.KnownDifferences;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
@@ -29,12 +30,6 @@ public final class Ensemble {
     private static final long FIRST_ID = 1_000_000_000L;
 
     private static final int MOST_IN_OWN_WATER = 64;
-
-    /** So many at a time, so that there is work for all processors. */
-    private static final int MOST_PARTING = 128;
-
-    /** Steps of those that part may be longer than the model's by this factor. */
-    private static final double LONGER = 4;
 
     /**
      * Motions whose steps the engine cuts into more parts on average are as good as lost: no model
@@ -79,15 +74,6 @@ public final class Ensemble {
         EVENED
     }
 
-    /**
-     * A part of a run that all variants begin alike.
-     *
-     * @param from its first sample
-     * @param to its last, the first of the next leg
-     * @param start the motion at its first sample
-     */
-    public record Leg(int from, int to, RigidMotion start) {}
-
     private final MeasuredRun run;
     private final Inputs inputs;
     private final World world;
@@ -97,7 +83,7 @@ public final class Ensemble {
     private final Ground ground;
     private long made;
 
-    private Ensemble(
+    Ensemble(
             BelievedModel model,
             MeasuredRun run,
             int from,
@@ -278,7 +264,7 @@ public final class Ensemble {
     }
 
     /** How many may share a world; every body asks all currents whether it feels them. */
-    private static int together(BelievedModel model, List<Entrant> entrants) {
+    static int together(BelievedModel model, List<Entrant> entrants) {
         int most = Ground.under(model).together(entrants.size());
         boolean inOwnWater = entrants.stream().anyMatch(e -> !e.variant().currents().isEmpty());
         return inOwnWater ? Math.min(most, MOST_IN_OWN_WATER) : most;
@@ -335,75 +321,11 @@ public final class Ensemble {
     }
 
     /**
-     * By how much variants part from another one in legs that follow one another, each begun alike:
-     * what a change of the model does to a motion, before it has changed that motion. Steps may be
-     * longer here than the model's: only the difference of two motions counts.
+     * By how much the others part from the first body in legs that follow one another.
      *
-     * @return by variant and leg the error of its motion at the leg's end ({@link
-     *     RigidMotion#minus}); of NaN if it gets out of all bounds
+     * @return by body and leg
      */
-    public static double[][][] partings(
-            BelievedModel model,
-            MeasuredRun run,
-            List<Leg> legs,
-            Variant from,
-            List<Variant> variants) {
-        int most = Math.min(MOST_PARTING, together(model, entrants(legs, variants)));
-        int batches = (variants.size() + most - 1) / most;
-        return IntStream.range(0, batches)
-                .parallel()
-                .mapToObj(b -> batch(variants, b, batches))
-                .map(batch -> someParting(model, run, legs, from, batch))
-                .flatMap(Arrays::stream)
-                .toArray(double[][][]::new);
-    }
-
-    private static List<Variant> batch(List<Variant> variants, int batch, int of) {
-        int size = variants.size();
-        return variants.subList(batch * size / of, (batch + 1) * size / of);
-    }
-
-    private static List<Entrant> entrants(List<Leg> legs, List<Variant> variants) {
-        return variants.stream().map(v -> new Entrant(v, legs.getFirst().start())).toList();
-    }
-
-    private static double[][][] someParting(
-            BelievedModel model,
-            MeasuredRun run,
-            List<Leg> legs,
-            Variant from,
-            List<Variant> variants) {
-        List<Variant> all = new ArrayList<>();
-        all.add(from);
-        all.addAll(variants);
-        double step = LONGER * model.scenario().timeStep().delta();
-        try {
-            int first = legs.getFirst().from();
-            return new Ensemble(
-                            model, run, first, entrants(legs, all), step, Commands.FROM_ROW_TO_ROW)
-                    .part(legs);
-        } catch (StepException e) {
-            if (variants.size() == 1) {
-                return new double[][][] {unknown(legs.size())};
-            }
-            double[][][] first = someParting(model, run, legs, from, batch(variants, 0, 2));
-            double[][][] second = someParting(model, run, legs, from, batch(variants, 1, 2));
-            double[][][] both = Arrays.copyOf(first, variants.size());
-            System.arraycopy(second, 0, both, first.length, second.length);
-            return both;
-        }
-    }
-
-    private static double[][] unknown(int legs) {
-        double[][] unknown = new double[legs][RigidMotion.SIZE];
-        for (double[] ofLeg : unknown) {
-            Arrays.fill(ofLeg, Double.NaN);
-        }
-        return unknown;
-    }
-
-    /** The first body is what the others part from. */
-    private double[][][] part(List<Leg> legs) {
+    double[][][] part(List<Leg> legs) {
         double[][][] partings = new double[bodies.size() - 1][legs.size()][];
         for (int l = 0; l < legs.size(); l++) {
             Leg leg = legs.get(l);

@@ -9,6 +9,7 @@ import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Parameter;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble;
+import org.auvsim.diagnosis.model.Partings.Leg;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
@@ -85,7 +86,7 @@ class LostMotionTest {
         Arrays.fill(error, 1);
         double[] rows = new double[of.rows().size()];
 
-        LegResponse response = new LegResponse(shooting, new Ensemble.Leg(0, 5, start), 1, 1);
+        LegResponse response = new LegResponse(shooting, new Leg(0, 5, start), 1, 1);
         response.carry(error, new double[RigidMotion.SIZE], rows, 0);
 
         assertThat(error).containsOnly(0);

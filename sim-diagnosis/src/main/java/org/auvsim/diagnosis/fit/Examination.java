@@ -31,6 +31,12 @@ public final class Examination {
     /** Errors that are such a share of those before are worth a model that explains nothing. */
     private static final double NEARER = 0.5;
 
+    private static final String NO_GAIN =
+            "held-out runs are predicted as well without what was found: it matters to runs of the"
+                    + " fit alone; if nothing else was there, their start may not have been found,"
+                    + " as that of a body which nothing rights: shorter parts (--parts SECONDS)"
+                    + " tell";
+
     private final BelievedModel model;
     private final List<MeasuredRun> fit;
     private final List<MeasuredRun> heldOut;
@@ -230,7 +236,7 @@ public final class Examination {
                 new Menu(best.fit(), found.noise()).next(best, found.competitors()),
                 found.traces().identifiability(best.fit().hypothesis().causes()),
                 model.extended(isExplained ? best.fit().variant() : model.variant()),
-                notices(found, verdict),
+                notices(found, verdict, gains),
                 seed,
                 course.goesOn());
     }
@@ -250,8 +256,11 @@ public final class Examination {
     }
 
     /** Steps that follow data which no model fits tell of that data, not of the scenario. */
-    private List<String> notices(Search.Found found, Verdict verdict) {
+    private List<String> notices(Search.Found found, Verdict verdict, Map<Channel, Gain> gains) {
         List<String> notices = new ArrayList<>();
+        if (verdict == Verdict.EXPLAINED && !gains.isEmpty() && !Sentence.isGain(gains)) {
+            notices.add(NO_GAIN);
+        }
         double stated = model.scenario().timeStep().delta();
         double used = found.stepping().fine().scenario().timeStep().delta();
         if (used < stated && verdict != Verdict.UNEXPLAINED) {

@@ -15,9 +15,14 @@ public final class Sentence {
     private static final String NOTHING = "Nothing is missing that this data could show";
     private static final String SOMETHING = "Something is missing that no known cause explains";
     private static final String BEST = "; the best known causes take ";
+    private static final String NO_GAIN = "; but they are predicted as well without it";
+
+    /** Of an error that is mostly noise even a cause that is surely there takes little away. */
+    private static final double GAIN = 0.998;
 
     private final Optional<Map.Entry<Channel, Gain>> error;
     private final String runs;
+    private final boolean isGained;
 
     /**
      * A sentence that also tells the error on held-out runs.
@@ -31,6 +36,12 @@ public final class Sentence {
                         ? Optional.empty()
                         : new EnumMap<>(heldOut).entrySet().stream().findFirst();
         this.runs = usedHeldOut ? "left-out" : "held-out";
+        this.isGained = heldOut.isEmpty() || isGain(heldOut);
+    }
+
+    /** Whether what was found makes the errors of any channel smaller, to speak of. */
+    public static boolean isGain(Map<Channel, Gain> gains) {
+        return gains.values().stream().anyMatch(gain -> gain.after() < GAIN * gain.before());
     }
 
     /**
@@ -45,12 +56,13 @@ public final class Sentence {
             causes += ", and " + Phrases.inside(part);
         }
         String explains = found.size() == 1 ? "it explains" : "together they explain";
-        return "%s; %s %s of the misfit%s%s"
+        return "%s; %s %s of the misfit%s%s%s"
                 .formatted(
                         causes,
                         explains,
                         Numbers.percent(share),
                         gain(),
+                        isGained ? "" : NO_GAIN,
                         aliases(found, alternatives));
     }
 

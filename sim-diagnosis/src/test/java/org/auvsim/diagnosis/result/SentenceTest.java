@@ -45,6 +45,16 @@ class SentenceTest {
                                 + " 0.010 m");
     }
 
+    @Test
+    void aCauseThatMattersToNoHeldOutRun() {
+        Sentence same =
+                new Sentence(Map.of(Channel.POSITION, new Gain(0.01001, 0.01, 0.01)), false);
+        assertThat(same.explained(List.of(DRAG), 0.991, List.of()))
+                .endsWith(
+                        "; held-out position error 0.010 m -> 0.010 m, noise is 0.010 m; but they"
+                                + " are predicted as well without it");
+    }
+
     /** Of what was not tried nothing is said. */
     @Test
     void aSearchThatWasStopped() {

@@ -86,13 +86,13 @@ public record BelievedModel(Scenario scenario, String body) {
 
     /**
      * What of a change of its motion its start may differ by: where its mount holds it, it may be
-     * anywhere, and turned anyhow, but does not move.
+     * anywhere, but is turned as the scenario has it and does not move.
      *
      * @param change as for {@link #free}
      */
     public double[] startable(double[] change) {
         double[] startable = free(change).clone();
-        System.arraycopy(change, 0, startable, 0, RigidMotion.SIZE / 2);
+        System.arraycopy(change, 0, startable, 0, 3);
         return startable;
     }
 

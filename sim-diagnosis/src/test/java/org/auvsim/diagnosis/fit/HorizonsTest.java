@@ -10,6 +10,7 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
+import java.util.Objects;
 
 class HorizonsTest {
     private static final double NOISE = 1e-5;
@@ -26,13 +27,17 @@ class HorizonsTest {
 
         assertThat(gains).hasSizeGreaterThan(2);
         assertThat(gains)
-                .extracting(gain -> gain.errors().get(Channel.POSITION))
+                .extracting(HorizonsTest::ofPosition)
                 .allSatisfy(gain -> assertThat(gain.after()).isLessThan(2 * gain.noise()));
-        Gain nearest = gains.getFirst().errors().get(Channel.POSITION);
-        Gain furthest = gains.getLast().errors().get(Channel.POSITION);
+        Gain nearest = ofPosition(gains.getFirst());
+        Gain furthest = ofPosition(gains.getLast());
         assertThat(furthest.before()).isGreaterThan(10 * nearest.before());
         assertThat(furthest.before()).isGreaterThan(100 * furthest.after());
         assertThat(gains.getFirst().ahead()).isLessThan(gains.getLast().ahead());
+    }
+
+    private static Gain ofPosition(HorizonGain of) {
+        return Objects.requireNonNull(of.errors().get(Channel.POSITION));
     }
 
     @Test

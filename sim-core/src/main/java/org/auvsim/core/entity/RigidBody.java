@@ -262,8 +262,11 @@ public class RigidBody implements Collidable {
     }
 
     /**
-     * Sets the momenta to those of this velocity and angular velocity, at once: of a body with
-     * added mass or an uneven inertia that costs a quarter of one after the other.
+     * Sets the momenta to those of this velocity (m/s) and angular velocity (rad/s), world axes, at
+     * once: one after the other, each finds out first what the other is. That of a fixed body stays
+     * zero.
+     *
+     * @throws IllegalArgumentException if one is not finite; nothing is set then
      */
     public final void setTwist(Twist twist) {
         requireFinite(twist.velocity(), "velocity");

@@ -32,9 +32,8 @@ public final class Partings {
     public record Leg(int from, int to, RigidMotion start) {}
 
     /**
-     * By how much variants part from another one in legs that follow one another, each begun alike:
-     * what a change of the model does to a motion, before it has changed that motion. Steps may be
-     * longer here than the model's: only the difference of two motions counts.
+     * By how much variants part from another one in legs that follow one another, each begun alike.
+     * Steps may be longer here than the model's: only the difference of two motions counts.
      *
      * @return by variant and leg the error of its motion at the leg's end ({@link
      *     RigidMotion#minus}); of NaN if it gets out of all bounds

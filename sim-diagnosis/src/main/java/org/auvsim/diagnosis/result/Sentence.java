@@ -15,7 +15,7 @@ public final class Sentence {
     private static final String NOTHING = "Nothing is missing that this data could show";
     private static final String SOMETHING = "Something is missing that no known cause explains";
     private static final String BEST = "; the best known causes take ";
-    private static final String NO_GAIN = "; but they are predicted as well without it";
+    private static final String NO_GAIN = "; but they are predicted as well without ";
 
     /** Of an error that is mostly noise even a cause that is surely there takes little away. */
     private static final double GAIN = 0.998;
@@ -62,7 +62,7 @@ public final class Sentence {
                         explains,
                         Numbers.percent(share),
                         gain(),
-                        isGained ? "" : NO_GAIN,
+                        isGained ? "" : NO_GAIN + (found.size() == 1 ? "it" : "them"),
                         aliases(found, alternatives));
     }
 

@@ -1,9 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
-
 import org.auvsim.auvsml.AuvsmlException;
-import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Library;
@@ -31,17 +28,14 @@ record Cart(double gain, double drag, double current) {
     private static final double NOISE = 0.002;
 
     static BelievedModel believed() throws AuvsmlException {
-        return new BelievedModel(
-                ScenarioLoader.load(Cart.class.getClassLoader())
-                        .parse(
-                                """
-                                <scenario><time-step delta="0.05"/>
-                                  <world-object name="cart" mass="10"><sphere radius="0.2"/>
-                                    <propulsor name="motor" maximum-thrust="20"/>
-                                  </world-object>
-                                </scenario>
-                                """
-                                        .getBytes(UTF_8)),
+        return Believed.model(
+                """
+                <scenario><time-step delta="0.05"/>
+                  <world-object name="cart" mass="10"><sphere radius="0.2"/>
+                    <propulsor name="motor" maximum-thrust="20"/>
+                  </world-object>
+                </scenario>
+                """,
                 "cart");
     }
 

@@ -3,10 +3,7 @@ package org.auvsim.diagnosis.fit;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
-
 import org.auvsim.auvsml.AuvsmlException;
-import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.model.BelievedModel;
@@ -62,18 +59,15 @@ class DriftingPositionTest {
     }
 
     private static BelievedModel believed() throws AuvsmlException {
-        return new BelievedModel(
-                ScenarioLoader.load(DriftingPositionTest.class.getClassLoader())
-                        .parse(
-                                """
-                                <scenario><time-step delta="0.05"/>
-                                  <world-object name="sled" mass="10"><sphere radius="0.2"/>
-                                    <isotropic-drag linear="5"/>
-                                    <propulsor name="motor" maximum-thrust="20"/>
-                                  </world-object>
-                                </scenario>
-                                """
-                                        .getBytes(UTF_8)),
+        return Believed.model(
+                """
+                <scenario><time-step delta="0.05"/>
+                  <world-object name="sled" mass="10"><sphere radius="0.2"/>
+                    <isotropic-drag linear="5"/>
+                    <propulsor name="motor" maximum-thrust="20"/>
+                  </world-object>
+                </scenario>
+                """,
                 "sled");
     }
 

@@ -1,9 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
-
 import org.auvsim.auvsml.AuvsmlException;
-import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.diagnosis.model.BelievedModel;
 
 /** A sphere of 1 kg on which, as its model has it, nothing acts. */
@@ -19,9 +16,6 @@ final class FreeSphere {
                 </scenario>
                 """
                         .formatted(step);
-        return new BelievedModel(
-                ScenarioLoader.load(FreeSphere.class.getClassLoader())
-                        .parse(scenario.getBytes(UTF_8)),
-                "sphere");
+        return Believed.model(scenario, "sphere");
     }
 }

@@ -2,10 +2,6 @@ package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
-
-import org.auvsim.auvsml.document.ScenarioLoader;
-import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
@@ -14,7 +10,6 @@ import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.Random;
 
 /** What is held does not move, but where it is held is known by noisy measurements alone. */
@@ -23,17 +18,14 @@ class HeldStartTest {
     private static final double SPACING = 0.1;
 
     private static BelievedModel sledge() throws Exception {
-        return new BelievedModel(
-                ScenarioLoader.load(HeldStartTest.class.getClassLoader())
-                        .parse(
-                                """
-                                <scenario><time-step delta="0.05"/>
-                                  <world-object name="sledge" mass="10"><sphere radius="0.2"/>
-                                    <held y="1" z="1" turn-x="1" turn-y="1"/>
-                                  </world-object>
-                                </scenario>
-                                """
-                                        .getBytes(UTF_8)),
+        return Believed.model(
+                """
+                <scenario><time-step delta="0.05"/>
+                  <world-object name="sledge" mass="10"><sphere radius="0.2"/>
+                    <held y="1" z="1" turn-x="1" turn-y="1"/>
+                  </world-object>
+                </scenario>
+                """,
                 "sledge");
     }
 
@@ -59,18 +51,6 @@ class HeldStartTest {
         BelievedModel model = sledge();
         List<MeasuredRun> fit = List.of(run("one", 1), run("two", 2));
         List<MeasuredRun> heldOut = List.of(run("three", 3));
-        Verdict verdict =
-                new Examination(
-                                model,
-                                fit,
-                                heldOut,
-                                Library.named(List.of("linear_drag"), Library.of(model, fit)),
-                                1,
-                                Optional.empty(),
-                                Progress.SILENT)
-                        .diagnosis()
-                        .verdict();
-
-        assertThat(verdict).isEqualTo(Verdict.NONE);
+        assertThat(Believed.lackingDrag(model, fit, heldOut).verdict()).isEqualTo(Verdict.NONE);
     }
 }

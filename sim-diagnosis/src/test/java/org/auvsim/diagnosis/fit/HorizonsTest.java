@@ -13,12 +13,10 @@ import java.util.List;
 import java.util.Objects;
 
 class HorizonsTest {
-    private static final double NOISE = 1e-5;
-
     /** A motor of 0.8 of the thrust that is believed: the further ahead, the further off. */
     @Test
     void whatIsMissedGrowsWithTimeAheadUnlessItWasFound() throws Exception {
-        Cart cart = new Cart(0.8, NOISE, 0);
+        Cart cart = new Cart(0.8, 1e-5, 0);
         List<MeasuredRun> runs = List.of(cart.run());
         Trial trial = new Trial(Stepping.exact(Cart.believed()), runs, Noise.of(runs));
         Hypothesis weaker =

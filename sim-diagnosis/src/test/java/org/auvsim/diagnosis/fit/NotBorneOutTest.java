@@ -2,7 +2,6 @@ package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Ranked;
@@ -12,7 +11,6 @@ import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.Random;
 
 /** A sphere coasts; by what it is slowed, it was in the run of the fit alone. */
@@ -39,15 +37,7 @@ class NotBorneOutTest {
         Random random = new Random(5);
         List<MeasuredRun> fit = List.of(run("fit", slowed, random));
         List<MeasuredRun> heldOut = List.of(run("held out", slowedElsewhere, random));
-        return new Examination(
-                        model,
-                        fit,
-                        heldOut,
-                        Library.named(List.of("linear_drag"), Library.of(model, fit)),
-                        1,
-                        Optional.empty(),
-                        Progress.SILENT)
-                .diagnosis();
+        return Believed.lackingDrag(model, fit, heldOut);
     }
 
     @Test

@@ -53,6 +53,8 @@ class SentenceTest {
                 .endsWith(
                         "; held-out position error 0.010 m -> 0.010 m, noise is 0.010 m; but they"
                                 + " are predicted as well without it");
+        assertThat(same.explained(List.of(DRAG, CURRENT), 0.991, List.of()))
+                .endsWith("; but they are predicted as well without them");
     }
 
     /** Of what was not tried nothing is said. */

@@ -1,0 +1,40 @@
+package org.auvsim.diagnosis.fit;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import org.auvsim.auvsml.AuvsmlException;
+import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.diagnosis.cause.Library;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.util.List;
+import java.util.Optional;
+
+/** Models that tests believe, and what runs say of them. */
+final class Believed {
+    private Believed() {}
+
+    /** The model of a body in a scenario. */
+    static BelievedModel model(String scenario, String body) throws AuvsmlException {
+        return new BelievedModel(
+                ScenarioLoader.load(Believed.class.getClassLoader())
+                        .parse(scenario.getBytes(UTF_8)),
+                body);
+    }
+
+    /** What runs say of a model that may lack a linear drag and nothing else. */
+    static Diagnosis lackingDrag(
+            BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
+        return new Examination(
+                        model,
+                        fit,
+                        heldOut,
+                        Library.named(List.of("linear_drag"), Library.of(model, fit)),
+                        1,
+                        Optional.empty(),
+                        Progress.SILENT)
+                .diagnosis();
+    }
+}

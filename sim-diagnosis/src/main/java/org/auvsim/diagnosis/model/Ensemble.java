@@ -114,9 +114,13 @@ public final class Ensemble {
             }
             if (!entrants.get(i).variant().currents().isEmpty()) {
                 // Its momenta were those of that velocity in other water.
-                entrants.get(i).start().giveTo(body);
+                begun(entrants.get(i)).giveTo(body);
             }
         }
+    }
+
+    private RigidMotion begun(Entrant entrant) {
+        return ground.beside(entrant.variant().body().volume(), entrant.start());
     }
 
     private static String name(int i) {
@@ -124,7 +128,7 @@ public final class Ensemble {
     }
 
     private WorldObjectDefinition definition(int i, Entrant entrant, int from) {
-        RigidMotion start = entrant.start();
+        RigidMotion start = begun(entrant);
         WorldObjectDefinition.Builder body = entrant.variant().body().toBuilder();
         KnownDifferences known = run.differences();
         known.effects().forEach(body::effect);

@@ -3,10 +3,16 @@ package org.auvsim.diagnosis.model;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.core.entity.IgnoredLayer;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Vec3;
 import org.auvsim.core.step.EndOfStepFinder;
 import org.auvsim.core.step.NoRestricter;
 import org.auvsim.core.step.SnapshotStepper;
+import org.auvsim.core.volume.PairQueries;
+import org.auvsim.core.volume.Pose;
+import org.auvsim.core.volume.Separation;
+import org.auvsim.core.volume.Volume;
 import org.auvsim.core.world.WorldBuilder;
+import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.List;
 
@@ -19,6 +25,9 @@ import java.util.List;
 record Ground(Scenario scenario, List<WorldObjectDefinition> objects, int layer) {
     /** So many variants at most share a world in which they touch something. */
     private static final int MOST_TOGETHER = 128;
+
+    /** In a corner, what is moved out of one object may come into another, so often at most. */
+    private static final int MOST_MOVES = 8;
 
     static Ground under(BelievedModel model) {
         WorldObjectDefinition body = model.variant().body();
@@ -69,6 +78,45 @@ record Ground(Scenario scenario, List<WorldObjectDefinition> objects, int layer)
             world.asBoundingSpheres();
         }
         objects.forEach(world::add);
+    }
+
+    /**
+     * A motion that begins beside the objects: one that was measured in them, as noise may have it,
+     * is moved out of them, the shortest way. Inside them nothing can be, and its way out would
+     * take the engine very many parts of steps.
+     */
+    RigidMotion beside(Volume volume, RigidMotion motion) {
+        RigidMotion beside = motion;
+        Separation separation = new Separation();
+        boolean isIn = true;
+        for (int move = 0; isIn && move < MOST_MOVES; move++) {
+            isIn = false;
+            for (WorldObjectDefinition object : objects) {
+                double gap = gap(volume, beside, object, separation);
+                if (gap < 0) {
+                    Vec3 out = new Vec3(separation.nx, separation.ny, separation.nz).times(-gap);
+                    beside =
+                            new RigidMotion(
+                                    beside.position().plus(out),
+                                    beside.orientation(),
+                                    beside.velocity(),
+                                    beside.angularVelocity());
+                    isIn = true;
+                }
+            }
+        }
+        return beside;
+    }
+
+    private static double gap(
+            Volume volume, RigidMotion motion, WorldObjectDefinition object, Separation to) {
+        return PairQueries.standard()
+                .distance(
+                        volume,
+                        Pose.of(motion.position(), motion.orientation()),
+                        object.volume(),
+                        Pose.of(object.position(), object.orientation()),
+                        to);
     }
 
     /** A variant that touches the objects alone. */

@@ -14,9 +14,6 @@ final class FrictionCauses {
     /** Speeds (shares of the typical one) below which friction falls to nothing. */
     private static final double SLIP = 0.01;
 
-    /** The share of a friction that far less friction lacks. */
-    private static final double FAR_LESS = 0.8;
-
     private FrictionCauses() {}
 
     static List<Cause> of(Setting s) {
@@ -76,14 +73,7 @@ final class FrictionCauses {
                                 "contact_friction",
                                 List.of(new Parameter("mu", "1", 0.1, -mu, 10)),
                                 (v, t) -> v.with(b -> b.friction(mu + t[0])))
-                        .from(moreOrFarLess(mu))
+                        .from(List.of(Change.secant(0.05)))
                         .told(t -> List.of(new Quantity("mu", "1", mu + t[0]))));
-    }
-
-    /** Where contacts grip they do so with somewhat less friction, too: nothing would be seen. */
-    private static List<Guess> moreOrFarLess(double mu) {
-        return mu > 0
-                ? List.of(Change.secant(0.05), Change.secant(-FAR_LESS * mu))
-                : List.of(Change.secant(0.05));
     }
 }

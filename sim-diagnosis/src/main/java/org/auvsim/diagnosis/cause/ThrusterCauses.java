@@ -4,6 +4,7 @@ import org.auvsim.core.actuator.Condition;
 import org.auvsim.core.actuator.Failure;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.Component;
+import org.auvsim.core.entity.Mount;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.Variant;
@@ -18,6 +19,9 @@ import java.util.function.UnaryOperator;
 final class ThrusterCauses {
     /** Steeper than this (sine) a propulsor's direction counts as up or down. */
     private static final double STEEP = 0.9;
+
+    /** What goes along a free way by less (sine) is held. */
+    private static final double HELD = 1e-6;
 
     private static final int FAILURES = 8;
     private static final Vec3 UP = new Vec3(0, 0, 1);
@@ -38,8 +42,10 @@ final class ThrusterCauses {
         for (Propulsor p : propulsors) {
             Predicate<Propulsor> it = other -> other.name().equals(p.name());
             causes.add(gain(it).about(p.name()));
-            if (s.body().mount().isEmpty()) { // else it is a matter of strength alone
+            if (pushesElsewhere(s, p, sideways(p))) {
                 causes.add(turned("angle", it, sideways(p)).about(p.name()));
+            }
+            if (pushesElsewhere(s, p, upwards(p))) {
                 causes.add(turned("tilt", it, upwards(p)).about(p.name()));
             }
             causes.add(loss(s, it).about(p.name()));
@@ -84,6 +90,19 @@ final class ThrusterCauses {
     /** About the axis that lifts it out of that plane; about that to the left if it is upright. */
     private static Vec3 upwards(Propulsor p) {
         return Math.abs(p.direction().z()) < STEEP ? p.direction().cross(UP).normalized() : LEFT;
+    }
+
+    /**
+     * Whether it would push where the body's mount lets it go, turned about an axis; if not, that
+     * is a matter of strength alone.
+     */
+    private static boolean pushesElsewhere(Setting s, Propulsor p, Vec3 axis) {
+        Vec3 aside = s.body().orientation().rotate(axis.cross(p.direction()));
+        return s.body()
+                .mount()
+                .map(Mount::freeTranslations)
+                .map(ways -> ways.stream().anyMatch(way -> Math.abs(way.dot(aside)) > HELD))
+                .orElse(true);
     }
 
     private static Change turned(String name, Predicate<Propulsor> which, Vec3 axis) {

@@ -126,6 +126,25 @@ class LibraryTest {
                 .doesNotContain("thruster_lag", "contact_friction");
     }
 
+    /** Within its plane a thruster may point elsewhere; out of it that is a matter of strength. */
+    @Test
+    void aThrusterOfWhatStaysInAPlaneMayPointElsewhereInIt() {
+        BelievedModel planar =
+                Tank.model(
+                        "",
+                        """
+                        <held z="1" turn-x="1" turn-y="1"/>
+                        <propulsor name="port" maximum-thrust="10" level="0.6"/>
+                        """);
+        List<Cause> turned =
+                library(planar).stream()
+                        .filter(cause -> cause.id().equals("thruster_misalignment"))
+                        .toList();
+
+        assertThat(turned).hasSize(1);
+        assertThat(turned.getFirst().parameters().getFirst().name()).isEqualTo("angle");
+    }
+
     /** What sticks creeps at the rate that the scenario states for it. */
     @Test
     void dryFrictionSlipsAsThatOfTheScenario() {

@@ -140,6 +140,30 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
         return new Hypothesis(fewer, left);
     }
 
+    /** The same with another cause in place of one, its numbers kept. */
+    Hypothesis with(int place, Cause cause) {
+        List<Cause> others = new ArrayList<>(causes);
+        others.set(place, cause);
+        return new Hypothesis(others, theta);
+    }
+
+    /** Whether each cause has as many numbers as parameters, all within their bounds. */
+    boolean makesSense() {
+        for (int c = 0; c < causes.size(); c++) {
+            List<Parameter> parameters = causes.get(c).parameters();
+            double[] numbers = theta.get(c);
+            if (parameters.size() != numbers.length) {
+                return false;
+            }
+            for (int p = 0; p < numbers.length; p++) {
+                if (parameters.get(p).clipped(numbers[p]) != numbers[p]) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
     /** The same with other numbers, clipped to those that make sense. */
     Hypothesis plus(double[] change) {
         return plus(change, this::clipped);

@@ -80,11 +80,11 @@ final class Selection {
     private Search.Found chosen(Judged found) {
         Traces traces = screening.traces(found);
         Judged best = exchanged(found, traces);
-        Choice choice = Choice.near(best, tried.eachSetOnce(), library);
+        Choice choice = choice(best);
         Judged chosen = choice.instead(best, course);
         if (!chosen.hasCausesOf(best) && !chosen.isNone()) {
             best = exchanged(chosen, screening.traces(chosen));
-            choice = Choice.near(best, tried.eachSetOnce(), library);
+            choice = choice(best);
             chosen = choice.instead(best, course);
         }
         return new Search.Found(
@@ -94,6 +94,11 @@ final class Selection {
                 choice.competitors(chosen),
                 chosen.hasCausesOf(found) ? traces : screening.traces(chosen),
                 noise);
+    }
+
+    private Choice choice(Judged best) {
+        tried.underSpecificNames(best, library);
+        return Choice.near(best, tried.eachSetOnce(), library);
     }
 
     /** Where as many as there may be miss something, others will, too. */

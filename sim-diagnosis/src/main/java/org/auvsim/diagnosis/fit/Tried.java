@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.model.Variant;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -68,6 +69,28 @@ final class Tried {
         return judged.stream()
                 .filter(j -> j.score() < score)
                 .anyMatch(j -> j.fit().hypothesis().hasCausesOf(of));
+    }
+
+    /**
+     * Takes what was found for judged under the names of specific causes, too, where these make the
+     * very same model of the same numbers: a clock that is off tells what a late sensor does.
+     */
+    void underSpecificNames(Judged found, List<Cause> library) {
+        Fit fit = found.fit();
+        Hypothesis of = fit.hypothesis();
+        Variant model = fit.variant();
+        for (int c = 0; c < of.causes().size(); c++) {
+            if (of.causes().get(c).isGeneric()) {
+                for (Cause cause : library) {
+                    Hypothesis named = of.with(c, cause);
+                    if (!cause.isGeneric()
+                            && named.makesSense()
+                            && named.in(fit.stepping().variant()).equals(model)) {
+                        judged.add(Judged.of(fit.with(named, fit.windows()), found.outcome()));
+                    }
+                }
+            }
+        }
     }
 
     /** All, the best first, of each set of causes the best alone. */

@@ -1,5 +1,7 @@
 package org.auvsim.core.actuator;
 
+import org.auvsim.core.math.Exponentials;
+
 /**
  * A level that follows its target with a first-order lag: x(s) = target + (from - target)
  * exp(-s/lag) after s seconds; at once without a lag.
@@ -7,24 +9,37 @@ package org.auvsim.core.actuator;
 record Lag(double from, double target, double lag) {
     private static final double SETTLED = 40;
 
-    /** The level after so many seconds. */
-    double level(double after) {
-        return level(from, target, lag, after);
+    /** The level where so much is {@link #left}. */
+    double level(double left) {
+        return level(from, target, left);
     }
 
     /** The same of one that is asked for nothing else, and so need not be made. */
-    static double level(double from, double target, double lag, double after) {
-        return target + (from - target) * left(lag, after);
+    static double level(double from, double target, double left) {
+        return target + (from - target) * left;
     }
 
-    /** By how much the level rises (1/s) after so many seconds. */
-    double slope(double after) {
-        return lag == 0 ? 0 : (target - from) / lag * left(lag, after);
+    /** By how much the level rises (1/s) where so much is {@link #left}. */
+    double slope(double left) {
+        return lag == 0 ? 0 : (target - from) / lag * left;
     }
 
-    /** What is left of the way to the target; nothing once it is less than rounding. */
-    private static double left(double lag, double after) {
-        return lag == 0 || after >= SETTLED * lag ? 0 : StrictMath.exp(-Math.max(after, 0) / lag);
+    /** The share of the way to the target that is left after so many seconds; 0 below rounding. */
+    static double left(double lag, double after) {
+        return isOver(lag, after) ? 0 : StrictMath.exp(exponent(lag, after));
+    }
+
+    /** The same of many bodies that may have the same lag. */
+    static double left(double lag, double after, Exponentials known) {
+        return isOver(lag, after) ? 0 : known.exp(exponent(lag, after));
+    }
+
+    private static boolean isOver(double lag, double after) {
+        return lag == 0 || after >= SETTLED * lag;
+    }
+
+    private static double exponent(double lag, double after) {
+        return -Math.max(after, 0) / lag;
     }
 
     /** The integral of |level|^3 over so many seconds (s), in closed form. */

@@ -189,7 +189,7 @@ public record Propulsor(
     /** The level that it works at, at a time (s): the commanded one after dead zone and lag. */
     public double levelAt(double time) {
         double target = target();
-        return Lag.level(levelBefore(target), target, lag, sinceCommand(time));
+        return Lag.level(levelBefore(target), target, Lag.left(lag, sinceCommand(time)));
     }
 
     private double levelBefore(double target) {
@@ -252,16 +252,16 @@ public record Propulsor(
     @Override
     public void add(Block b, int i) {
         Lag course = course();
-        double after = sinceCommand(b.time);
-        double thrust = thrust(course.level(after), b.time);
+        double left = Lag.left(lag, sinceCommand(b.time), b.exponentials);
+        double thrust = thrust(course.level(left), b.time);
         double fx = direction.x() * thrust;
         double fy = direction.y() * thrust;
         double fz = direction.z() * thrust;
         double along = reactionTorque * thrust;
         double spin = 0;
         if (rotor.isPresent()) {
-            along -= rotor.get().spin(course.slope(after));
-            spin = rotor.get().spin(course.level(after));
+            along -= rotor.get().spin(course.slope(left));
+            spin = rotor.get().spin(course.level(left));
         }
         // The rotor's angular momentum h turns with the body: the torque on the body is -w x h.
         double hx = spin * direction.x();

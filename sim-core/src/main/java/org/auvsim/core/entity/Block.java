@@ -1,5 +1,6 @@
 package org.auvsim.core.entity;
 
+import org.auvsim.core.math.Exponentials;
 import org.auvsim.core.math.Vec3;
 import org.jspecify.annotations.Nullable;
 
@@ -147,6 +148,9 @@ public final class Block {
 
     /** Free for an effect's own use while it adds; what it left there is lost afterwards. */
     public final double[][] scratch;
+
+    /** For actuators that follow with a lag, which is often the same of all bodies. */
+    public final Exponentials exponentials = new Exponentials();
 
     /** Whether one of the bodies has an inertia of its own kind, {@link BodyState#spatial}. */
     public boolean hasSpatial;

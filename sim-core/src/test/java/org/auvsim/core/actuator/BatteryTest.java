@@ -26,7 +26,7 @@ class BatteryTest {
         double sum = 0;
         for (int k = 0; k <= parts; k++) {
             double weight = k == 0 || k == parts ? 1 : k % 2 == 1 ? 4 : 2;
-            sum += weight * Math.pow(Math.abs(course.level(seconds * k / parts)), 3);
+            sum += weight * Math.pow(Math.abs(course.level(Lag.left(LAG, seconds * k / parts))), 3);
         }
         return sum * seconds / parts / 3;
     }
@@ -52,7 +52,7 @@ class BatteryTest {
             advance(world, 11);
             Lag course = new Lag(reached, level, LAG);
             drawn += WATTS * quadrature(course, 11 * 0.05);
-            reached = course.level(11 * 0.05);
+            reached = course.level(Lag.left(LAG, 11 * 0.05));
         }
         body(world).behaviors().forEach(b -> b.act(world.time(), body(world)));
 

@@ -36,7 +36,8 @@ record Exchange(List<Cause> library, Screening screening, Tried tried, Course co
 
     /**
      * Sets that were not judged yet: others with an alias of a cause, or with what promises most.
-     * Aliases are tried again whose fits ended far from it: they got lost.
+     * Aliases are tried again whose fits ended far from it: they got lost. What leaves noise alone
+     * did not stand for what swings.
      */
     private List<Screen.Start> insteadOf(int of, Judged found, List<Cause> aliases) {
         Hypothesis others = found.fit().hypothesis().without(of);
@@ -51,6 +52,7 @@ record Exchange(List<Cause> library, Screening screening, Tried tried, Course co
                     library.stream()
                             .filter(o -> !found.fit().hypothesis().causes().contains(o))
                             .filter(o -> !aliases.contains(o))
+                            .filter(o -> !found.isWhite() || !screening.isSwept(o))
                             .filter(o -> !tried.has(others, o, Double.POSITIVE_INFINITY))
                             .toList();
             promising(others, untried, found).stream().limit(MOST).forEach(starts::add);

@@ -87,14 +87,12 @@ record Ground(Scenario scenario, List<WorldObjectDefinition> objects, int layer)
      */
     RigidMotion beside(Volume volume, RigidMotion motion) {
         RigidMotion beside = motion;
-        Separation separation = new Separation();
-        boolean isIn = true;
+        boolean isIn = !objects.isEmpty();
         for (int move = 0; isIn && move < MOST_MOVES; move++) {
             isIn = false;
             for (WorldObjectDefinition object : objects) {
-                double gap = gap(volume, beside, object, separation);
-                if (gap < 0) {
-                    Vec3 out = new Vec3(separation.nx, separation.ny, separation.nz).times(-gap);
+                Vec3 out = wayOut(volume, beside, object);
+                if (!out.equals(Vec3.ZERO)) {
                     beside =
                             new RigidMotion(
                                     beside.position().plus(out),
@@ -108,15 +106,28 @@ record Ground(Scenario scenario, List<WorldObjectDefinition> objects, int layer)
         return beside;
     }
 
-    private static double gap(
-            Volume volume, RigidMotion motion, WorldObjectDefinition object, Separation to) {
-        return PairQueries.standard()
-                .distance(
-                        volume,
-                        Pose.of(motion.position(), motion.orientation()),
-                        object.volume(),
-                        Pose.of(object.position(), object.orientation()),
-                        to);
+    /** The shortest way out of an object (m, world); none if it is not within. */
+    private static Vec3 wayOut(Volume volume, RigidMotion motion, WorldObjectDefinition object) {
+        Pose pose = Pose.of(motion.position(), motion.orientation());
+        Pose ofObject = Pose.of(object.position(), object.orientation());
+        if (areApart(volume, pose, object.volume(), ofObject)) {
+            return Vec3.ZERO;
+        }
+        Separation to = new Separation();
+        double gap = PairQueries.standard().distance(volume, pose, object.volume(), ofObject, to);
+        return gap < 0 ? new Vec3(to.nx, to.ny, to.nz).times(-gap) : Vec3.ZERO;
+    }
+
+    /** Whether the boxes about two volumes are. */
+    private static boolean areApart(Volume a, Pose poseA, Volume b, Pose poseB) {
+        double[] boxes = new double[12];
+        a.bounds(poseA, boxes, 0);
+        b.bounds(poseB, boxes, 6);
+        boolean areApart = false;
+        for (int axis = 0; axis < 3; axis++) {
+            areApart |= boxes[axis] > boxes[9 + axis] || boxes[6 + axis] > boxes[3 + axis];
+        }
+        return areApart;
     }
 
     /** A variant that touches the objects alone. */

@@ -1,7 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
-import org.auvsim.diagnosis.model.Variant;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -78,19 +77,22 @@ final class Tried {
     void underSpecificNames(Judged found, List<Cause> library) {
         Fit fit = found.fit();
         Hypothesis of = fit.hypothesis();
-        Variant model = fit.variant();
         for (int c = 0; c < of.causes().size(); c++) {
+            int place = c;
             if (of.causes().get(c).isGeneric()) {
-                for (Cause cause : library) {
-                    Hypothesis named = of.with(c, cause);
-                    if (!cause.isGeneric()
-                            && named.makesSense()
-                            && named.in(fit.stepping().variant()).equals(model)) {
-                        judged.add(Judged.of(fit.with(named, fit.windows()), found.outcome()));
-                    }
-                }
+                library.stream()
+                        .filter(cause -> !cause.isGeneric())
+                        .map(cause -> of.with(place, cause))
+                        .filter(named -> makesTheSame(named, fit))
+                        .map(named -> fit.with(named, fit.windows()))
+                        .map(named -> Judged.of(named, found.outcome()))
+                        .forEach(judged::add);
             }
         }
+    }
+
+    private static boolean makesTheSame(Hypothesis named, Fit as) {
+        return named.makesSense() && named.in(as.stepping().variant()).equals(as.variant());
     }
 
     /** All, the best first, of each set of causes the best alone. */

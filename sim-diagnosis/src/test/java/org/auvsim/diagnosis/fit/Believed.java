@@ -24,14 +24,14 @@ final class Believed {
                 body);
     }
 
-    /** What runs say of a model that may lack a linear drag and nothing else. */
-    static Diagnosis lackingDrag(
-            BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
+    /** What runs say of a model that may have one cause wrong and nothing else. */
+    static Diagnosis suspectedOf(
+            String cause, BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
         return new Examination(
                         model,
                         fit,
                         heldOut,
-                        Library.named(List.of("linear_drag"), Library.of(model, fit)),
+                        Library.named(List.of(cause), Library.of(model, fit)),
                         1,
                         Optional.empty(),
                         Progress.SILENT)

@@ -51,6 +51,7 @@ class HeldStartTest {
         BelievedModel model = sledge();
         List<MeasuredRun> fit = List.of(run("one", 1), run("two", 2));
         List<MeasuredRun> heldOut = List.of(run("three", 3));
-        assertThat(Believed.lackingDrag(model, fit, heldOut).verdict()).isEqualTo(Verdict.NONE);
+        assertThat(Believed.suspectedOf("linear_drag", model, fit, heldOut).verdict())
+                .isEqualTo(Verdict.NONE);
     }
 }

@@ -3,7 +3,6 @@ package org.auvsim.diagnosis.fit;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.core.math.Vec3;
-import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Verdict;
@@ -13,7 +12,6 @@ import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
-import java.util.Optional;
 
 /** A vehicle that tumbles too fast for its scenario's time step. */
 class TimeStepNoticeTest {
@@ -26,15 +24,7 @@ class TimeStepNoticeTest {
                         in(positionUnit, MeasuredVehicle.run(fine, new Vec3(-8, 3, 12))));
         List<MeasuredRun> heldOut =
                 List.of(in(positionUnit, MeasuredVehicle.run(fine, new Vec3(7, 4, -13))));
-        return new Examination(
-                        coarse,
-                        fit,
-                        heldOut,
-                        Library.named(List.of("mass_error"), Library.of(coarse, fit)),
-                        1,
-                        Optional.empty(),
-                        Progress.SILENT)
-                .diagnosis();
+        return Believed.suspectedOf("mass_error", coarse, fit, heldOut);
     }
 
     private static MeasuredRun in(double unit, MeasuredRun run) {

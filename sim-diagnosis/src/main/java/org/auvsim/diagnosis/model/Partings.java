@@ -2,7 +2,6 @@ package org.auvsim.diagnosis.model;
 
 import static org.auvsim.diagnosis.model.Ensemble.Commands.FROM_ROW_TO_ROW;
 
-import org.auvsim.core.entity.Effect;
 import org.auvsim.core.step.StepException;
 import org.auvsim.diagnosis.model.Ensemble.Entrant;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -12,7 +11,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 
 /** What changes of a model do to a motion, before they have changed that motion. */
 public final class Partings {
@@ -20,10 +18,7 @@ public final class Partings {
     private static final int MOST = 128;
 
     /** Steps may be longer than the model's by this factor. */
-    private static final double LONGER = 5;
-
-    /** The same where something abrupt acts, which they must not pass by. */
-    private static final double LONGER_IF_ABRUPT = 4;
+    private static final double LONGER = 4;
 
     private Partings() {}
 
@@ -50,40 +45,18 @@ public final class Partings {
             Variant from,
             List<Variant> variants) {
         int most = Math.min(MOST, Ensemble.together(model, entrants(legs, variants)));
-        List<List<Integer>> batches =
-                Stream.of(true, false).flatMap(a -> batches(variants, a, most)).toList();
-        List<double[][][]> ofBatches =
-                batches.parallelStream()
-                        .map(batch -> batch.stream().map(variants::get).toList())
-                        .map(batch -> someParting(model, run, legs, from, batch))
-                        .toList();
-        double[][][] all = new double[variants.size()][][];
-        for (int b = 0; b < batches.size(); b++) {
-            for (int i = 0; i < batches.get(b).size(); i++) {
-                all[batches.get(b).get(i)] = ofBatches.get(b)[i];
-            }
-        }
-        return all;
+        int batches = (variants.size() + most - 1) / most;
+        return IntStream.range(0, batches)
+                .parallel()
+                .mapToObj(b -> batch(variants, b, batches))
+                .map(batch -> someParting(model, run, legs, from, batch))
+                .flatMap(Arrays::stream)
+                .toArray(double[][][]::new);
     }
 
-    private static boolean isAbrupt(Variant variant) {
-        return variant.body().effect().stream().anyMatch(Effect::isAbrupt);
-    }
-
-    /** Which variants are together: those on which something abrupt acts, or the others. */
-    private static Stream<List<Integer>> batches(List<Variant> all, boolean abrupt, int most) {
-        List<Integer> some =
-                IntStream.range(0, all.size())
-                        .filter(i -> isAbrupt(all.get(i)) == abrupt)
-                        .boxed()
-                        .toList();
-        int batches = (some.size() + most - 1) / most;
-        return IntStream.range(0, batches).mapToObj(b -> batch(some, b, batches));
-    }
-
-    private static <T> List<T> batch(List<T> all, int batch, int of) {
-        int size = all.size();
-        return all.subList(batch * size / of, (batch + 1) * size / of);
+    private static List<Variant> batch(List<Variant> variants, int batch, int of) {
+        int size = variants.size();
+        return variants.subList(batch * size / of, (batch + 1) * size / of);
     }
 
     private static List<Entrant> entrants(List<Leg> legs, List<Variant> variants) {
@@ -99,8 +72,7 @@ public final class Partings {
         List<Variant> all = new ArrayList<>();
         all.add(from);
         all.addAll(variants);
-        double longer = variants.stream().anyMatch(Partings::isAbrupt) ? LONGER_IF_ABRUPT : LONGER;
-        double step = longer * model.scenario().timeStep().delta();
+        double step = LONGER * model.scenario().timeStep().delta();
         try {
             int first = legs.getFirst().from();
             return new Ensemble(model, run, first, entrants(legs, all), step, FROM_ROW_TO_ROW)

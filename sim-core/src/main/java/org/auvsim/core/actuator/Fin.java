@@ -77,8 +77,7 @@ public record Fin(
                 maximumAngle,
                 "0 to pi rad",
                 "rad");
-        String angles = "-%s to %s rad".formatted(maximumAngle, maximumAngle);
-        Domain.require(Math.abs(angle) <= maximumAngle, of, "angle", angle, angles, "rad");
+        Domain.within(of, "angle", -maximumAngle, maximumAngle, angle, "rad");
         maximumRate.ifPresent(rate -> Domain.above0(of, "maximum rate", rate, "rad/s"));
         Vec3 along = Domain.unit(of, "chord", chord);
         Vec3 about = Domain.unit(of, "span", span);

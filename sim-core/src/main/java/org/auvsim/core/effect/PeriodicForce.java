@@ -24,7 +24,7 @@ public record PeriodicForce(
         @Unit("N") @Default("0 0 0") Vec3 sine,
         @Unit("N") @Default("0 0 0") Vec3 cosine,
         @Unit("rad/s") @Default("1.0") double angularFrequency)
-        implements Effect {
+        implements SmoothForce {
     /**
      * A checked force.
      *
@@ -34,6 +34,12 @@ public record PeriodicForce(
         Domain.finite("a periodic force", "sine", sine, "N");
         Domain.finite("a periodic force", "cosine", cosine, "N");
         Domain.atLeast0("a periodic force", "angular frequency", angularFrequency, "rad/s");
+    }
+
+    @Override
+    public Vec3 at(Vec3 place, double time) {
+        double angle = angularFrequency * time;
+        return sine.times(StrictMath.sin(angle)).plus(cosine.times(StrictMath.cos(angle)));
     }
 
     @Override

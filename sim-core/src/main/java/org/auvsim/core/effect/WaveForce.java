@@ -8,6 +8,7 @@ import org.auvsim.core.entity.BodyState;
 import org.auvsim.core.entity.Domain;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.Surroundings;
+import org.auvsim.core.math.Vec3;
 
 import java.util.List;
 
@@ -30,7 +31,7 @@ public record WaveForce(
         @Unit("rad/s") @Default("1.0") double angularFrequency,
         @Unit("rad") @Default("0.0") double phase,
         @Unit("rad/m") @Default("0.0") double waveNumber)
-        implements Effect {
+        implements SmoothForce {
     /**
      * A checked force.
      *
@@ -48,6 +49,13 @@ public record WaveForce(
     @Override
     public boolean dependsOnPlace() {
         return waveNumber > 0;
+    }
+
+    @Override
+    public Vec3 at(Vec3 place, double time) {
+        Crests crests = new Crests(this);
+        double force = crests.force(place.x(), place.y(), time);
+        return new Vec3(force * crests.dx, force * crests.dy, 0);
     }
 
     @Override
@@ -82,11 +90,15 @@ public record WaveForce(
         }
 
         void add(Block b, int i) {
-            double way = dx * b.state[BodyState.X][i] + dy * b.state[BodyState.Y][i];
-            double angle = of.angularFrequency * b.time - of.waveNumber * way + of.phase;
-            double force = of.amplitude * StrictMath.sin(angle);
+            double force = force(b.state[BodyState.X][i], b.state[BodyState.Y][i], b.time);
             b.fx[i] += force * dx;
             b.fy[i] += force * dy;
+        }
+
+        private double force(double x, double y, double time) {
+            double way = dx * x + dy * y;
+            double angle = of.angularFrequency * time - of.waveNumber * way + of.phase;
+            return of.amplitude * StrictMath.sin(angle);
         }
     }
 }

@@ -87,6 +87,7 @@ public final class SpatialInertia {
         double[] s = b.spatial;
         load(b, i, s);
         velocities(s);
+        carried(s);
         b.vx[i] = s[VELOCITIES];
         b.vy[i] = s[VELOCITIES + 1];
         b.vz[i] = s[VELOCITIES + 2];
@@ -196,6 +197,10 @@ public final class SpatialInertia {
             }
         }
         solve(s);
+    }
+
+    /** Fills the carried water's momentum, and the whole of both. */
+    private void carried(double[] s) {
         waterMomentum(s);
         if (free != null) {
             wholeMomentum(s);
@@ -323,9 +328,14 @@ public final class SpatialInertia {
         put(s, TURN + 6, new Vec3(r.zx(), r.zy(), r.zz()));
     }
 
+    /** What a computation needs: without a mount, nothing of free directions. */
+    private double[] scratch() {
+        return new double[free == null ? FREE : SCRATCH];
+    }
+
     /** How a body with these momenta moves in water of a velocity (m/s, world). */
     Twist twist(MovementState state, Vec3 water) {
-        double[] s = new double[SCRATCH];
+        double[] s = scratch();
         turn(s, state.orientation());
         put(s, MOMENTA, state.linearMomentum());
         put(s, MOMENTA + 3, state.angularMomentum());
@@ -336,7 +346,7 @@ public final class SpatialInertia {
 
     /** Linear and angular momentum of a body that moves so. */
     Vec3[] momenta(Twist twist, Quat orientation, Vec3 water) {
-        double[] s = new double[SCRATCH];
+        double[] s = scratch();
         turn(s, orientation);
         put(s, VELOCITIES, twist.velocity());
         put(s, VELOCITIES + 3, twist.angularVelocity());
@@ -375,7 +385,7 @@ public final class SpatialInertia {
         if (free == null) {
             return momentum;
         }
-        double[] s = new double[SCRATCH];
+        double[] s = scratch();
         put(s, SPEEDS + at, momentum);
         free.keep(s, SPEEDS, RELATIVE);
         return get(s, SPEEDS + at);
@@ -383,7 +393,7 @@ public final class SpatialInertia {
 
     /** Writes the inverse of the inertia in world axes, 36 numbers; what is held has zeros. */
     void inverse(Quat orientation, double[] to, int at) {
-        double[] s = new double[SCRATCH];
+        double[] s = scratch();
         turn(s, orientation);
         for (int column = 0; column < 6; column++) {
             for (int c = 0; c < 6; c++) {

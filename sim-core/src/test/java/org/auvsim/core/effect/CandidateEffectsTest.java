@@ -158,4 +158,14 @@ class CandidateEffectsTest {
         assertThat(world.time()).isCloseTo(2.5, within(1e-12));
         return world;
     }
+
+    @ParameterizedTest(name = "seed {0}")
+    @ValueSource(longs = {1, 2})
+    void smoothForcesActAsTheySay(long seed) {
+        SmoothForce waves = new WaveForce(1.3, 0.6, 7, 0.4, 0.9);
+        SmoothForce ellipse = new PeriodicForce(A, B, 7);
+
+        assertIs(seed, waves, (b, i) -> waves.at(b.position(i), b.time));
+        assertIs(seed, ellipse, (b, i) -> ellipse.at(b.position(i), b.time));
+    }
 }

@@ -87,7 +87,7 @@ final class FirstOrder {
         int from = window.window.from();
         for (int k = from; k < window.window.to(); k += perLeg) {
             int to = Math.min(k + perLeg, window.window.to());
-            legs.add(new Leg(k, to, window.motion[k - from]));
+            legs.add(new Leg(k, to, window.motion[k - from], window.motion[to - from]));
         }
         return legs;
     }
@@ -121,7 +121,8 @@ final class FirstOrder {
             responses.add(response(leg, leg.to() - leg.from(), window.window, samples));
         }
         if (samples > window.window.length()) {
-            Leg end = new Leg(window.window.to(), window.window.to(), window.end);
+            int last = window.window.to();
+            Leg end = new Leg(last, last, window.end, window.end);
             responses.add(response(end, 1, window.window, samples));
         }
         double[][] byParameter = new double[moves.size()][];

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.model;
 
 import static org.auvsim.diagnosis.model.Ensemble.Commands.FROM_ROW_TO_ROW;
 
+import org.auvsim.core.math.Vec3;
 import org.auvsim.core.step.StepException;
 import org.auvsim.diagnosis.model.Ensemble.Entrant;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -28,8 +29,15 @@ public final class Partings {
      * @param from its first sample
      * @param to its last, the first of the next leg
      * @param start the motion at its first sample
+     * @param end the motion at its last
      */
-    public record Leg(int from, int to, RigidMotion start) {}
+    public record Leg(int from, int to, RigidMotion start, RigidMotion end) {
+        /** The place (m) half-way in time, of so many seconds: on the cubic with both ends. */
+        Vec3 middle(double duration) {
+            Vec3 bend = start.velocity().minus(end.velocity()).times(duration / 8);
+            return start.position().plus(end.position()).times(0.5).plus(bend);
+        }
+    }
 
     /**
      * By how much variants part from another one in legs that follow one another, each begun alike.
@@ -39,6 +47,16 @@ public final class Partings {
      *     RigidMotion#minus}); of NaN if it gets out of all bounds
      */
     public static double[][][] of(
+            BelievedModel model,
+            MeasuredRun run,
+            List<Leg> legs,
+            Variant from,
+            List<Variant> variants) {
+        Swings swings = new Swings(run, legs, from, variants);
+        return swings.all(simulated(model, run, legs, from, swings.toSimulate()));
+    }
+
+    private static double[][][] simulated(
             BelievedModel model,
             MeasuredRun run,
             List<Leg> legs,

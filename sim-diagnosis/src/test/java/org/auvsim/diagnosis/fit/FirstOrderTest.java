@@ -16,7 +16,7 @@ import java.util.Set;
 
 /** Derivatives to first order are those of whole simulations, cause by cause. */
 class FirstOrderTest {
-    private static final double SHARE = 0.03;
+    private static final double SHARE = 0.015;
     private static final double SMALL = 1e-4;
 
     /** What begins within a leg, is near for a moment, or is a secant over a large change. */

@@ -86,7 +86,7 @@ class LostMotionTest {
         Arrays.fill(error, 1);
         double[] rows = new double[of.rows().size()];
 
-        LegResponse response = new LegResponse(shooting, new Leg(0, 5, start), 1, 1);
+        LegResponse response = new LegResponse(shooting, new Leg(0, 5, start, start), 1, 1);
         response.carry(error, new double[RigidMotion.SIZE], rows, 0);
 
         assertThat(error).containsOnly(0);

@@ -6,6 +6,7 @@ import org.auvsim.auvsml.Fault;
 import org.jspecify.annotations.Nullable;
 
 import java.util.Locale;
+import java.util.regex.Pattern;
 
 import javax.xml.stream.Location;
 import javax.xml.stream.XMLStreamException;
@@ -13,6 +14,10 @@ import javax.xml.stream.XMLStreamReader;
 
 /** The sentences about texts that are not the XML that is wanted. */
 final class XmlFaults {
+    /** Of what is another kind of text from its first character on. */
+    private static final Pattern NO_XML =
+            Pattern.compile("unexpected character (.+) in prolog; expected '<'");
+
     private XmlFaults() {}
 
     static Fault tooLarge(Limits limits) {
@@ -35,9 +40,11 @@ final class XmlFaults {
         return at(location, ErrorCode.MALFORMED_XML, "expected an element, but there is none");
     }
 
-    /** What the parser found, in its words but on one line. */
+    /** What the parser found, most often in its words but on one line. */
     static Fault of(XMLStreamException e) {
-        String text = sentence(e);
+        String text =
+                NO_XML.matcher(sentence(e))
+                        .replaceFirst("expected XML, which begins with '<', but there is $1");
         ErrorCode code = ErrorCode.MALFORMED_XML;
         if (text.startsWith("maximum ") || text.contains("limit (")) {
             code = ErrorCode.LIMIT_EXCEEDED;

@@ -95,6 +95,14 @@ class XmlTreeReaderTest {
         }
     }
 
+    @Test
+    void anotherKindOfFileIsToldAsThat() {
+        assertThatThrownBy(() -> reader.read("t,x,y\n0,1,2\n".getBytes(UTF_8)))
+                .isInstanceOf(AuvsmlException.class)
+                .hasMessageContaining(
+                        "expected XML, which begins with '<', but there is 't' (code 116)");
+    }
+
     private void assertRefused(String text, ErrorCode code) {
         assertThatThrownBy(() -> reader.read(text.getBytes(UTF_8)))
                 .as(text)

@@ -73,6 +73,9 @@ public final class Numbers {
     /** Share of a whole in percent: {@code 99.1 %}. */
     public static String percent(double share) {
         double percent = 100 * share;
+        if (percent > 0 && percent < 0.05) {
+            return "less than 0.1 %";
+        }
         return percent >= 99.95 && percent < 100
                 ? "more than 99.9 %"
                 : String.format(Locale.ROOT, "%.1f %%", percent);

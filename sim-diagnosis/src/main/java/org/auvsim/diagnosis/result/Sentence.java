@@ -177,7 +177,11 @@ public final class Sentence {
                         ? ", mostly at %s Hz"
                                 .formatted(Numbers.rounded(of.frequency().getAsDouble()))
                         : "";
-        return "; it shows most in the %s %s %s, at %s s of %s%s%s%s of it away"
+        String best =
+                of.share() > 0
+                        ? BEST + Numbers.percent(of.share()) + " of it away"
+                        : "; none of the causes takes any of it away";
+        return "; it shows most in the %s %s %s, at %s s of %s%s%s"
                 .formatted(
                         words(of.channel()),
                         isTurning(of.channel()) ? "about" : "along",
@@ -185,8 +189,7 @@ public final class Sentence {
                         Numbers.rounded(of.time(), 3),
                         of.run(),
                         frequency,
-                        BEST,
-                        Numbers.percent(of.share()));
+                        best);
     }
 
     private String gain() {

@@ -37,7 +37,14 @@ class NumbersTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0.9912, 99.1 %", "0.99991, more than 99.9 %", "1, 100.0 %", "0, 0.0 %"})
+    @CsvSource({
+        "0.9912, 99.1 %",
+        "0.99991, more than 99.9 %",
+        "1, 100.0 %",
+        "0, 0.0 %",
+        "0.0004, less than 0.1 %",
+        "-0.02, -2.0 %",
+    })
     void sharesAreInPercent(double share, String text) {
         assertThat(Numbers.percent(share)).isEqualTo(text);
     }

@@ -172,6 +172,16 @@ class SentenceTest {
     }
 
     @Test
+    void somethingOfWhichNoCauseTakesAnything() {
+        Discrepancy seen =
+                new Discrepancy(
+                        Channel.POSITION, 'x', "run1", 3, Vec3.ZERO, OptionalDouble.empty(), 0);
+
+        assertThat(sentence.unexplained(Optional.of(seen)))
+                .contains("at 3.00 s of run1; none of the causes takes any of it away; held-out");
+    }
+
+    @Test
     void somethingUnknown() {
         Discrepancy seen =
                 new Discrepancy(

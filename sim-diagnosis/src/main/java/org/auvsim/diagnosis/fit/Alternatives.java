@@ -17,8 +17,11 @@ final class Alternatives {
     private static final double MARGIN = 12;
     private static final int MOST = 6;
 
-    /** Twice the logarithm of odds from which evidence is strong (Kass and Raftery 1995). */
-    private static final double STRONG = 6;
+    /**
+     * Twice the logarithm of odds from which evidence is positive (Kass and Raftery 1995): so much
+     * more likely a common cause is than another one before anything was measured.
+     */
+    private static final double POSITIVE = 2;
 
     private static final String FACTOR = "factor";
 
@@ -64,7 +67,7 @@ final class Alternatives {
     static Judged commonest(Judged best, List<Judged> competitors, List<Cause> library) {
         Judged first = best;
         for (Judged other : competitors) {
-            boolean isTied = misfit(other) - misfit(best) < STRONG && areSame(best, other);
+            boolean isTied = misfit(other) - misfit(best) < POSITIVE && areSame(best, other);
             if (isTied && isAsPlain(other, best) && isBefore(other, first, library)) {
                 first = other;
             }

@@ -335,7 +335,7 @@ final class Diagnose implements Callable<Integer> {
         }
         throw new UserError(
                 names.isEmpty()
-                        ? "%s: nothing in the scenario can move; the measured body is missing"
+                        ? "%s: nothing in the scenario can move; add the measured body as a <world-object>"
                                 .formatted(scenarioFile)
                         : "%s: several objects can move (%s); say with --body which was measured"
                                 .formatted(scenarioFile, String.join(", ", names)));

@@ -16,7 +16,12 @@ import javax.xml.stream.XMLStreamReader;
 final class XmlFaults {
     /** Of what is another kind of text from its first character on. */
     private static final Pattern NO_XML =
-            Pattern.compile("unexpected character (.+) in prolog; expected '<'");
+            Pattern.compile("unexpected character ('.+')(?: \\(.+\\))? in prolog; expected '<'");
+
+    private static final Pattern NOTHING = Pattern.compile("unexpected EOF in prolog");
+
+    private static final Pattern CUT_OFF =
+            Pattern.compile("unexpected EOF; was expecting a close tag for element <(.+)>");
 
     private XmlFaults() {}
 
@@ -42,9 +47,7 @@ final class XmlFaults {
 
     /** What the parser found, most often in its words but on one line. */
     static Fault of(XMLStreamException e) {
-        String text =
-                NO_XML.matcher(sentence(e))
-                        .replaceFirst("expected XML, which begins with '<', but there is $1");
+        String text = plain(sentence(e));
         ErrorCode code = ErrorCode.MALFORMED_XML;
         if (text.startsWith("maximum ") || text.contains("limit (")) {
             code = ErrorCode.LIMIT_EXCEEDED;
@@ -52,6 +55,16 @@ final class XmlFaults {
             code = ErrorCode.FORBIDDEN_XML;
         }
         return at(e.getLocation(), code, text);
+    }
+
+    /** What happens most often, as people would say it. */
+    private static String plain(String text) {
+        String noXml =
+                NO_XML.matcher(text)
+                        .replaceFirst("expected XML, which begins with '<', but there is $1");
+        String nothing = NOTHING.matcher(noXml).replaceFirst("expected XML, but there is nothing");
+        return CUT_OFF.matcher(nothing)
+                .replaceFirst("expected </$1>, but the text ends: was it cut off?");
     }
 
     static String sentence(Exception e) {

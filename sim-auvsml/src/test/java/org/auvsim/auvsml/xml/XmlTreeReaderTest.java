@@ -99,8 +99,15 @@ class XmlTreeReaderTest {
     void anotherKindOfFileIsToldAsThat() {
         assertThatThrownBy(() -> reader.read("t,x,y\n0,1,2\n".getBytes(UTF_8)))
                 .isInstanceOf(AuvsmlException.class)
-                .hasMessageContaining(
-                        "expected XML, which begins with '<', but there is 't' (code 116)");
+                .hasMessageEndingWith("expected XML, which begins with '<', but there is 't'");
+    }
+
+    @Test
+    void whatEndsTooSoonIsToldAsThat() {
+        assertThatThrownBy(() -> reader.read(new byte[0]))
+                .hasMessageEndingWith("expected XML, but there is nothing");
+        assertThatThrownBy(() -> reader.read("<a><b/>".getBytes(UTF_8)))
+                .hasMessageEndingWith("expected </a>, but the text ends: was it cut off?");
     }
 
     private void assertRefused(String text, ErrorCode code) {

@@ -24,7 +24,7 @@ public final class Account {
         List<String> lines = new ArrayList<>();
         lines.add(diagnosis.sentence());
         List<Ranked> ranked = diagnosis.ranked().stream().limit(MOST_RANKED).toList();
-        if (!ranked.isEmpty()) {
+        if (!ranked.isEmpty() && !diagnosis.isUntried()) {
             lines.add("");
             lines.add(Effort.words(diagnosis) + ".");
             lines.add("");

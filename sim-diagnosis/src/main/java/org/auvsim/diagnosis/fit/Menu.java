@@ -17,14 +17,16 @@ import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 
 /**
- * Proposes the run of a menu that would tell most among models that are left: the one of which the
- * others would miss most if the best is true, in units of the noise. Its start would be known as
- * well as those of the runs were; what another start explains tells nothing.
+ * Proposes the run of a menu that would tell most among models that are left: the one of which most
+ * others would miss something if the best is true, and miss most, in units of the noise. Its start
+ * would be known as well as those of the runs were; what another start explains tells nothing.
  */
 final class Menu {
     private static final int SAMPLES = 200;
@@ -84,27 +86,41 @@ final class Menu {
                 ? Optional.empty()
                 : dishes().stream()
                         .map(dish -> experiment(dish, best.fit().variant(), competitors))
-                        .filter(experiment -> experiment.evidence() > 1)
-                        .max(Comparator.comparingDouble(NextExperiment::evidence));
+                        .flatMap(Optional::stream)
+                        .max(
+                                Comparator.comparingInt(Told::competitors)
+                                        .thenComparingDouble(told -> told.experiment().evidence()))
+                        .map(Told::experiment);
     }
 
-    private NextExperiment experiment(Dish dish, Variant best, List<Judged> competitors) {
+    /** An experiment, and how many competitors it tells from the best. */
+    private record Told(NextExperiment experiment, int competitors) {}
+
+    /** Empty if it tells the best from no competitor. */
+    private Optional<Told> experiment(Dish dish, Variant best, List<Judged> competitors) {
         MeasuredRun run = measured(dish, best);
         double least = Double.POSITIVE_INFINITY;
-        List<String> separates = new ArrayList<>();
+        int told = 0;
+        Set<String> separates = new LinkedHashSet<>();
         for (Judged competitor : competitors) {
             Hypothesis of = competitor.fit().hypothesis();
             double evidence = evidence(run, dish.start(), of);
             if (evidence > 1) {
-                separates.addAll(
-                        of.causes().stream()
-                                .map(cause -> cause.name())
-                                .filter(name -> !separates.contains(name))
-                                .toList());
+                of.causes().forEach(cause -> separates.add(cause.name()));
+                least = Math.min(least, evidence);
+                told++;
             }
-            least = Math.min(least, evidence);
         }
-        return new NextExperiment(dish.id(), dish.description(), separates, least);
+        return told == 0
+                ? Optional.empty()
+                : Optional.of(
+                        new Told(
+                                new NextExperiment(
+                                        dish.id(),
+                                        dish.description(),
+                                        List.copyOf(separates),
+                                        least),
+                                told));
     }
 
     /** Half of what a hypothesis misses of it, from the start that suits it; 0 if it gets lost. */

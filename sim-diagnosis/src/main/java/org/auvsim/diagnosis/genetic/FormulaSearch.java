@@ -33,6 +33,9 @@ public final class FormulaSearch {
     /** A formula must imitate such a share of the variance of forces that it was not made for. */
     private static final double LEAST_SHARE = 0.5;
 
+    /** The error on held-out runs must fall to this share: less is no help. */
+    private static final double MOST_LEFT = 0.8;
+
     /** What a node must gain, in logarithms of the variance that is left. */
     private static final double PER_NODE = 0.02;
 
@@ -59,7 +62,7 @@ public final class FormulaSearch {
         }
         return axes.stream().anyMatch(Optional::isPresent)
                 ? gain(axes, diagnosis)
-                        .filter(gain -> gain.after() < gain.before())
+                        .filter(gain -> gain.after() < MOST_LEFT * gain.before())
                         .map(gain -> new Proposal("formula", text(axes), gain))
                 : Optional.empty();
     }

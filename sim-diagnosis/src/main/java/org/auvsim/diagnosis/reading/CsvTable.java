@@ -156,8 +156,11 @@ final class CsvTable implements Closeable {
                                     hasCommas
                                             ? ": do its numbers have decimal commas? Write 1.5, not"
                                                     + " 1,5"
-                                            : "; complete the row, or take it out if the file was"
-                                                    + " cut off"));
+                                            : row.get().getFieldCount() > header.size()
+                                                    ? "; is there a comma in a number, or a column"
+                                                            + " without a name?"
+                                                    : "; complete the row, or take it out if the"
+                                                            + " file was cut off"));
         }
         return row;
     }

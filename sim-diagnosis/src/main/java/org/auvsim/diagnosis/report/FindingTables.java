@@ -45,7 +45,9 @@ final class FindingTables {
                             "Values with their standard deviations. The share is what goes of the"
                                     + " misfit beyond noise when this cause is added last."));
         }
-        of.discrepancy().map(this::discrepancy).ifPresent(blocks::add);
+        if (!of.isUntried()) {
+            of.discrepancy().map(this::discrepancy).ifPresent(blocks::add);
+        }
         of.approximation().map(this::approximation).ifPresent(blocks::add);
         of.proposal().map(FindingTables::proposal).ifPresent(blocks::add);
         return blocks;
@@ -124,7 +126,7 @@ final class FindingTables {
     }
 
     List<Block> ranking() {
-        if (of.ranked().isEmpty()) {
+        if (of.ranked().isEmpty() || of.isUntried()) {
             return List.of();
         }
         double best = of.ranked().getFirst().logEvidence();
@@ -173,9 +175,13 @@ final class FindingTables {
                         : of.verdict() == Verdict.UNEXPLAINED
                                 ? "No run is proposed: there are no known causes left that it would"
                                         + " have to tell apart."
-                                : "Nothing is left open: no other known causes explain these runs"
-                                        + " about as well, so there is nothing that another run"
-                                        + " would have to tell apart.");
+                                : !of.alternatives().isEmpty()
+                                        ? "No run is proposed: of those that were thought of, none"
+                                                + " would tell these causes apart. It takes other"
+                                                + " sensors, or what is known otherwise."
+                                        : "Nothing is left open: no other known causes explain"
+                                                + " these runs about as well, so there is nothing"
+                                                + " that another run would have to tell apart.");
     }
 
     private static Block next(NextExperiment experiment) {

@@ -79,9 +79,9 @@ final class GainTables {
                         curve("as believed", Mark.LINE, channel, horizons, Gain::before),
                         curve(after, Mark.LINE, channel, horizons, Gain::after),
                         curve("noise", Mark.DASHED, channel, horizons, Gain::noise)),
-                "From eight states along each held-out run, each fitted by the model: "
+                "Predicted from eight states along each held-out run, each of them as the model "
                         + after
-                        + "; so few errors may lie below the noise.");
+                        + " fits it; so few errors may lie below the noise.");
     }
 
     private static Curve curve(

@@ -69,7 +69,8 @@ final class IdentifiabilityTables {
                         List.of("one cause", "another", "angle"),
                         rows,
                         "Angles between the traces that causes leave in this data: 90\u00b0 can be"
-                                + " told apart best, 0\u00b0 not at all."
+                                + " told apart best, 0\u00b0 not at all. Of a cause with several"
+                                + " numbers, the one counts that is most like the other cause."
                                 + (more > 0
                                         ? " diagnosis.json has %d more.".formatted(more)
                                         : "")));

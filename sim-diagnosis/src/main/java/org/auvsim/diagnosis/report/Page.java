@@ -42,14 +42,14 @@ final class Page {
                 page.summary(),
                 Stream.of(
                                 page.section("What was found", page.findings.found()),
+                                page.section("Notices", page.findings.notices()),
                                 page.section("Gain on held-out runs", page.gain()),
                                 page.paths(),
                                 page.section("Causes that were tried", page.findings.ranking()),
                                 page.section("What this data can tell apart", page.apart()),
                                 page.section("What to measure next", page.findings.next()),
                                 page.section("The runs", page.findings.runs()),
-                                page.runs(),
-                                page.section("Notices", page.findings.notices()))
+                                page.runs())
                         .flatMap(List::stream)
                         .toList());
     }

@@ -73,9 +73,13 @@ public record Diagnosis(
         if (isComplete) {
             return this;
         }
-        boolean isAtOnce = ranked.stream().allMatch(set -> set.causes().isEmpty());
-        String told = isAtOnce ? Sentence.stoppedAtOnce() : Sentence.stopped(sentence);
+        String told = isUntried() ? Sentence.stoppedAtOnce() : Sentence.stopped(sentence);
         return with(told, proposal, notices);
+    }
+
+    /** Whether it was stopped before any cause was tried: then nothing in it tells anything. */
+    public boolean isUntried() {
+        return !isComplete && ranked.stream().allMatch(set -> set.causes().isEmpty());
     }
 
     /** The same, only some of the causes that are known having been looked for. */

@@ -132,7 +132,12 @@ public final class Sentence {
 
     /** No known cause explains the runs. */
     public String unexplained(Optional<Discrepancy> discrepancy) {
-        return SOMETHING + discrepancy.map(Sentence::known).orElse("") + gain();
+        boolean isWorse =
+                error.filter(e -> e.getValue().after() > e.getValue().before()).isPresent();
+        return SOMETHING
+                + discrepancy.map(Sentence::known).orElse("")
+                + gain()
+                + (isWorse ? ", so they make it worse" : "");
     }
 
     /**

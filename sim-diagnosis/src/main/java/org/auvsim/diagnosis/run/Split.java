@@ -50,12 +50,11 @@ public record Split(List<MeasuredRun> fit, List<MeasuredRun> heldOut, String not
         return new Split(
                 fit,
                 heldOut,
-                "nobody said which runs are held out: %s %s, and %d %s fitted"
+                "nobody said which runs are held out: %s %s, and %s fitted"
                         .formatted(
                                 names(heldOut),
                                 heldOut.size() == 1 ? "is" : "are",
-                                fit.size(),
-                                fit.size() == 1 ? "is" : "are"));
+                                fit.size() == 1 ? names(fit) + " is" : fit.size() + " are"));
     }
 
     private static String names(List<MeasuredRun> runs) {

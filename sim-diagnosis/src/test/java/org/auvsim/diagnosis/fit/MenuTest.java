@@ -83,5 +83,11 @@ class MenuTest {
         Judged other = Judged.of(best.fit().with(shifted, best.fit().windows()));
 
         assertThat(next(best, other)).isEmpty();
+
+        Judged heavy = judged("mass_error", 0.25);
+        Menu menu = new Menu(best.fit(), Noise.of(List.of(best.fit().data().getFirst().run())));
+        assertThat(menu.next(best, List.of(other, heavy)).orElseThrow().separates())
+                .as("what can be told is, though not all can")
+                .containsExactly("mass_error");
     }
 }

@@ -345,6 +345,10 @@ class BadRunsTest {
                 moving("y", "0").replace("0.3,3,0", "0.3,3"),
                 ":5: expected 3 fields as in the header, but found 2; complete the row, or take it"
                         + " out if the file was cut off");
+        refused(
+                moving("y", "0").replace("0.3,3,0", "0.3,3.5,0,5"),
+                ":5: expected 3 fields as in the header, but found 4; is there a comma in a number,"
+                        + " or a column without a name?");
     }
 
     @Test

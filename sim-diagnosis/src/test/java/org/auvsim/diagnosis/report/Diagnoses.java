@@ -351,15 +351,30 @@ final class Diagnoses {
         return with(of, of.body(), Optional.empty(), of.isComplete());
     }
 
+    /** The same where no cause was tried. */
+    static Diagnosis untried(Diagnosis of) {
+        Ranked none = new Ranked(List.of(), List.of(), 0, 1, Optional.empty());
+        return with(of, of.body(), List.of(none), of.nextExperiment(), of.isComplete());
+    }
+
     private static Diagnosis with(
             Diagnosis of, String body, Optional<NextExperiment> next, boolean isComplete) {
+        return with(of, body, of.ranked(), next, isComplete);
+    }
+
+    private static Diagnosis with(
+            Diagnosis of,
+            String body,
+            List<Ranked> ranked,
+            Optional<NextExperiment> next,
+            boolean isComplete) {
         return new Diagnosis(
                 of.verdict(),
                 of.sentence(),
                 body,
                 of.selected(),
                 of.candidates(),
-                of.ranked(),
+                ranked,
                 of.alternatives(),
                 of.noise(),
                 of.heldOut(),

@@ -77,6 +77,8 @@ class ReportTest {
                                 + " \u2192 0.011 m, noise is 0.010 m.</p>",
                         "What was found",
                         "12.4 \u00b1 0.3 kg/m",
+                        "Notices",
+                        "20 samples a second",
                         "Gain on held-out runs",
                         "Measured and simulated: run3 (held out)",
                         "Causes that were tried",
@@ -95,9 +97,7 @@ class ReportTest {
                         "Residual of the orientation over the heading, as believed",
                         "Missing force, with what was found",
                         "Missing force over the velocity, as believed",
-                        "Missing force over the heading, with what was found",
-                        "Notices",
-                        "20 samples a second");
+                        "Missing force over the heading, with what was found");
     }
 
     /** What is left of the missing force is as small as it looks. */
@@ -128,6 +128,24 @@ class ReportTest {
     void whereNothingIsLeftOpenThePageSaysSo() throws IOException {
         assertThat(page(Diagnoses.settled(Diagnoses.none())))
                 .contains("<h2>What to measure next</h2>", "<p>Nothing is left open: ");
+    }
+
+    @Test
+    void whereNoRunTellsAlternativesApartThePageSaysSo() throws IOException {
+        List<Alternative> drift = List.of(new Alternative(List.of("position_drift"), true, ""));
+        assertThat(page(Diagnoses.settled(Diagnoses.explained(50, drift))))
+                .contains("<p>No run is proposed: of those that were thought of, none would tell")
+                .doesNotContain("Nothing is left open");
+    }
+
+    @Test
+    void thePageOfASearchThatTriedNothingSaysNothingOfCauses() throws IOException {
+        Diagnosis untried = Diagnoses.stopped(Diagnoses.untried(Diagnoses.unexplained()));
+        assertThat(untried.isUntried()).isTrue();
+        assertThat(page(untried))
+                .contains("Stopped before any cause was tried: nothing can be said")
+                .doesNotContain("<h2>Causes that were tried</h2>")
+                .doesNotContain("No set of causes tried so far leaves");
     }
 
     @Test

@@ -182,6 +182,14 @@ class SentenceTest {
     }
 
     @Test
+    void whatPredictsHeldOutRunsWorseIsToldSo() {
+        Sentence worse = new Sentence(Map.of(Channel.POSITION, new Gain(0.83, 2.1, 0.01)), false);
+
+        assertThat(worse.unexplained(Optional.empty()))
+                .endsWith("error 0.83 m -> 2.1 m, noise is 0.010 m, so they make it worse");
+    }
+
+    @Test
     void somethingUnknown() {
         Discrepancy seen =
                 new Discrepancy(

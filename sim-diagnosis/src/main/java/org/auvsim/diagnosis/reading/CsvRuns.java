@@ -92,12 +92,24 @@ final class CsvRuns {
         try (CsvTable table = CsvTable.open(file)) {
             Layout layout = new Layout(table, mapping, body.commands());
             List<Actuator> undirected = body.undirected(layout.commands());
-            undirected.forEach(actuator -> notices.add(lacks(actuator)));
+            if (!undirected.isEmpty()) {
+                notices.add(
+                        undirected.size() == 1 ? lacks(undirected.getFirst()) : lacks(undirected));
+            }
             isDoubtful |= !undirected.isEmpty() && body.isAll(undirected);
             return Survey.of(table, layout);
         } catch (IOException e) {
             throw CsvTable.unreadable(file, e);
         }
+    }
+
+    private String lacks(List<Actuator> several) {
+        List<String> names = several.stream().map(Actuator::name).toList();
+        return "%s:1: columns '%s': expected what these actuators were told, but the header has none of them: they hold what the scenario says; add the columns, or rename those that have them %s"
+                .formatted(
+                        file,
+                        String.join("', '", names),
+                        Remedy.renaming(Remedy.COLUMN, names.getFirst()));
     }
 
     private String lacks(Actuator actuator) {

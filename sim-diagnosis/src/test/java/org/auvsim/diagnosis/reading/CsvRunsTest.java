@@ -186,6 +186,19 @@ class CsvRunsTest {
     }
 
     @Test
+    void severalActuatorsWithoutColumnsAreToldAtOnce() throws Exception {
+        RunFile file = Rov.read(folder, ColumnMapping.USUAL, Rov.rows("x", 20, i -> "" + i));
+
+        assertThat(file.notices())
+                .containsExactly(
+                        folder.resolve("run.csv")
+                                + ":1: columns 'main', 'rudder': expected what these actuators were"
+                                + " told, but the header has none of them: they hold what the"
+                                + " scenario says; add the columns, or rename those that have them"
+                                + " (--rename COLUMN=main)");
+    }
+
+    @Test
     void aMappingRenamesScalesAndIgnores() throws Exception {
         ColumnMapping mapping =
                 ColumnMapping.USUAL.with(

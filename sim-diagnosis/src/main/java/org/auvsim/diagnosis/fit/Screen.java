@@ -92,7 +92,11 @@ final class Screen {
     /** How alike what causes do is, over whole runs. */
     Traces traces() {
         List<List<WindowBlock>> blocks = base.blocks(derivatives, base.longest());
-        return new Traces(base.hypothesis(), Gram.of(blocks, moves.size()), seeds);
+        return new Traces(
+                base.hypothesis(),
+                Gram.of(blocks, moves.size()),
+                seeds,
+                cause -> cause.price(outcome.count(), outcome.independent()));
     }
 
     /** What the best of all causes promises where nothing is missed but noise. */

@@ -6,8 +6,10 @@ import org.apache.commons.math3.linear.LUDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Parameter;
 import org.auvsim.diagnosis.result.Identifiability;
 import org.auvsim.diagnosis.result.Identifiability.Confusion;
+import org.auvsim.diagnosis.result.Identifiability.Smallest;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -15,6 +17,7 @@ import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 
 /**
@@ -33,22 +36,31 @@ final class Traces {
     /** A cause a hundred times its telling size that stays below noise leaves no trace. */
     private static final double UNSEEN = 0.01;
 
+    /** Noise takes so many standard deviations from a trace in 3 of 100 measurements. */
+    private static final double NOISE = 2;
+
     private static final double RIDGE = 1e-9;
 
     private final Hypothesis beside;
     private final Gram gram;
     private final List<Seed> seeds;
+    private final ToDoubleFunction<Cause> price;
 
-    /** Of seeds beside a hypothesis, whose own numbers have the first columns. */
-    Traces(Hypothesis beside, Gram gram, List<Seed> seeds) {
+    /**
+     * Of seeds beside a hypothesis, whose own numbers have the first columns.
+     *
+     * @param price what a cause must gain to be believed
+     */
+    Traces(Hypothesis beside, Gram gram, List<Seed> seeds, ToDoubleFunction<Cause> price) {
         this.beside = beside;
         this.gram = gram;
         this.seeds = seeds;
+        this.price = price;
     }
 
     /** Of no other causes. */
     static Traces none(Hypothesis beside) {
-        return new Traces(beside, new Gram(new double[1][1]), List.of());
+        return new Traces(beside, new Gram(new double[1][1]), List.of(), Cause::price);
     }
 
     /** What is confused with the causes that were found, and what could not have been seen. */
@@ -70,7 +82,28 @@ final class Traces {
                 }
             }
         }
-        return new Identifiability(nearest(confusions), unseen());
+        return new Identifiability(nearest(confusions), unseen(), smallest());
+    }
+
+    /** Of each cause that is not there the numbers that would be found, each alone. */
+    private List<Smallest> smallest() {
+        List<Smallest> smallest = new ArrayList<>();
+        Set<String> told = new HashSet<>();
+        for (Seed seed : seeds) {
+            Cause cause = seed.cause();
+            if (beside.causes().contains(cause) || !told.add(cause.name())) {
+                continue;
+            }
+            double trace = NOISE + Math.sqrt(price.applyAsDouble(cause) + Selection.DOUBTFUL);
+            for (int c = 0; c < seed.columns().length; c++) {
+                Parameter of = seed.parameters().get(c);
+                double size = trace / gram.norm(seed.columns()[c]);
+                if (size < Math.max(of.highest(), -of.lowest())) {
+                    smallest.add(new Smallest(cause.name(), of.name(), of.unit(), size));
+                }
+            }
+        }
+        return smallest;
     }
 
     /** Causes that leave nearly the same trace as one of the hypothesis, as that was found. */

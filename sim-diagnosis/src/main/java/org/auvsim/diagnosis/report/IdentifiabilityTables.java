@@ -4,6 +4,7 @@ import org.auvsim.diagnosis.result.Alternative;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Identifiability.Confusion;
+import org.auvsim.diagnosis.result.Identifiability.Smallest;
 import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.plot.page.Block;
 import org.auvsim.plot.page.Block.Table;
@@ -84,5 +85,22 @@ final class IdentifiabilityTables {
                         new Text(
                                 "However strong they are, these leave no trace in this data: %s."
                                         .formatted(String.join(", ", unseen))));
+    }
+
+    List<Block> smallest() {
+        List<List<String>> rows = new ArrayList<>();
+        for (Smallest each : of.identifiability().smallest()) {
+            String unit = each.unit().equals("1") ? "" : " " + each.unit();
+            rows.add(List.of(each.cause(), each.parameter(), Numbers.rounded(each.size()) + unit));
+        }
+        return rows.isEmpty()
+                ? List.of()
+                : List.of(
+                        new Table(
+                                List.of("cause", "number", "smallest change that would be found"),
+                                rows,
+                                "What was not found is not there, or smaller than this: of a"
+                                        + " change of this size, alone and to first order, 97 of"
+                                        + " 100 such measurements would tell."));
     }
 }

@@ -47,6 +47,7 @@ final class Page {
                                 page.paths(),
                                 page.section("Causes that were tried", page.findings.ranking()),
                                 page.section("What this data can tell apart", page.apart()),
+                                page.section("What could have been missed", page.missed()),
                                 page.section("What to measure next", page.findings.next()),
                                 page.section("The runs", page.findings.runs()),
                                 page.runs())
@@ -84,6 +85,12 @@ final class Page {
         return Stream.of(tables.alternatives(), tables.pairs(), tables.unseen())
                 .flatMap(List::stream)
                 .toList();
+    }
+
+    private List<Block> missed() {
+        return of.verdict() == Verdict.UNEXPLAINED
+                ? List.of()
+                : new IdentifiabilityTables(of).smallest();
     }
 
     private RunCharts charts(DiagnosedRun run) {

@@ -7,14 +7,26 @@ import java.util.List;
  *
  * @param pairs causes whose traces in the data are nearly the same
  * @param unseen causes that leave no trace in this data, however strong they are
+ * @param smallest what would hardly have been missed of the others
  */
-public record Identifiability(List<Confusion> pairs, List<String> unseen) {
+public record Identifiability(List<Confusion> pairs, List<String> unseen, List<Smallest> smallest) {
     /** Two causes and the angle (degrees) between their traces: 90 apart, 0 the same. */
     public record Confusion(String first, String second, double angle) {}
+
+    /**
+     * How large a number of a cause must be to be found in this data, to first order.
+     *
+     * @param cause its name
+     * @param parameter the number's name
+     * @param unit of the size
+     * @param size a change that would be found in 97 of 100 such measurements
+     */
+    public record Smallest(String cause, String parameter, String unit, double size) {}
 
     /** The lists cannot be changed. */
     public Identifiability {
         pairs = List.copyOf(pairs);
         unseen = List.copyOf(unseen);
+        smallest = List.copyOf(smallest);
     }
 }

@@ -19,6 +19,7 @@ import org.auvsim.diagnosis.result.Gain;
 import org.auvsim.diagnosis.result.HorizonGain;
 import org.auvsim.diagnosis.result.Identifiability;
 import org.auvsim.diagnosis.result.Identifiability.Confusion;
+import org.auvsim.diagnosis.result.Identifiability.Smallest;
 import org.auvsim.diagnosis.result.NextExperiment;
 import org.auvsim.diagnosis.result.Proposal;
 import org.auvsim.diagnosis.result.Ranked;
@@ -304,7 +305,8 @@ final class Diagnoses {
                         List.of(
                                 new Confusion("quadratic_drag", "linear_drag", 11.2),
                                 new Confusion("mass_error", "added_mass", 0.4)),
-                        List.of("restitution", "contact_friction")),
+                        List.of("restitution", "contact_friction"),
+                        List.of(new Smallest("mass_error", "factor", "1", 0.0123))),
                 extended,
                 notices,
                 42,

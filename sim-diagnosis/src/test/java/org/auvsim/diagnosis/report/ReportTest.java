@@ -87,6 +87,8 @@ class ReportTest {
                         ">s = 8.10 kg</td><td>below all</td><td>&lt; 0.1 %</td>",
                         "What this data can tell apart",
                         "However strong they are",
+                        "What could have been missed",
+                        "<td>0.012</td>",
                         "What to measure next",
                         "coast with all thrusters off",
                         "The runs",

@@ -97,13 +97,30 @@ final class Traces {
             double trace = NOISE + Math.sqrt(price.applyAsDouble(cause) + Selection.DOUBTFUL);
             for (int c = 0; c < seed.columns().length; c++) {
                 Parameter of = seed.parameters().get(c);
-                double size = trace / gram.norm(seed.columns()[c]);
+                double size = trace / Math.sqrt(besideOwn(seed.columns()[c]));
                 if (size < Math.max(of.highest(), -of.lowest())) {
                     smallest.add(new Smallest(cause.name(), of.name(), of.unit(), size));
                 }
             }
         }
         return smallest;
+    }
+
+    /** The square of what a column leaves that the hypothesis's own numbers cannot make up for. */
+    private double besideOwn(int column) {
+        double square = gram.product(column, column);
+        int[] own = IntStream.range(0, beside.size()).toArray();
+        if (own.length == 0) {
+            return square;
+        }
+        RealMatrix with = matrix(own, new int[] {column});
+        try {
+            RealMatrix made = new LUDecomposition(root(own)).getSolver().solve(with);
+            double norm = made.getFrobeniusNorm();
+            return Math.max(0, square - norm * norm);
+        } catch (org.apache.commons.math3.exception.MathIllegalArgumentException e) {
+            return square; // own numbers that leave no trace make up for nothing
+        }
     }
 
     /** Causes that leave nearly the same trace as one of the hypothesis, as that was found. */

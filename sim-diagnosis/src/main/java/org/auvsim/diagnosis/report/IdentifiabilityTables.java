@@ -100,7 +100,8 @@ final class IdentifiabilityTables {
                                 List.of("cause", "number", "smallest change that would be found"),
                                 rows,
                                 "What was not found is not there, or smaller than this: of a"
-                                        + " change of this size, alone and to first order, 97 of"
+                                        + " change of this size, alone beside what was"
+                                        + " found and to first order, 97 of"
                                         + " 100 such measurements would tell."));
     }
 }

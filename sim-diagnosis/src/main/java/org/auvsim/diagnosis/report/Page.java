@@ -47,7 +47,7 @@ final class Page {
                                 page.paths(),
                                 page.section("Causes that were tried", page.findings.ranking()),
                                 page.section("What this data can tell apart", page.apart()),
-                                page.section("What could have been missed", page.missed()),
+                                page.missed(),
                                 page.section("What to measure next", page.findings.next()),
                                 page.section("The runs", page.findings.runs()),
                                 page.runs())
@@ -87,10 +87,16 @@ final class Page {
                 .toList();
     }
 
-    private List<Block> missed() {
-        return of.verdict() == Verdict.UNEXPLAINED
+    /** What a verdict that nothing is missing is worth; behind a click where something is. */
+    private List<Section> missed() {
+        List<Block> smallest = new IdentifiabilityTables(of).smallest();
+        return of.verdict() == Verdict.UNEXPLAINED || smallest.isEmpty()
                 ? List.of()
-                : new IdentifiabilityTables(of).smallest();
+                : List.of(
+                        new Section(
+                                "What could have been missed",
+                                of.verdict() == Verdict.EXPLAINED,
+                                smallest));
     }
 
     private RunCharts charts(DiagnosedRun run) {

@@ -46,11 +46,14 @@ class SmallestTest {
     }
 
     private static Search.Found found(double drag) throws Exception {
-        Cause linear = new Cart(1, 1, 0).cause("linear_drag");
+        return found(drag, List.of(new Cart(1, 1, 0).cause("linear_drag")));
+    }
+
+    private static Search.Found found(double drag, List<Cause> causes) throws Exception {
         return new Search(
                         Cart.believed(),
                         List.of(run(drag)),
-                        List.of(linear),
+                        causes,
                         Optional.empty(),
                         new Course(Progress.SILENT))
                 .found();
@@ -76,6 +79,27 @@ class SmallestTest {
     @Test
     void whatIsMuchSmallerIsNot() throws Exception {
         assertThat(found(smallest() / 3).best().isNone()).isTrue();
+    }
+
+    /** What another cause's number makes up for does not show. */
+    @Test
+    void besideACauseThatDoesTheSameMoreIsMissed() throws Exception {
+        Cart cart = new Cart(1, 1, 0);
+        Cause linear = cart.cause("linear_drag");
+        Cause quadratic = cart.cause("quadratic_drag");
+        double alone = smallest();
+        Search.Found beside = found(2 * alone, List.of(linear, quadratic));
+
+        assertThat(beside.best().fit().hypothesis().causes()).containsExactly(linear);
+        Smallest other = beside.traces().identifiability(List.of(linear)).smallest().getFirst();
+        Smallest ofNone =
+                found(0, List.of(quadratic))
+                        .traces()
+                        .identifiability(List.of())
+                        .smallest()
+                        .getFirst();
+        assertThat(other.cause()).isEqualTo("quadratic_drag");
+        assertThat(other.size()).isGreaterThan(1.5 * ofNone.size());
     }
 
     /** A cause that was found has its own number, and is not told again. */

@@ -55,19 +55,20 @@ final class CurrentCauses {
 
     /** Of a sine and a cosine, as both are linear. */
     private static Cause oscillating(Setting s, double scale) {
-        Swing swing = new Swing(s, "u", "m/s", scale, new Frequencies(s).told(FEWEST_OSCILLATIONS));
+        Oscillation oscillation =
+                new Oscillation(s, "u", "m/s", scale, new Frequencies(s).told(FEWEST_OSCILLATIONS));
         return Change.of(
                         "current_oscillating",
-                        swing.parameters(),
+                        oscillation.parameters(),
                         (v, t) ->
                                 swinging(
                                         s,
-                                        swinging(s, v, vector(t, 0), t[Swing.OMEGA], 0),
+                                        swinging(s, v, vector(t, 0), t[Oscillation.OMEGA], 0),
                                         vector(t, 3),
-                                        t[Swing.OMEGA],
+                                        t[Oscillation.OMEGA],
                                         Math.PI / 2))
-                .from(swing.guesses())
-                .told(swing::quantities);
+                .from(oscillation.guesses())
+                .told(oscillation::quantities);
     }
 
     private static Variant swinging(

@@ -19,10 +19,11 @@ final class PeriodicCauses {
     }
 
     private static Cause force(Setting s) {
-        Swing swing = new Swing(s, "force", "N", s.force(), new Frequencies(s).all());
+        Oscillation oscillation =
+                new Oscillation(s, "force", "N", s.force(), new Frequencies(s).all());
         return Change.of(
                         "periodic_force",
-                        swing.parameters(),
+                        oscillation.parameters(),
                         (v, t) ->
                                 v.with(
                                         b ->
@@ -30,9 +31,9 @@ final class PeriodicCauses {
                                                         new PeriodicForce(
                                                                 new Vec3(t[0], t[1], t[2]),
                                                                 new Vec3(t[3], t[4], t[5]),
-                                                                t[Swing.OMEGA]))))
-                .from(swing.guesses())
-                .told(swing::quantities)
+                                                                t[Oscillation.OMEGA]))))
+                .from(oscillation.guesses())
+                .told(oscillation::quantities)
                 .asGeneric();
     }
 

@@ -169,19 +169,23 @@ final class FindingTables {
     }
 
     private Block noNext() {
-        return new Text(
-                !of.isComplete()
-                        ? "The search was stopped before it could tell what another run would show."
-                        : of.verdict() == Verdict.UNEXPLAINED
-                                ? "No run is proposed: there are no known causes left that it would"
-                                        + " have to tell apart."
-                                : !of.alternatives().isEmpty()
-                                        ? "No run is proposed: of those that were thought of, none"
-                                                + " would tell these causes apart. It takes other"
-                                                + " sensors, or what is known otherwise."
-                                        : "Nothing is left open: no other known causes explain"
-                                                + " these runs about as well, so there is nothing"
-                                                + " that another run would have to tell apart.");
+        return new Text(whyNoNext());
+    }
+
+    private String whyNoNext() {
+        if (!of.isComplete()) {
+            return "The search was stopped before it could tell what another run would show.";
+        }
+        if (of.verdict() == Verdict.UNEXPLAINED) {
+            return "No run is proposed: there are no known causes left that it would have to tell"
+                    + " apart.";
+        }
+        if (!of.alternatives().isEmpty()) {
+            return "No run is proposed: of those that were thought of, none would tell these causes"
+                    + " apart. It takes other sensors, or what is known otherwise.";
+        }
+        return "Nothing is left open: no other known causes explain these runs about as well, so"
+                + " there is nothing that another run would have to tell apart.";
     }
 
     private static Block next(NextExperiment experiment) {

@@ -10,7 +10,7 @@ import java.util.List;
  * the first six are linear. It is told as the vector at the swing's end, frequency and phase; of an
  * ellipse, as its longer axis.
  */
-final class Swing {
+final class Oscillation {
     /** Where the angular frequency is. */
     static final int OMEGA = 6;
 
@@ -20,7 +20,7 @@ final class Swing {
     private final double[] frequencies;
 
     /** With this name for people; {@code scale} in its unit, begun at these frequencies (rad/s). */
-    Swing(Setting s, String name, String unit, double scale, double[] frequencies) {
+    Oscillation(Setting s, String name, String unit, double scale, double[] frequencies) {
         this.name = name;
         this.unit = unit;
         this.frequencies = frequencies;

@@ -66,6 +66,9 @@ final class Diagnose implements Callable<Integer> {
     /** What --fail-on-discrepancy ends with if something is wrong. */
     static final int DISCREPANCY = 1;
 
+    /** Of so many objects that can move the names are told. */
+    private static final int MOST_NAMES = 6;
+
     /** So long after Ctrl-C the best so far must have been judged. */
     private static final Duration PATIENCE = Duration.ofSeconds(60);
 
@@ -338,7 +341,14 @@ final class Diagnose implements Callable<Integer> {
                         ? "%s: nothing in the scenario can move; add the measured body as a <world-object>"
                                 .formatted(scenarioFile)
                         : "%s: several objects can move (%s); say with --body which was measured"
-                                .formatted(scenarioFile, String.join(", ", names)));
+                                .formatted(scenarioFile, some(names)));
+    }
+
+    private static String some(List<String> names) {
+        String first = String.join(", ", names.subList(0, Math.min(MOST_NAMES, names.size())));
+        return names.size() <= MOST_NAMES
+                ? first
+                : "%s and %d more".formatted(first, names.size() - MOST_NAMES);
     }
 
     private void prepareFolder() {

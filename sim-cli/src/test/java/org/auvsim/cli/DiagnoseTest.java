@@ -16,6 +16,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 class DiagnoseTest {
     private static final double GRAVITY = 9.80665;
@@ -329,6 +331,44 @@ class DiagnoseTest {
         assertThat(auvsim.err())
                 .contains(
                         "several objects can move (Ball, Box); say with --body which was measured");
+    }
+
+    @Test
+    void ofVeryManyBodiesSomeAreTold() throws IOException {
+        String balls =
+                IntStream.rangeClosed(1, 8)
+                        .mapToObj(
+                                i ->
+                                        """
+                                        <world-object name="Ball %d" mass="1"><sphere radius="1"/>
+                                          <position x="%d" y="0" z="0"/></world-object>
+                                        """
+                                                .formatted(i, 9 * i))
+                        .collect(Collectors.joining());
+
+        assertThat(diagnose("<scenario>" + balls + "</scenario>", "--fit", fall("run.csv", 0)))
+                .isEqualTo(2);
+        assertThat(auvsim.err()).contains("Ball 5, Ball 6 and 2 more); say with --body");
+    }
+
+    @Test
+    void aFileIsNoFolderForAReport() throws IOException {
+        Path taken = auvsim.file("taken", "");
+
+        assertThat(
+                        auvsim.run(
+                                "diagnose",
+                                "--scenario",
+                                auvsim.file("model.xml", BALL),
+                                "--fit",
+                                fall("run.csv", 0),
+                                "--out",
+                                taken))
+                .isEqualTo(2);
+        assertThat(auvsim.err())
+                .endsWith(
+                        "Cannot write %s: something else of that name is there; give another name.\n"
+                                .formatted(taken));
     }
 
     @Test

@@ -15,19 +15,23 @@ public final class FileTrouble {
     /** A file that should have been read. */
     public static UserError reading(Path file, IOException e) {
         return new UserError(
-                "Cannot read %s: %s.".formatted(file, reason(e, "there is no such file")), e);
+                "Cannot read %s: %s.".formatted(file, reason(file, e, "there is no such file")), e);
     }
 
     /** A file that should have been written. */
     public static UserError writing(Path file, IOException e) {
         return new UserError(
-                "Cannot write %s: %s.".formatted(file, reason(e, "its folder does not exist")), e);
+                "Cannot write %s: %s."
+                        .formatted(file, reason(file, e, "its folder does not exist")),
+                e);
     }
 
-    private static String reason(IOException e, String ifMissing) {
+    private static String reason(Path file, IOException e, String ifMissing) {
         return switch (e) {
             case NoSuchFileException _ -> ifMissing;
             case AccessDeniedException _ -> "you may not";
+            case FileAlreadyExistsException there when there.getFile().equals(file.toString()) ->
+                    "something else of that name is there; give another name";
             case FileAlreadyExistsException there -> there.getFile() + " is in the way";
             case DirectoryNotEmptyException there ->
                     there.getFile() + " is a folder in which there is something";

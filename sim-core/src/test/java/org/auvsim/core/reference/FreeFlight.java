@@ -18,7 +18,11 @@ final class FreeFlight implements Flight {
     private final double[] acceleration;
     private final double[] angularMomentum = new double[3];
     private final double[] inertia;
+
+    /** At every step, as far as was asked for. */
     private final double[][] turns;
+
+    private int lastTurn;
     private final double[] turn = new double[4];
     private final double[][] slopes = new double[4][4];
     private final double[] stage = new double[4];
@@ -54,15 +58,17 @@ final class FreeFlight implements Flight {
         }
         turns = new double[(int) Math.ceil(end / STEP) + 1][];
         turns[0] = orientation.clone();
-        for (int i = 1; i < turns.length; i++) {
-            turns[i] = turns[i - 1].clone();
-            advance(turns[i], STEP);
-        }
     }
 
     @Override
     public Placement at(double t) {
         int before = Math.min(turns.length - 1, (int) (t / STEP));
+        while (lastTurn < before) {
+            double[] next = turns[lastTurn].clone();
+            advance(next, STEP);
+            lastTurn++;
+            turns[lastTurn] = next;
+        }
         System.arraycopy(turns[before], 0, turn, 0, 4);
         advance(turn, t - before * STEP);
         now.set(along(0, t), along(1, t), along(2, t), turn);

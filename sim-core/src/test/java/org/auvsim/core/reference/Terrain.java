@@ -1,5 +1,6 @@
 package org.auvsim.core.reference;
 
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -8,6 +9,9 @@ import java.util.List;
  * high as there.
  */
 final class Terrain implements Solid {
+    /** Distances are as exact as that (m). */
+    private static final double ROUNDING = 1e-9;
+
     private final double spacing;
 
     /** Row by row (m). */
@@ -94,13 +98,34 @@ final class Terrain implements Solid {
         if (z <= height(x, y)) {
             return -1;
         }
-        double least = Union.WIDE;
+        int under = (int) Math.floor(x / spacing);
+        int beside = (int) Math.floor(y / spacing);
+        double least = cell(part, under, beside, Union.WIDE);
         for (int i = i0; i <= i1; i++) {
             for (int j = j0; j <= j1; j++) {
-                least = Math.min(least, cell(part, i, j));
+                if (fromBox(x, y, z, i, j) - part.reach() < least) {
+                    least = cell(part, i, j, least);
+                }
             }
         }
         return least;
+    }
+
+    /** No point of a cell is nearer to a point than this (m). */
+    private double fromBox(double x, double y, double z, int i, int j) {
+        double[] corners = {
+            sample(i, j), sample(i + 1, j), sample(i, j + 1), sample(i + 1, j + 1)
+        };
+        double low = Arrays.stream(corners).min().orElseThrow();
+        double high = Arrays.stream(corners).max().orElseThrow();
+        double alongX = beyond(x, i * spacing, (i + 1) * spacing);
+        double alongY = beyond(y, j * spacing, (j + 1) * spacing);
+        double alongZ = beyond(z, low, high);
+        return Math.sqrt(alongX * alongX + alongY * alongY + alongZ * alongZ) - ROUNDING;
+    }
+
+    private static double beyond(double at, double low, double high) {
+        return Math.max(0, Math.max(low - at, at - high));
     }
 
     private double height(double x, double y) {
@@ -116,15 +141,21 @@ final class Terrain implements Solid {
         return near + more * (side - near) + less * (far - side);
     }
 
-    /** Gap to the two triangles of a cell. */
-    private double cell(Part part, int i, int j) {
+    /** Gap to the two triangles of a cell, or one that is less. */
+    private double cell(Part part, int i, int j, double less) {
         double[] corners = new double[9];
         corner(i, j, corners, 0);
         corner(i + 1, j + 1, corners, 3);
         corner(i + 1, j, corners, 6);
-        double one = Triangle.gap(corners, part);
+        double least = triangle(corners, part, less);
         corner(i, j + 1, corners, 6);
-        return Math.min(one, Triangle.gap(corners, part));
+        return triangle(corners, part, least);
+    }
+
+    private static double triangle(double[] corners, Part part, double less) {
+        return Triangle.leastGap(corners, part) - ROUNDING < less
+                ? Math.min(less, Triangle.gap(corners, part))
+                : less;
     }
 
     private void corner(int i, int j, double[] to, int offset) {

@@ -4,6 +4,21 @@ package org.auvsim.core.reference;
 final class Triangle {
     private Triangle() {}
 
+    /** No gap to a convex part is less than this (m), by a ball about the triangle. */
+    static double leastGap(double[] t, Part part) {
+        double x = (t[0] + t[3] + t[6]) / 3;
+        double y = (t[1] + t[4] + t[7]) / 3;
+        double z = (t[2] + t[5] + t[8]) / 3;
+        double square = 0;
+        for (int k = 0; k < 9; k += 3) {
+            double dx = t[k] - x;
+            double dy = t[k + 1] - y;
+            double dz = t[k + 2] - z;
+            square = Math.max(square, dx * dx + dy * dy + dz * dz);
+        }
+        return part.fromCore(x, y, z) - Math.sqrt(square) - part.radius;
+    }
+
     /** Gap (m) to a convex part; if the cores share a point, minus its radius. */
     static double gap(double[] corners, Part part) {
         double[] v = part.vertices;

@@ -121,11 +121,6 @@ final class Encounter {
     private double crossing(double margin, double apart, double within) {
         double exact = (within - apart) * 0x1p-36;
         return new BracketingNthOrderBrentSolver(0, exact, 0, 3)
-                .solve(
-                        MOST_TRIES,
-                        t -> gap(t) - margin,
-                        apart,
-                        within,
-                        AllowedSolution.BELOW_SIDE);
+                .solve(MOST_TRIES, t -> gap(t) - margin, apart, within, AllowedSolution.BELOW_SIDE);
     }
 }

@@ -113,9 +113,7 @@ final class Terrain implements Solid {
 
     /** No point of a cell is nearer to a point than this (m). */
     private double fromBox(double x, double y, double z, int i, int j) {
-        double[] corners = {
-            sample(i, j), sample(i + 1, j), sample(i, j + 1), sample(i + 1, j + 1)
-        };
+        double[] corners = {sample(i, j), sample(i + 1, j), sample(i, j + 1), sample(i + 1, j + 1)};
         double low = Arrays.stream(corners).min().orElseThrow();
         double high = Arrays.stream(corners).max().orElseThrow();
         double alongX = beyond(x, i * spacing, (i + 1) * spacing);

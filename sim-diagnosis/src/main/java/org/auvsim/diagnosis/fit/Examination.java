@@ -213,7 +213,7 @@ public final class Examination {
         Sentence sentence = new Sentence(gains, usedHeldOut);
         String words =
                 switch (verdict) {
-                    case EXPLAINED -> sentence.explained(selected, share, alternatives);
+                    case EXPLAINED -> explained(sentence, found, selected, share, alternatives);
                     case NONE -> sentence.none();
                     case UNEXPLAINED -> sentence.unexplained(discrepancy);
                 };
@@ -239,6 +239,18 @@ public final class Examination {
                 notices(found, verdict, gains),
                 seed,
                 course.goesOn());
+    }
+
+    private static String explained(
+            Sentence sentence,
+            Search.Found found,
+            List<Finding> selected,
+            double share,
+            List<Alternative> alternatives) {
+        String words = sentence.explained(selected, share, alternatives);
+        return DragLaw.unsettled(found, alternatives)
+                .map(other -> Sentence.unsettled(words, other.cause(), other.share()))
+                .orElse(words);
     }
 
     /** The best that was tried, where it is much nearer to the held-out runs in all they tell. */

@@ -67,6 +67,17 @@ public final class Sentence {
     }
 
     /**
+     * The same where another law of its drag takes nearly as much away.
+     *
+     * @param otherLaw the cause's name
+     * @param share of the misfit, 0 to 1
+     */
+    public static String unsettled(String explained, String otherLaw, double share) {
+        return "%s; the law of the drag is not settled: %s takes %s away"
+                .formatted(explained, otherLaw.replace('_', ' '), Numbers.percent(share));
+    }
+
+    /**
      * The body shakes more than in reference runs, and moves as its model has it.
      *
      * @param found by how many times

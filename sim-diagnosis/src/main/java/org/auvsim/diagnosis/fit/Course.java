@@ -27,6 +27,15 @@ final class Course {
         return !isStopped;
     }
 
+    /**
+     * The course of a search that is made in addition: its shares are of the way until that share.
+     */
+    synchronized Course more(double until) {
+        double from = furthest;
+        double way = Math.max(0, until - from);
+        return new Course((stage, share) -> at(stage, from + share * way));
+    }
+
     /** Whether to go on with what is being done. */
     synchronized boolean goesOn() {
         return at(now, furthest);

@@ -28,6 +28,9 @@ import java.util.stream.IntStream;
  * Examines measured runs: searches causes with some, judges them with others, and says what it is.
  */
 public final class Examination {
+    /** Share of the work that is done once all runs have been searched, where that is needed. */
+    private static final double ALL_SEARCHED = 0.98;
+
     /** Errors that are such a share of those before are worth a model that explains nothing. */
     private static final double NEARER = 0.5;
 
@@ -138,11 +141,13 @@ public final class Examination {
     /** What the runs say of the model. */
     public Diagnosis diagnosis() {
         Search.Found found = new Search(model, fit, causes, contest, course).found();
-        course.at("judging by held-out runs", 0.9);
+        course.at("judging by held-out runs", Search.END);
         Judgement judgement =
                 Judgement.of(found, new Trial(found.stepping(), heldOut, found.noise()));
         if (judgement.isOfTwoMinds() && areAsLong(fit, heldOut) && course.goesOn()) {
-            Search.Found all = new Search(model, allRuns(), causes, contest, course).found();
+            Search.Found all =
+                    new Search(model, allRuns(), causes, contest, course.more(ALL_SEARCHED))
+                            .found();
             if (isConvincing(all, found) && judgement.isNews(all)) {
                 return diagnosis(judgement.convinced(all), true);
             }

@@ -13,6 +13,9 @@ final class Search {
     /** A model that lacks nothing needs few; how badly another one fits need not be known well. */
     private static final int NONE_STEPS = 8;
 
+    /** Share of the work that is done at its end. */
+    static final double END = 0.9;
+
     private final BelievedModel model;
     private final List<MeasuredRun> runs;
     private final Noise noise;
@@ -105,7 +108,13 @@ final class Search {
         Found found = inTheseSteps();
         return StepLength.doFor(found.best().fit()) || !course.goesOn()
                 ? found
-                : new Search(model, runs, library, contest, course, StepLength::atEachSample)
+                : new Search(
+                                model,
+                                runs,
+                                library,
+                                contest,
+                                course.more(END),
+                                StepLength::atEachSample)
                         .inTheseSteps();
     }
 

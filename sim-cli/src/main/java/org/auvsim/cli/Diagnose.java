@@ -182,24 +182,31 @@ final class Diagnose implements Callable<Integer> {
 
     @Override
     public Integer call() throws DocumentException {
-        PrintWriter err = spec.commandLine().getErr();
-        BelievedModel model = model(ScenarioFile.load(scenarioFile, err));
-        requireKnown(model);
-        requireThere();
-        AuvsmlMapper mapper = AuvsmlMapper.load(ContextClasses.loader());
-        RunReader reader = between(new RunReader(model, format.mapping(mapper), mapper));
-        RunFiles runs = inParts(RunFiles.read(reader, fit, heldOut, reference));
-        runs.notices().forEach(notice -> err.println("notice: " + notice));
-        err.flush();
-        prepareFolder();
         try (Interruption interruption =
                 new Interruption(this::tellOfStopping, PATIENCE, this::tellOfGivingUp)) {
+            BelievedModel model = model(ScenarioFile.load(scenarioFile, err()));
+            RunFiles runs = runs(model);
+            runs.notices().forEach(notice -> err().println("notice: " + notice));
+            err().flush();
+            prepareFolder();
             Diagnosis diagnosis = diagnosis(model, runs, interruption);
             interruption.endIsInSight();
             tell(diagnosis);
             boolean isWrong = diagnosis.verdict() != Verdict.NONE;
             return failOnDiscrepancy && isWrong ? DISCREPANCY : ExitCode.OK;
         }
+    }
+
+    private PrintWriter err() {
+        return spec.commandLine().getErr();
+    }
+
+    private RunFiles runs(BelievedModel model) throws DocumentException {
+        requireKnown(model);
+        requireThere();
+        AuvsmlMapper mapper = AuvsmlMapper.load(ContextClasses.loader());
+        RunReader reader = between(new RunReader(model, format.mapping(mapper), mapper));
+        return inParts(RunFiles.read(reader, fit, heldOut, reference));
     }
 
     /** Who asked for an end is not to wait for simulations of millions of steps. */
@@ -221,9 +228,8 @@ final class Diagnose implements Callable<Integer> {
 
     /** Beside the progress bar. */
     private void tellNow(String line) {
-        PrintWriter err = spec.commandLine().getErr();
-        err.println((StandardTerminal.isThere() ? "\n" : "") + line);
-        err.flush();
+        err().println((StandardTerminal.isThere() ? "\n" : "") + line);
+        err().flush();
     }
 
     private RunReader between(RunReader reader) {
@@ -245,7 +251,7 @@ final class Diagnose implements Callable<Integer> {
     private Diagnosis diagnosis(BelievedModel model, RunFiles runs, Interruption interruption) {
         try (ProgressBar bar =
                 new ProgressBar(
-                        spec.commandLine().getErr(),
+                        err(),
                         StandardTerminal.isThere(),
                         System::nanoTime,
                         interruption::isRequested)) {

@@ -25,7 +25,7 @@ class StoppedTest {
         Diagnosis diagnosis = diagnosed((stage, share) -> false);
 
         assertThat(diagnosis.isComplete()).isFalse();
-        assertThat(diagnosis.sentence()).startsWith("Stopped before any cause was tried: ");
+        assertThat(diagnosis.sentence()).startsWith("Stopped before any cause was fitted: ");
         assertThat(diagnosis.ranked()).allMatch(set -> set.causes().isEmpty());
     }
 

@@ -5,6 +5,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
+import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
@@ -24,6 +25,13 @@ public final class FileTrouble {
                 "Cannot write %s: %s."
                         .formatted(file, reason(file, e, "its folder does not exist")),
                 e);
+    }
+
+    private static String noFolder(Path file) {
+        Path folder = file.toAbsolutePath().getParent();
+        return folder != null && Files.isDirectory(folder)
+                ? "nothing can be made there; give another place"
+                : "its folder does not exist";
     }
 
     private static String reason(Path file, IOException e, String ifMissing) {

@@ -1,5 +1,7 @@
 package org.auvsim.diagnosis.cause;
 
+import org.auvsim.core.entity.Mount;
+import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -7,6 +9,7 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Where bodies went in runs.
@@ -31,11 +34,18 @@ record Path(
     private static final double SLOWEST = 1e-3;
     private static final double SHORTEST = 1e-2;
 
-    static Path of(List<MeasuredRun> runs) {
+    /** A way that is free has no less than this along an axis. */
+    private static final double HELD = 1e-9;
+
+    private static final List<Vec3> AXES =
+            List.of(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1));
+
+    /** That of a body; what is not measured of where it is may be known from what holds it. */
+    static Path of(List<MeasuredRun> runs, WorldObjectDefinition body) {
         List<Vec3> places = new ArrayList<>();
         double[] speeds = new double[2];
         for (MeasuredRun run : runs) {
-            walk(run, places, speeds);
+            walk(run, body, places, speeds);
         }
         double begin = runs.stream().mapToDouble(run -> run.time(0)).min().orElseThrow();
         double end = runs.stream().mapToDouble(r -> r.time(0) + r.duration()).max().orElseThrow();
@@ -52,16 +62,38 @@ record Path(
     }
 
     /** Sums squares of speeds, and counts them: over long ways, as noise hides short ones. */
-    private static void walk(MeasuredRun run, List<Vec3> places, double[] speeds) {
+    private static void walk(
+            MeasuredRun run, WorldObjectDefinition body, List<Vec3> places, double[] speeds) {
         int stride = Math.max(1, run.size() / LOOKS);
         for (int k = 0; k < run.size(); k += stride) {
-            run.vector(Channel.POSITION, k).ifPresent(places::add);
+            place(run, k, body).ifPresent(places::add);
             double speed = speed(run, k, Math.min(run.size() - 1, k + 5 * stride));
             if (Double.isFinite(speed)) {
                 speeds[0] += speed * speed;
                 speeds[1]++;
             }
         }
+    }
+
+    private static Optional<Vec3> place(MeasuredRun run, int k, WorldObjectDefinition body) {
+        double[] place = new double[3];
+        boolean isMeasured = false;
+        for (int axis = 0; axis < 3; axis++) {
+            place[axis] = run.value(Channel.POSITION, k, axis);
+            isMeasured |= !Double.isNaN(place[axis]);
+            if (Double.isNaN(place[axis]) && !isFree(body, AXES.get(axis))) {
+                place[axis] = body.position().dot(AXES.get(axis));
+            }
+        }
+        Vec3 at = new Vec3(place[0], place[1], place[2]);
+        return isMeasured && Double.isFinite(at.norm()) ? Optional.of(at) : Optional.empty();
+    }
+
+    private static boolean isFree(WorldObjectDefinition body, Vec3 axis) {
+        return body.mount()
+                .map(Mount::freeTranslations)
+                .map(ways -> ways.stream().anyMatch(way -> Math.abs(way.dot(axis)) > HELD))
+                .orElse(true);
     }
 
     private static double speed(MeasuredRun run, int from, int to) {

@@ -30,7 +30,8 @@ record Setting(BelievedModel model, List<MeasuredRun> runs, Path path, double ra
     private static final double SLOWEST_TURN = 0.05;
 
     static Setting of(BelievedModel model, List<MeasuredRun> runs) {
-        return new Setting(model, runs, Path.of(runs), Math.max(SLOWEST_TURN, Turning.rate(runs)));
+        Path path = Path.of(runs, model.variant().body());
+        return new Setting(model, runs, path, Math.max(SLOWEST_TURN, Turning.rate(runs)));
     }
 
     WorldObjectDefinition body() {

@@ -116,15 +116,13 @@ final class ThrusterCauses {
     }
 
     private static Change loss(Setting s, Predicate<Propulsor> which) {
+        double soon = 0.02 * s.path().duration();
+        // What is lost before is thrust that never was, which a gain says.
+        double first = s.path().begin() + soon;
         List<Parameter> parameters =
                 List.of(
                         new Parameter("lost", "1", 0.1, 0, 1),
-                        new Parameter(
-                                "from",
-                                "s",
-                                0.02 * s.path().duration(),
-                                s.path().begin(),
-                                s.path().end()));
+                        new Parameter("from", "s", soon, first, s.path().end()));
         List<Guess> guesses = new ArrayList<>();
         for (double time : s.path().times(FAILURES)) {
             guesses.add(Change.guess(parameters, new double[] {0, time}, 0));

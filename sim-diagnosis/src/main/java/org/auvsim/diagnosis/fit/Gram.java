@@ -17,9 +17,7 @@ final class Gram {
      */
     private static final double RIDGE = 1e-10;
 
-    private static final double MOST_SCALES = 1e4;
-
-    private static final double CAUTIOUS_SCALES = 30;
+    private static final double MOST_SCALES = 30;
 
     /** So many columns are worked on together, so that their products stay near. */
     private static final int TILE = 32;
@@ -202,29 +200,15 @@ final class Gram {
     }
 
     /**
-     * The same without columns of rounding errors: what leaves less than noise, changed by ten
-     * thousand times what is small for it, is not changed.
-     *
-     * @param parameters that the first columns are of
-     */
-    Gram floored(List<Parameter> parameters) {
-        return floored(parameters, MOST_SCALES);
-    }
-
-    /**
      * The same where what leaves less than noise, changed by thirty times what is small for it, is
      * hardly changed: data that tells next to nothing of a number is not to move it anywhere.
      *
      * @param parameters that the first columns are of
      */
     Gram cautious(List<Parameter> parameters) {
-        return floored(parameters, CAUTIOUS_SCALES);
-    }
-
-    private Gram floored(List<Parameter> parameters, double scales) {
         double[][] sum = copy();
         for (int i = 0; i < parameters.size(); i++) {
-            double most = scales * parameters.get(i).scale();
+            double most = MOST_SCALES * parameters.get(i).scale();
             sum[i][i] += 1 / (most * most);
         }
         return new Gram(sum);

@@ -210,11 +210,11 @@ final class Screen {
 
     /** The products of a set's columns and own ones alone. */
     private Gram gram(List<List<WindowBlock>> blocks, List<Seed> set) {
-        return Gram.of(blocks, columns(set), moves.size()).floored(parameters(set));
+        return Gram.of(blocks, columns(set), moves.size()).cautious(parameters(set));
     }
 
     private List<Promise> bestPairs(List<List<WindowBlock>> blocks, Predicate<Cause> isNew) {
-        Gram gram = Gram.of(blocks, moves.size()).floored(parameters(seeds));
+        Gram gram = Gram.of(blocks, moves.size()).cautious(parameters(seeds));
         double without = dropOfOwn(gram);
         List<Promise> promises =
                 IntStream.range(0, seeds.size())

@@ -97,8 +97,10 @@ final class Traces {
             double trace = NOISE + Math.sqrt(price.applyAsDouble(cause) + Selection.DOUBTFUL);
             for (int c = 0; c < seed.columns().length; c++) {
                 Parameter of = seed.parameters().get(c);
-                double size = trace / Math.sqrt(besideOwn(seed.columns()[c]));
-                if (size < Math.max(of.highest(), -of.lowest())) {
+                double norm = Math.sqrt(besideOwn(seed.columns()[c]));
+                double size = trace / norm;
+                boolean isSeen = norm * of.scale() > UNSEEN;
+                if (isSeen && size < Math.max(of.highest(), -of.lowest())) {
                     smallest.add(new Smallest(cause.name(), of.name(), of.unit(), size));
                 }
             }

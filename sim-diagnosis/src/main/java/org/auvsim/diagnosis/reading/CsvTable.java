@@ -26,6 +26,9 @@ import java.util.Set;
 
 /** A table in a file, read row by row: a long one needs no more memory than a short one. */
 final class CsvTable implements Closeable {
+    /** No column has a longer name. */
+    private static final int LONGEST_NAME = 200;
+
     private final Path file;
     private final CloseableIterator<CsvRecord> rows;
     private final List<String> header;
@@ -110,6 +113,19 @@ final class CsvTable implements Closeable {
                                                         + " is empty: expected a header line with"
                                                         + " the columns' names and rows below it"));
         List<String> names = first.getFields().stream().map(String::strip).toList();
+        if (names.getFirst().startsWith("<")) {
+            throw new DocumentException(
+                    file
+                            + ":1: is XML, and no run: expected CSV, a header line with the"
+                            + " columns' names and rows below it; the document of a run is read of"
+                            + " itself where its run is given: name that");
+        }
+        if (names.stream().anyMatch(CsvTable::isNoName)) {
+            throw new DocumentException(
+                    file
+                            + ":1: is no CSV: expected a header line with the columns' names, with"
+                            + " commas between them; give the file with the run's rows");
+        }
         Set<String> seen = new HashSet<>();
         for (String name : names) {
             if (!seen.add(name)) {
@@ -120,6 +136,10 @@ final class CsvTable implements Closeable {
             }
         }
         return names;
+    }
+
+    private static boolean isNoName(String name) {
+        return name.length() > LONGEST_NAME || name.chars().anyMatch(Character::isISOControl);
     }
 
     /** What it is read from. */

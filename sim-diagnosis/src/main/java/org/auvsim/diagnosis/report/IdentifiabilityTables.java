@@ -31,19 +31,23 @@ final class IdentifiabilityTables {
         }
         String chosen =
                 of.selected().stream().map(Finding::name).collect(Collectors.joining(" + "));
+        boolean isAnyDetermined =
+                of.alternatives().stream().anyMatch(other -> !other.determined().isBlank());
         List<List<String>> rows = new ArrayList<>();
         for (Alternative alternative : of.alternatives()) {
-            rows.add(
-                    List.of(
-                            String.join(" + ", alternative.causes()),
-                            alternative.isIndistinguishable()
-                                    ? "no such data can tell"
-                                    : "nearly as good",
-                            alternative.determined()));
+            List<String> row = new ArrayList<>();
+            row.add(String.join(" + ", alternative.causes()));
+            row.add(alternative.isIndistinguishable() ? "no such data can tell" : "nearly as good");
+            if (isAnyDetermined) {
+                row.add(alternative.determined());
+            }
+            rows.add(row);
         }
         return List.of(
                 new Table(
-                        List.of("instead", "how close", "what the data does determine"),
+                        isAnyDetermined
+                                ? List.of("instead", "how close", "what the data does determine")
+                                : List.of("instead", "how close"),
                         rows,
                         "Causes that explain the data about as well as "
                                 + (chosen.isEmpty() ? "the model as believed" : chosen)
@@ -83,7 +87,7 @@ final class IdentifiabilityTables {
                 ? List.of()
                 : List.of(
                         new Text(
-                                "However strong they are, these leave no trace in this data: %s."
+                                "Unless they are very strong, these leave no trace in this data: %s."
                                         .formatted(String.join(", ", unseen))));
     }
 
@@ -102,6 +106,7 @@ final class IdentifiabilityTables {
                                 "What was not found is not there, or smaller than this: of a"
                                         + " change of this size, alone beside what was"
                                         + " found and to first order, 97 of"
-                                        + " 100 such measurements would tell."));
+                                        + " 100 such measurements would tell. Numbers that are"
+                                        + " not here hardly show in this data."));
     }
 }

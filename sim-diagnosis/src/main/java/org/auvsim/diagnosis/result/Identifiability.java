@@ -6,7 +6,7 @@ import java.util.List;
  * What the data can tell apart.
  *
  * @param pairs causes whose traces in the data are nearly the same
- * @param unseen causes that leave no trace in this data, however strong they are
+ * @param unseen causes that leave no trace in this data unless they are very strong
  * @param smallest what would hardly have been missed of the others
  */
 public record Identifiability(List<Confusion> pairs, List<String> unseen, List<Smallest> smallest) {

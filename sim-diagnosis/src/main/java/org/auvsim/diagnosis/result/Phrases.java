@@ -45,7 +45,7 @@ public final class Phrases {
         put("thruster_deadzone", "A dead zone of %s is missing");
         put("thruster_lag", "A lag of %s is missing");
         put("thruster_misalignment", "The direction of %s is wrong");
-        put("thruster_loss", "A failure of %s is missing");
+        put("thruster_loss", "Thrust of %s is lost");
         put("propeller_imbalance", "A propeller is out of balance");
         put("fin_gain", "The lift of %s is wrong");
         put("fin_race", "The stream about %s is faster", "The stream about %s is slower");

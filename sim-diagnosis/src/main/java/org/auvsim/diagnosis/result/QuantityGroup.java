@@ -19,6 +19,12 @@ public record QuantityGroup(
         String name, String unit, boolean isVector, List<Double> values, List<Double> deviations) {
     private static final String AXES = "xyz";
 
+    /** A number so many standard deviations from 0 is surely something else. */
+    private static final double SURE = 3;
+
+    /** Deviations of so many times a vector's largest number say nothing of a component. */
+    private static final double FAR = 10;
+
     /** The lists cannot be changed. */
     public QuantityGroup {
         values = List.copyOf(values);
@@ -82,15 +88,27 @@ public record QuantityGroup(
     public String text() {
         String numbers =
                 IntStream.range(0, values.size())
-                        .mapToObj(
-                                i ->
-                                        Numbers.uncertain(
-                                                values.get(i),
-                                                deviations.isEmpty()
-                                                        ? Double.NaN
-                                                        : deviations.get(i)))
+                        .mapToObj(this::text)
                         .collect(Collectors.joining(", "));
         return (isVector ? "(" + numbers + ")" : numbers) + unitText();
+    }
+
+    private String text(int i) {
+        if (deviations.isEmpty()) {
+            return Numbers.uncertain(values.get(i), Double.NaN);
+        }
+        return deviations.get(i) > FAR * largest()
+                ? "not determined"
+                : Numbers.uncertain(values.get(i), deviations.get(i));
+    }
+
+    /** The largest number that is surely not 0; infinite if there is none. */
+    private double largest() {
+        return IntStream.range(0, values.size())
+                .filter(i -> Math.abs(values.get(i)) > SURE * deviations.get(i))
+                .mapToDouble(i -> Math.abs(values.get(i)))
+                .max()
+                .orElse(Double.POSITIVE_INFINITY);
     }
 
     private String unitText() {

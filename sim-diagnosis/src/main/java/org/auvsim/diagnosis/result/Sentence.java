@@ -170,7 +170,7 @@ public final class Sentence {
 
     /** The same where the search was stopped before it had fitted any cause. */
     public static String stoppedAtOnce() {
-        return "Stopped before any cause was tried: nothing can be said of the model yet";
+        return "Stopped before any cause was fitted: nothing can be said of the model yet";
     }
 
     /** What one of these sentences still says when only some causes were looked for. */

@@ -145,6 +145,24 @@ class LibraryTest {
         assertThat(turned.getFirst().parameters().getFirst().name()).isEqualTo("angle");
     }
 
+    /** Of a boat whose height is not measured, the scenario knows it. */
+    @Test
+    void whatActsFromAPlaceIsLookedForWhereWhatHoldsTheBodySaysWhereItIs() {
+        MeasuredRunBuilder sailing = MeasuredRun.named("sailing");
+        for (int k = 0; k < SAMPLES; k++) {
+            sailing.at(k).measured(Channel.POSITION, 0.3 * k, 0.1 * k, Double.NaN);
+        }
+        List<MeasuredRun> runs = List.of(sailing.build());
+        BelievedModel boat = Tank.model("", "<held z=\"1\" turn-x=\"1\" turn-y=\"1\"/>");
+
+        assertThat(Library.of(boat, runs))
+                .extracting(Cause::id)
+                .contains("magnetic", "tether_spring");
+        assertThat(Library.of(Tank.bare(), runs))
+                .extracting(Cause::id)
+                .doesNotContain("magnetic", "tether_spring");
+    }
+
     /** What sticks creeps at the rate that the scenario states for it. */
     @Test
     void dryFrictionSlipsAsThatOfTheScenario() {

@@ -55,6 +55,24 @@ class BadRunsTest {
                         + " force or actuator of 'Rov' so");
     }
 
+    @Test
+    void theDocumentOfARunIsNoRun() {
+        refused(
+                "<?xml version=\"1.0\"?>\n<run role=\"FIT\"/>\n",
+                ":1: is XML, and no run: expected CSV, a header line with the columns' names and"
+                        + " rows below it; the document of a run is read of itself where its run is"
+                        + " given: name that");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"\u0001\u0002,x\n1,2\n", "LONG"})
+    void whatHasNoNamesInItsFirstLineIsNoCsv(String text) {
+        refused(
+                text.replace("LONG", "0123456789".repeat(500)),
+                ":1: is no CSV: expected a header line with the columns' names, with commas between"
+                        + " them; give the file with the run's rows");
+    }
+
     /** Two neighbours that changed places are one slip, also in a name of four letters. */
     @Test
     void lettersThatChangedPlacesAreASlip() {

@@ -86,7 +86,7 @@ class ReportTest {
                         ">magnus</td>",
                         ">s = 8.10 kg</td><td>below all</td><td>&lt; 0.1 %</td>",
                         "What this data can tell apart",
-                        "However strong they are",
+                        "Unless they are very strong",
                         "What could have been missed",
                         "<td>0.012</td>",
                         "What to measure next",
@@ -145,7 +145,7 @@ class ReportTest {
         Diagnosis untried = Diagnoses.stopped(Diagnoses.untried(Diagnoses.unexplained()));
         assertThat(untried.isUntried()).isTrue();
         assertThat(page(untried))
-                .contains("Stopped before any cause was tried: nothing can be said")
+                .contains("Stopped before any cause was fitted: nothing can be said")
                 .doesNotContain("<h2>Causes that were tried</h2>")
                 .doesNotContain("No set of causes tried so far leaves");
     }

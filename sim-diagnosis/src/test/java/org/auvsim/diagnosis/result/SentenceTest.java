@@ -76,7 +76,7 @@ class SentenceTest {
                             + " cause tried so far explains; it shows most in the position along x,"
                             + " at 3.00 s of run1; the best of these take 40.0 % of it away;")
                 .doesNotContain("known");
-        assertThat(Sentence.stoppedAtOnce()).startsWith("Stopped before any cause was tried");
+        assertThat(Sentence.stoppedAtOnce()).startsWith("Stopped before any cause was fitted");
     }
 
     @Test

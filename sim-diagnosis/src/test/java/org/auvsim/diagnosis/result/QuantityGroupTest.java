@@ -1,0 +1,31 @@
+package org.auvsim.diagnosis.result;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+
+class QuantityGroupTest {
+    private static String text(List<Double> values, List<Double> deviations) {
+        return new QuantityGroup("u", "m/s", values.size() > 1, values, deviations).text();
+    }
+
+    @Test
+    void aVectorHasItsDeviationsAndItsUnit() {
+        assertThat(text(List.of(0.12, -0.07, 0.3), List.of(0.01, 0.01, 0.2)))
+                .isEqualTo("(0.120 +- 0.010, -0.070 +- 0.010, 0.3 +- 0.2) m/s");
+    }
+
+    /** A boat of which the height is not measured. */
+    @Test
+    void ofAComponentThatTheDataDoesNotTellNoNumberIsTold() {
+        assertThat(text(List.of(0.12, -0.07, 231.0), List.of(0.01, 0.01, 3e5)))
+                .isEqualTo("(0.120 +- 0.010, -0.070 +- 0.010, not determined) m/s");
+    }
+
+    @Test
+    void whereNothingIsSureAllIsTold() {
+        assertThat(text(List.of(0.12, 1.0), List.of(2.0, 30.0))).doesNotContain("not determined");
+    }
+}

@@ -1,8 +1,5 @@
 package org.auvsim.core.reference;
 
-import org.apache.commons.math3.analysis.solvers.AllowedSolution;
-import org.apache.commons.math3.analysis.solvers.BracketingNthOrderBrentSolver;
-
 /**
  * Two bodies on their free flights, and when they come near each other. Where the gap is wide the
  * search leaps ahead by what the speeds allow; where it is narrow it looks every {@value #FINEST} s
@@ -10,7 +7,7 @@ import org.apache.commons.math3.analysis.solvers.BracketingNthOrderBrentSolver;
  */
 final class Encounter {
     private static final double FINEST = 1e-5;
-    private static final int MOST_TRIES = 200;
+    private static final int HALVINGS = 36;
 
     private final Flight flightA;
     private final Solid a;
@@ -117,10 +114,17 @@ final class Encounter {
         return (low + high) / 2;
     }
 
-    /** When the gap comes to be at most the margin (s), which it is not at first. */
     private double crossing(double margin, double apart, double within) {
-        double exact = (within - apart) * 0x1p-36;
-        return new BracketingNthOrderBrentSolver(0, exact, 0, 3)
-                .solve(MOST_TRIES, t -> gap(t) - margin, apart, within, AllowedSolution.BELOW_SIDE);
+        double low = apart;
+        double high = within;
+        for (int i = 0; i < HALVINGS; i++) {
+            double middle = (low + high) / 2;
+            if (gap(middle) <= margin) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        return high;
     }
 }

@@ -22,9 +22,7 @@ public final class FileTrouble {
     /** A file that should have been written. */
     public static UserError writing(Path file, IOException e) {
         return new UserError(
-                "Cannot write %s: %s."
-                        .formatted(file, reason(file, e, "its folder does not exist")),
-                e);
+                "Cannot write %s: %s.".formatted(file, reason(file, e, noFolder(file))), e);
     }
 
     private static String noFolder(Path file) {

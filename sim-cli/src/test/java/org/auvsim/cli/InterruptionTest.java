@@ -115,7 +115,7 @@ class InterruptionTest {
         }
         assertThat(folder.resolve("out.txt"))
                 .content()
-                .matches("(?s)Stopped before (the end; the best so far|any cause was tried): .*");
+                .matches("(?s)Stopped before (the end; the best so far|any cause was fitted): .*");
         assertThat(folder.resolve("report").resolve("diagnosis.json"))
                 .content()
                 .contains("\"complete\" : false");

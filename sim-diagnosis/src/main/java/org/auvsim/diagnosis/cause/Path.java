@@ -1,6 +1,5 @@
 package org.auvsim.diagnosis.cause;
 
-import org.auvsim.core.entity.Mount;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.run.Channel;
@@ -33,9 +32,6 @@ record Path(
     private static final int LOOKS = 200;
     private static final double SLOWEST = 1e-3;
     private static final double SHORTEST = 1e-2;
-
-    /** A way that is free has no less than this along an axis. */
-    private static final double HELD = 1e-9;
 
     private static final List<Vec3> AXES =
             List.of(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1));
@@ -81,19 +77,12 @@ record Path(
         for (int axis = 0; axis < 3; axis++) {
             place[axis] = run.value(Channel.POSITION, k, axis);
             isMeasured |= !Double.isNaN(place[axis]);
-            if (Double.isNaN(place[axis]) && !isFree(body, AXES.get(axis))) {
+            if (Double.isNaN(place[axis]) && !Setting.goes(body, AXES.get(axis))) {
                 place[axis] = body.position().dot(AXES.get(axis));
             }
         }
         Vec3 at = new Vec3(place[0], place[1], place[2]);
         return isMeasured && Double.isFinite(at.norm()) ? Optional.of(at) : Optional.empty();
-    }
-
-    private static boolean isFree(WorldObjectDefinition body, Vec3 axis) {
-        return body.mount()
-                .map(Mount::freeTranslations)
-                .map(ways -> ways.stream().anyMatch(way -> Math.abs(way.dot(axis)) > HELD))
-                .orElse(true);
     }
 
     private static double speed(MeasuredRun run, int from, int to) {

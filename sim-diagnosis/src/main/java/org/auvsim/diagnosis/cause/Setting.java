@@ -7,6 +7,7 @@ import org.auvsim.core.entity.Actuator;
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Component;
 import org.auvsim.core.entity.Frame;
+import org.auvsim.core.entity.Mount;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Mat3;
@@ -29,6 +30,9 @@ import java.util.List;
 record Setting(BelievedModel model, List<MeasuredRun> runs, Path path, double rate) {
     private static final double SLOWEST_TURN = 0.05;
 
+    /** What goes along a free way by less (sine) is held. */
+    private static final double HELD = 1e-6;
+
     static Setting of(BelievedModel model, List<MeasuredRun> runs) {
         Path path = Path.of(runs, model.variant().body());
         return new Setting(model, runs, path, Math.max(SLOWEST_TURN, Turning.rate(runs)));
@@ -45,6 +49,14 @@ record Setting(BelievedModel model, List<MeasuredRun> runs, Path path, double ra
     /** Whether the body is believed to float: it has buoyancy, or nothing pulls it down. */
     boolean floats() {
         return has(body(), Buoyancy.class) || !has(body(), Gravity.class);
+    }
+
+    /** Whether what holds a body lets its origin move along a direction (world). */
+    static boolean goes(WorldObjectDefinition body, Vec3 direction) {
+        return body.mount()
+                .map(Mount::freeTranslations)
+                .map(ways -> ways.stream().anyMatch(way -> Math.abs(way.dot(direction)) > HELD))
+                .orElse(true);
     }
 
     static boolean has(WorldObjectDefinition body, Class<?> effect) {

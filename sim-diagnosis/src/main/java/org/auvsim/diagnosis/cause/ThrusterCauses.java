@@ -4,7 +4,6 @@ import org.auvsim.core.actuator.Condition;
 import org.auvsim.core.actuator.Failure;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.Component;
-import org.auvsim.core.entity.Mount;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.Variant;
@@ -19,9 +18,6 @@ import java.util.function.UnaryOperator;
 final class ThrusterCauses {
     /** Steeper than this (sine) a propulsor's direction counts as up or down. */
     private static final double STEEP = 0.9;
-
-    /** What goes along a free way by less (sine) is held. */
-    private static final double HELD = 1e-6;
 
     private static final int FAILURES = 8;
     private static final Vec3 UP = new Vec3(0, 0, 1);
@@ -98,11 +94,7 @@ final class ThrusterCauses {
      */
     private static boolean pushesElsewhere(Setting s, Propulsor p, Vec3 axis) {
         Vec3 aside = s.body().orientation().rotate(axis.cross(p.direction()));
-        return s.body()
-                .mount()
-                .map(Mount::freeTranslations)
-                .map(ways -> ways.stream().anyMatch(way -> Math.abs(way.dot(aside)) > HELD))
-                .orElse(true);
+        return Setting.goes(s.body(), aside);
     }
 
     private static Change turned(String name, Predicate<Propulsor> which, Vec3 axis) {

@@ -102,16 +102,21 @@ final class CurrentCauses {
                                         new Vec3(t[0], t[1], 0))));
     }
 
+    /**
+     * Its circulation is searched for as the speed of its water along the path, on average: that is
+     * nearly the same wherever the vortex may be.
+     */
     private static Cause vortex(Setting s, double scale) {
-        double range = s.path().range();
+        Path path = s.path();
+        double range = path.range();
         List<Parameter> parameters =
                 List.of(
                         Parameter.signed("centre.x", "m", 0.1 * range),
                         Parameter.signed("centre.y", "m", 0.1 * range),
-                        Parameter.signed("gamma", "m^2/s", 2 * Math.PI * range * scale),
+                        Parameter.signed("speed", "m/s", scale),
                         new Parameter("core", "m", 0.1 * range, 0.01 * range, 10 * range));
         List<Guess> guesses = new ArrayList<>();
-        Vec3 low = s.path().centre().minus(new Vec3(range, range, 0).times(0.75));
+        Vec3 low = path.centre().minus(new Vec3(range, range, 0).times(0.75));
         for (int i = 0; i < VORTICES; i++) {
             for (int j = 0; j < VORTICES; j++) {
                 for (double core : CORES) {
@@ -131,9 +136,28 @@ final class CurrentCauses {
                                                 name(s, v),
                                                 t[0],
                                                 t[1],
-                                                t[2],
+                                                circulation(path, t),
                                                 t[3],
                                                 VortexProfile.KAUFMANN)))
-                .from(guesses);
+                .from(guesses)
+                .told(
+                        t ->
+                                List.of(
+                                        new Quantity("centre.x", "m", t[0]),
+                                        new Quantity("centre.y", "m", t[1]),
+                                        new Quantity("gamma", "m^2/s", circulation(path, t)),
+                                        new Quantity("core", "m", t[3])));
+    }
+
+    private static double circulation(Path path, double[] theta) {
+        return theta[2]
+                / path.mean(
+                        p -> {
+                            double x = p.x() - theta[0];
+                            double y = p.y() - theta[1];
+                            double square = x * x + y * y;
+                            double beside = square + theta[3] * theta[3];
+                            return Math.sqrt(square) / (2 * Math.PI * beside);
+                        });
     }
 }

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 
 /**
  * Where bodies went in runs.
@@ -129,6 +130,14 @@ record Path(
     /** Half the diagonal of that box (m). */
     double radius() {
         return Math.max(SHORTEST, high.minus(low).norm() / 2);
+    }
+
+    /** The mean of something over its places; where there are none, that at its middle. */
+    double mean(ToDoubleFunction<Vec3> of) {
+        return places.stream()
+                .mapToDouble(of)
+                .average()
+                .orElseGet(() -> of.applyAsDouble(centre()));
     }
 
     /** The distance from a point that a share of the places is nearer than (m). */

@@ -21,19 +21,25 @@ final class PlaceCauses {
         return s.path().places().isEmpty() ? List.of() : List.of(magnet(s), tether(s));
     }
 
+    /**
+     * Its strength is searched for as the force that it exerts along the path, on average: that is
+     * nearly the same wherever the source may be, while the strength goes by the fourth power of
+     * its distance.
+     */
     private static Cause magnet(Setting s) {
-        double r = s.path().radius();
+        Path path = s.path();
+        double r = path.radius();
         List<Parameter> parameters =
-                new ArrayList<>(Parameter.vector("source", "m", 0.05 * s.path().range()));
-        parameters.add(Parameter.signed("strength", "N m^4", s.force() * r * r * r * r));
+                new ArrayList<>(Parameter.vector("source", "m", 0.05 * path.range()));
+        parameters.add(Parameter.signed("pull", "N", s.force()));
         List<Guess> guesses = new ArrayList<>();
         for (double distance : DISTANCES) {
             for (Vec3 way : directions()) {
-                Vec3 p = s.path().centre().plus(way.times(distance * r));
+                Vec3 p = path.centre().plus(way.times(distance * r));
                 guesses.add(Change.guess(parameters, new double[] {p.x(), p.y(), p.z(), 0}, 3));
             }
         }
-        double closest = 0.005 * s.path().range();
+        double closest = 0.005 * path.range();
         return Change.of(
                         "magnetic",
                         parameters,
@@ -42,10 +48,32 @@ final class PlaceCauses {
                                         b ->
                                                 b.effect(
                                                         new MagneticAttraction(
-                                                                t[3],
-                                                                new Vec3(t[0], t[1], t[2]),
+                                                                strength(path, t, closest),
+                                                                place(t),
                                                                 closest))))
-                .from(guesses);
+                .from(guesses)
+                .told(
+                        t ->
+                                List.of(
+                                        new Quantity("source.x", "m", t[0]),
+                                        new Quantity("source.y", "m", t[1]),
+                                        new Quantity("source.z", "m", t[2]),
+                                        new Quantity(
+                                                "strength", "N m^4", strength(path, t, closest))));
+    }
+
+    private static Vec3 place(double[] theta) {
+        return new Vec3(theta[0], theta[1], theta[2]);
+    }
+
+    private static double strength(Path path, double[] theta, double closest) {
+        Vec3 source = place(theta);
+        return theta[3]
+                / path.mean(
+                        p -> {
+                            double distance = Math.max(closest, p.distance(source));
+                            return 1 / (distance * distance * distance * distance);
+                        });
     }
 
     /** To the middles of the faces, edges and corners of a cube. */
@@ -63,24 +91,26 @@ final class PlaceCauses {
         return directions;
     }
 
+    /** In place of its length is searched for by how much the path is beyond it, on average. */
     private static Cause tether(Setting s) {
         Path path = s.path();
         double range = path.range();
         List<Parameter> parameters = new ArrayList<>(Parameter.vector("anchor", "m", 0.05 * range));
-        parameters.add(new Parameter("length", "m", 0.05 * range, 0, 100 * range));
+        parameters.add(Parameter.signed("extension", "m", 0.05 * range));
         parameters.add(Parameter.positive("k", "N/m", s.force() / range));
         List<Guess> guesses = new ArrayList<>();
         for (int i = -1; i <= 1; i++) {
             for (int j = -1; j <= 1; j++) {
                 for (int up = -1; up <= 1; up += 2) {
                     Vec3 anchor = path.centre().plus(new Vec3(i, j, up * 0.5).times(0.6 * range));
+                    double distance = path.mean(anchor::distance);
                     for (double share : SLACK) {
-                        double length = path.quantile(anchor, share);
+                        double extension = distance - path.quantile(anchor, share);
                         guesses.add(
                                 Change.guess(
                                         parameters,
                                         new double[] {
-                                            anchor.x(), anchor.y(), anchor.z(), length, 0
+                                            anchor.x(), anchor.y(), anchor.z(), extension, 0
                                         },
                                         4));
                     }
@@ -95,11 +125,23 @@ final class PlaceCauses {
                                         b ->
                                                 b.effect(
                                                         new Mooring(
-                                                                new Vec3(t[0], t[1], t[2]),
+                                                                place(t),
                                                                 Vec3.ZERO,
-                                                                t[3],
+                                                                length(path, t),
                                                                 t[4],
                                                                 0))))
-                .from(guesses);
+                .from(guesses)
+                .told(
+                        t ->
+                                List.of(
+                                        new Quantity("anchor.x", "m", t[0]),
+                                        new Quantity("anchor.y", "m", t[1]),
+                                        new Quantity("anchor.z", "m", t[2]),
+                                        new Quantity("length", "m", length(path, t)),
+                                        new Quantity("k", "N/m", t[4])));
+    }
+
+    private static double length(Path path, double[] theta) {
+        return Math.max(0, path.mean(place(theta)::distance) - theta[3]);
     }
 }

@@ -23,7 +23,7 @@ final class Agreement {
             return true;
         }
         Fit fit = held.fit().knowing(Knowledge.NONE);
-        Judged free = Refinement.converge(Judged.of(fit), STEPS);
+        Judged free = Descent.of(fit).steps(STEPS);
         double excess = Math.max(1, held.cost() / held.outcome().count());
         double ratio = (held.cost() - free.cost()) / excess;
         return Whiteness.deviate(Math.max(0, ratio), parameters) < LIMIT;

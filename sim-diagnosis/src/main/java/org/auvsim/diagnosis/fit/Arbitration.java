@@ -40,7 +40,7 @@ final class Arbitration {
     /** The deviance of all runs, each by what the others make of the model, whatever its start. */
     private static double leftOut(Judged judged, Course course) {
         double sum = judged.fit().hypothesis().price(); // a cause more has to be worth it here, too
-        for (Judged prediction : LeaveOneOut.predictions(judged, course)) {
+        for (Judged prediction : new LeaveOneOut(judged, course).predictions()) {
             sum += prediction.outcome().deviance() + Starts.fineness(prediction.fit());
         }
         return sum;

@@ -148,11 +148,12 @@ public final class Examination {
             Search.Found all =
                     new Search(model, allRuns(), causes, contest, course.more(ALL_SEARCHED))
                             .found();
-            if (isConvincing(all, found) && judgement.isNews(all)) {
-                return diagnosis(judgement.convinced(all), true);
+            LeaveOneOut turns = new LeaveOneOut(all.best(), course);
+            if (isConvincing(all, found, turns) && judgement.isNews(all)) {
+                return diagnosis(judgement.convinced(all), Optional.of(turns));
             }
         }
-        return diagnosis(judgement.orAsBelieved(), false);
+        return diagnosis(judgement.orAsBelieved(), Optional.empty());
     }
 
     /**
@@ -172,13 +173,13 @@ public final class Examination {
      * Whether what all runs say can be believed, though none was held out: what had to be given up
      * for it must be made up for by each run, left out in turn, where they can judge one another.
      */
-    private boolean isConvincing(Search.Found all, Search.Found ofFit) {
+    private boolean isConvincing(Search.Found all, Search.Found ofFit, LeaveOneOut turns) {
         Judged best = all.best();
         return !best.isNone()
                 && best.isWhite()
                 && (ofFit.best().isNone()
                         || !LeaveOneOut.canJudge(allRuns())
-                        || Trial.holdsLeftOut(all.none(), best, course));
+                        || Trial.holdsLeftOut(all.none(), best, turns));
     }
 
     private List<MeasuredRun> allRuns() {
@@ -190,9 +191,10 @@ public final class Examination {
     /**
      * What was found, in all its parts.
      *
-     * @param usedHeldOut whether the fit runs alone had nothing to say and all were searched with
+     * @param turns where the fit runs alone had nothing to say and all were searched with
      */
-    private Diagnosis diagnosis(Judgement judgement, boolean usedHeldOut) {
+    private Diagnosis diagnosis(Judgement judgement, Optional<LeaveOneOut> turns) {
+        boolean usedHeldOut = turns.isPresent();
         Search.Found found = judgement.found();
         Trial trial = judgement.trial();
         Judged best = found.best();
@@ -208,9 +210,8 @@ public final class Examination {
                         .map(other -> Alternatives.alternative(best, other))
                         .toList();
         Map<Channel, Gain> gains =
-                usedHeldOut
-                        ? Trial.leftOut(found.none(), best, found.noise(), course)
-                        : trial.gains(before, after);
+                turns.map(of -> Trial.leftOut(asBelieved(found), of, found.noise()))
+                        .orElseGet(() -> trial.gains(before, after));
         Optional<Discrepancy> discrepancy =
                 verdict == Verdict.UNEXPLAINED
                         ? Optional.of(Misfit.largest(best, share))
@@ -244,6 +245,10 @@ public final class Examination {
                 notices(found, verdict, gains),
                 seed,
                 course.goesOn());
+    }
+
+    private LeaveOneOut asBelieved(Search.Found found) {
+        return new LeaveOneOut(found.none(), course);
     }
 
     private static String explained(

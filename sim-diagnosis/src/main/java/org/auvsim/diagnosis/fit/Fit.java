@@ -165,7 +165,11 @@ record Fit(
 
     /** What that misses. */
     Outcome outcome() {
-        List<RigidMotion[]> motions = motions();
+        return outcome(motions());
+    }
+
+    /** The same where the motion of each run is known. */
+    Outcome outcome(List<RigidMotion[]> motions) {
         Variant variant = variant();
         List<double[]> misses = new ArrayList<>();
         double prior = knowledge.cost(hypothesis.numbers());

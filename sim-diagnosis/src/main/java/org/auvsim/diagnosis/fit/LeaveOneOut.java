@@ -11,7 +11,21 @@ import java.util.List;
 final class LeaveOneOut {
     private static final int STEPS = 6;
 
-    private LeaveOneOut() {}
+    private final Judged judged;
+    private final Course course;
+
+    /** By run: fitted to all others. */
+    private final List<Judged> others = new ArrayList<>();
+
+    /**
+     * Of a model that was fitted to all runs.
+     *
+     * @param course once it was told to stop, some are as all runs together have it
+     */
+    LeaveOneOut(Judged judged, Course course) {
+        this.judged = judged;
+        this.course = course;
+    }
 
     /**
      * Whether runs can judge one another. Parts of one run whose start is known cannot: what that
@@ -24,17 +38,12 @@ final class LeaveOneOut {
                         || runs.stream().anyMatch(run -> !run.whole().equals(first)));
     }
 
-    /**
-     * The hypothesis as fitted to all runs but one, and that one predicted by it, for each; told to
-     * stop, some as all runs together have it.
-     */
-    static List<Judged> predictions(Judged judged, Course course) {
+    /** The hypothesis as fitted to all runs but one, and that one predicted by it, for each. */
+    List<Judged> predictions() {
         List<Judged> predictions = new ArrayList<>();
-        for (int r = 0; r < judged.fit().data().size(); r++) {
-            Judged others = converged(without(judged.fit(), r), course);
+        for (int r = 0; r < runs(); r++) {
             Fit alone = only(judged.fit(), r);
-            Fit settled = alone.with(others.fit().hypothesis().settled(), alone.windows());
-            predictions.add(converged(settled, course));
+            predictions.add(converged(alone.with(ofOthers(r).settled(), alone.windows())));
         }
         return predictions;
     }
@@ -43,20 +52,36 @@ final class LeaveOneOut {
      * The same, but its parameters may move within what the others leave open: a run may tell more
      * of them than all others.
      */
-    static List<Judged> adjusted(Judged judged, Course course) {
+    List<Judged> adjusted() {
         List<Judged> predictions = new ArrayList<>();
-        for (int r = 0; r < judged.fit().data().size(); r++) {
-            Judged others = converged(without(judged.fit(), r), course);
-            Knowledge known = new Uncertainty(others).knowledge();
+        for (int r = 0; r < runs(); r++) {
+            Hypothesis hypothesis = others(r).fit().hypothesis();
+            Knowledge known = new Uncertainty(others(r)).knowledge();
             Fit alone = only(judged.fit(), r);
-            Fit open = alone.with(others.fit().hypothesis(), alone.windows()).knowing(known);
-            predictions.add(converged(open, course));
+            predictions.add(converged(alone.with(hypothesis, alone.windows()).knowing(known)));
         }
         return predictions;
     }
 
-    private static Judged converged(Fit fit, Course course) {
-        return Refinement.converge(Judged.of(fit), STEPS, Double.POSITIVE_INFINITY, course);
+    private int runs() {
+        return judged.fit().data().size();
+    }
+
+    /** The hypothesis as all runs but one have it. */
+    private Hypothesis ofOthers(int run) {
+        Hypothesis ofAll = judged.fit().hypothesis();
+        return ofAll.size() == 0 ? ofAll : others(run).fit().hypothesis();
+    }
+
+    private Judged others(int run) {
+        while (others.size() <= run) {
+            others.add(converged(without(judged.fit(), others.size())));
+        }
+        return others.get(run);
+    }
+
+    private Judged converged(Fit fit) {
+        return Descent.of(fit).steps(STEPS, Double.POSITIVE_INFINITY, course);
     }
 
     /** Root mean square error of a channel over all predictions, in its unit. */

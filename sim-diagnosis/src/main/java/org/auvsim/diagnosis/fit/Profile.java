@@ -24,17 +24,20 @@ final class Profile {
     private static final double MOST_STRETCH = 3;
 
     private final Judged fitted;
+    private final Tangents tangents;
     private final RealMatrix covariance;
     private final double excess;
 
     /**
      * Of a fit that has converged.
      *
+     * @param tangents there
      * @param covariance of its parameters, at the optimum
      * @param excess what a squared standard deviation comes to in cost
      */
-    Profile(Judged fitted, RealMatrix covariance, double excess) {
+    Profile(Judged fitted, Tangents tangents, RealMatrix covariance, double excess) {
         this.fitted = fitted;
+        this.tangents = tangents;
         this.covariance = covariance;
         this.excess = excess;
     }
@@ -83,6 +86,6 @@ final class Profile {
                 fitted.fit()
                         .with(moved, fitted.fit().windows())
                         .knowing(Knowledge.of(moved.numbers(), parameter, GIVE * deviation));
-        return Optional.of(Refinement.converge(Judged.of(fit), STEPS));
+        return Optional.of(Descent.of(fit).near(tangents).steps(STEPS));
     }
 }

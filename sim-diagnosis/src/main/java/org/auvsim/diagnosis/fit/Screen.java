@@ -179,7 +179,7 @@ final class Screen {
             hypothesis = hypothesis.and(seed.cause(), seed.solved(factors));
             at += columns.length;
         }
-        Fit fit = base.with(hypothesis, Refinement.windows(blocks, change));
+        Fit fit = base.with(hypothesis, Step.windows(blocks, change));
         return new Start(fit, Math.min(2 * perBlock, base.longest()), promise.score());
     }
 

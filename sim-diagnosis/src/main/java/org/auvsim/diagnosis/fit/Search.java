@@ -99,7 +99,7 @@ final class Search {
 
         private Judged fitted(Hypothesis hypothesis) {
             Fit fit = best.fit().with(hypothesis, best.fit().windows());
-            return Refinement.converge(Judged.of(fit), Tournament.TO_THE_END);
+            return Descent.of(fit).steps(Tournament.TO_THE_END);
         }
     }
 
@@ -121,8 +121,8 @@ final class Search {
     private Found inTheseSteps() {
         course.at("fitting the model as it is", 0.1);
         Judged none =
-                Refinement.converge(
-                        Refinement.approach(base, 1), NONE_STEPS, Double.POSITIVE_INFINITY, course);
+                Descent.of(Refinement.approach(base, 1))
+                        .steps(NONE_STEPS, Double.POSITIVE_INFINITY, course);
         return new Selection(base, none, noise, library, contest, course).found();
     }
 }

@@ -116,7 +116,7 @@ final class Tournament {
     }
 
     private Near nearer(Judged judged, int steps, double toBeat) {
-        return new Near(Refinement.converge(judged, steps, toBeat, course), false);
+        return new Near(Descent.of(judged).steps(steps, toBeat, course), false);
     }
 
     /** The best score there is, and what may be of interest beside it. */

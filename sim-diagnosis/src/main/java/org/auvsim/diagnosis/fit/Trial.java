@@ -35,7 +35,7 @@ final class Trial {
     /** Held-out runs from starts of their own, the hypothesis as it is. */
     Judged prediction(Hypothesis hypothesis) {
         Fit fit = Following.of(stepping, hypothesis.settled(), data, noise);
-        return Refinement.converge(Refinement.approach(fit, 1), STEPS);
+        return Descent.of(Refinement.approach(fit, 1)).steps(STEPS);
     }
 
     /**
@@ -46,7 +46,7 @@ final class Trial {
      */
     static Judged adjusted(Judged fitted, Judged predicted, Knowledge known) {
         Fit fit = predicted.fit().with(fitted.fit().hypothesis(), predicted.fit().windows());
-        return Refinement.converge(Judged.of(fit.knowing(known)), STEPS);
+        return Descent.of(fit.knowing(known)).steps(STEPS);
     }
 
     /**
@@ -71,9 +71,10 @@ final class Trial {
      * of them alone asks for the causes.
      *
      * @param none the model as it was believed, fitted to the same runs
+     * @param turns of what was fitted
      */
-    static boolean holdsLeftOut(Judged none, Judged fitted, Course course) {
-        List<Judged> predictions = LeaveOneOut.adjusted(fitted, course);
+    static boolean holdsLeftOut(Judged none, Judged fitted, LeaveOneOut turns) {
+        List<Judged> predictions = turns.adjusted();
         return !restsOnOneRun(none, fitted)
                 && isConfirmed(none.outcome().misses(), predictions, fitted)
                 && predictions.stream().allMatch(prediction -> holds(prediction, fitted));
@@ -121,9 +122,9 @@ final class Trial {
     }
 
     /** Those of leaving each run out in turn, where all were searched with. */
-    static Map<Channel, Gain> leftOut(Judged before, Judged after, Noise noise, Course course) {
-        List<Judged> without = LeaveOneOut.predictions(before, course);
-        List<Judged> with = LeaveOneOut.predictions(after, course);
+    static Map<Channel, Gain> leftOut(LeaveOneOut before, LeaveOneOut after, Noise noise) {
+        List<Judged> without = before.predictions();
+        List<Judged> with = after.predictions();
         Map<Channel, Gain> gains = new EnumMap<>(Channel.class);
         for (Channel channel : noise.byChannel().keySet()) {
             gains.put(

@@ -39,9 +39,7 @@ final class Tried {
             for (int c = 0; hypothesis.causes().size() > 1 && c < hypothesis.causes().size(); c++) {
                 Fit fewer = best.fit().with(hypothesis.without(c), best.fit().windows());
                 double toBeat = best.score() + Tournament.BESIDE;
-                Judged without =
-                        Refinement.converge(
-                                Judged.of(fewer), Tournament.TO_THE_END, toBeat, course);
+                Judged without = Descent.of(fewer).steps(Tournament.TO_THE_END, toBeat, course);
                 judged.add(without);
                 if (without.score() < best.score()) {
                     best = without;

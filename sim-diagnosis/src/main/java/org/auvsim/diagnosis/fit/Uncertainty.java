@@ -19,6 +19,7 @@ final class Uncertainty {
     private static final double RIDGE = 1e-10;
 
     private final Judged fitted;
+    private final Tangents tangents;
     private final double[][] information;
     private final double excess;
 
@@ -28,7 +29,8 @@ final class Uncertainty {
         Fit fit = fitted.fit();
         int size = fit.hypothesis().size();
         int[] all = IntStream.range(0, size).toArray();
-        Gram gram = Gram.of(fit.blocks(fit.derivatives(), 1), size);
+        tangents = Tangents.of(Simulated.of(fit));
+        Gram gram = Gram.of(fit.blocks(tangents.derivatives(), 1), size);
         information = gram.information(all);
         excess = Math.max(1, fitted.cost() / fitted.outcome().count());
         for (double[] row : information) {
@@ -72,7 +74,7 @@ final class Uncertainty {
     /** Standard deviations of the quantities of all causes, as profiled. */
     List<List<Double>> deviations() {
         RealMatrix covariance = covariance();
-        double[] stretches = new Profile(fitted, covariance, excess).stretches();
+        double[] stretches = new Profile(fitted, tangents, covariance, excess).stretches();
         for (int i = 0; i < stretches.length; i++) {
             for (int j = 0; j < stretches.length; j++) {
                 covariance.multiplyEntry(i, j, stretches[i] * stretches[j]);

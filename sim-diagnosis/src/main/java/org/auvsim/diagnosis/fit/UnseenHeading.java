@@ -150,6 +150,6 @@ final class UnseenHeading {
     private Judged whole(Misses of, List<Window> windows) {
         Fit fit = new Fit(stepping, List.of(of), hypothesis, List.of(windows), Knowledge.NONE);
         Judged near = Refinement.approach(fit, 1, Double.POSITIVE_INFINITY, course).judged();
-        return Refinement.converge(near, STEPS, Double.POSITIVE_INFINITY, course);
+        return Descent.of(near).steps(STEPS, Double.POSITIVE_INFINITY, course);
     }
 }

@@ -62,7 +62,38 @@ final class WindowBlock {
             at = next(window, at, isLast ? window.end : windows.get(w + 1).window.start());
         }
         chain.add(at);
-        triangulate();
+        triangulate(count);
+    }
+
+    /** The same; of its rows those of the start, which alone change, come first. */
+    private WindowBlock(WindowBlock of, double damping) {
+        model = of.model;
+        windows = of.windows;
+        columns = of.columns;
+        chain.addAll(of.chain);
+        int others = of.rows[0].length - START;
+        rows = new double[columns][2 * START + others];
+        for (int c = 0; c < columns; c++) {
+            System.arraycopy(of.rows[c], 0, rows[c], 0, START);
+            System.arraycopy(of.rows[c], START, rows[c], 2 * START, others);
+        }
+        for (int i = 0; i < START; i++) {
+            double square = 0;
+            for (int k = 0; k <= i; k++) {
+                square += of.rows[i][k] * of.rows[i][k];
+            }
+            rows[i][START + i] = Math.sqrt(damping * square);
+        }
+        triangulate(2 * START);
+    }
+
+    /**
+     * The same, its start held back.
+     *
+     * @param damping share of the size of each of its columns (Marquardt 1963)
+     */
+    WindowBlock damped(double damping) {
+        return new WindowBlock(this, damping);
     }
 
     private double[][] identity() {
@@ -135,9 +166,8 @@ final class WindowBlock {
         return next;
     }
 
-    /** Householder reflections on the columns of the start, applied to all. */
-    private void triangulate() {
-        int count = rows[0].length;
+    /** Householder reflections on the start's columns in the first rows, applied to all columns. */
+    private void triangulate(int count) {
         for (int c = 0; c < START; c++) {
             double[] pivot = rows[c];
             double norm = 0;

@@ -79,9 +79,26 @@ final class WindowDerivatives {
         this.endByParameter = endByParameter;
     }
 
+    private WindowDerivatives(
+            WindowDerivatives of, Window window, RigidMotion[] motion, double[] misses) {
+        this.window = window;
+        this.misses = misses;
+        this.motion = motion;
+        end = motion[window.length()];
+        byStart = of.byStart;
+        endByStart = of.endByStart;
+        byParameter = of.byParameter;
+        endByParameter = of.endByParameter;
+    }
+
     /** The same with derivatives by other parameters. */
     WindowDerivatives by(double[][] byParameter, double[][] endByParameter) {
         return new WindowDerivatives(this, byParameter, endByParameter);
+    }
+
+    /** The same derivatives where the window is elsewhere. */
+    WindowDerivatives at(Window elsewhere, RigidMotion[] itsMotion, double[] itsMisses) {
+        return new WindowDerivatives(this, elsewhere, itsMotion, itsMisses);
     }
 
     /** Whether its motion got out of all bounds. */

@@ -20,42 +20,51 @@ import java.util.function.ToDoubleFunction;
 /** How much better held-out runs are predicted. */
 final class GainTables {
     private final Diagnosis of;
-    private final String after;
+    private final List<String> models;
 
     /**
      * Tables of a diagnosis.
      *
-     * @param after name of the model that is not the believed one
+     * @param models names of the believed model and of the one that was found, if it is another
      */
-    GainTables(Diagnosis of, String after) {
+    GainTables(Diagnosis of, List<String> models) {
         this.of = of;
-        this.after = after;
+        this.models = models;
     }
 
     List<Block> byChannel() {
         if (of.heldOut().isEmpty()) {
             return List.of();
         }
+        List<String> heading = new ArrayList<>(models);
+        heading.addFirst("");
+        heading.addAll(List.of("noise", "unit"));
         List<List<String>> rows = new ArrayList<>();
         of.heldOut().forEach((channel, gain) -> rows.add(row(channel, gain)));
         return List.of(
                 new Table(
-                        List.of("", "as believed", after, "noise", "unit"),
+                        heading,
                         rows,
                         of.usedHeldOut()
                                 ? "Root mean square errors; the held-out runs had to be used for"
                                         + " the search, so each run was left out in turn."
-                                : "Root mean square errors of runs that nothing but their start was"
-                                        + " fitted to; no model gets below the noise."));
+                                : "Root mean square errors; each model begins each run where it"
+                                        + " fits it best, and nothing else is fitted to these runs."
+                                        + " No model gets below the noise."));
     }
 
-    private static List<String> row(Channel channel, Gain gain) {
-        return List.of(
-                Sentence.words(channel),
-                Numbers.rounded(gain.before()),
-                Numbers.rounded(gain.after()),
-                Numbers.rounded(gain.noise()),
-                Sentence.unit(channel));
+    private List<String> row(Channel channel, Gain gain) {
+        List<String> row = new ArrayList<>();
+        row.add(Sentence.words(channel));
+        errors(gain).forEach(error -> row.add(Numbers.rounded(error)));
+        row.add(Numbers.rounded(gain.noise()));
+        row.add(Sentence.unit(channel));
+        return row;
+    }
+
+    /** One for each model. */
+    private List<Double> errors(Gain gain) {
+        return List.of(gain.before(), gain.after()).subList(0, models.size());
     }
 
     List<Block> byHorizon() {
@@ -71,16 +80,20 @@ final class GainTables {
     }
 
     private Chart chart(Channel channel, List<HorizonGain> horizons) {
+        List<Curve> curves = new ArrayList<>();
+        for (int k = 0; k < models.size(); k++) {
+            int model = k;
+            curves.add(
+                    curve(models.get(k), Mark.LINE, channel, horizons, g -> errors(g).get(model)));
+        }
+        curves.add(curve("noise", Mark.DASHED, channel, horizons, Gain::noise));
         return new Chart(
                 "Error of the %s by how far ahead is predicted".formatted(Sentence.words(channel)),
                 "ahead (s)",
                 "error (%s)".formatted(Sentence.unit(channel)),
-                List.of(
-                        curve("as believed", Mark.LINE, channel, horizons, Gain::before),
-                        curve(after, Mark.LINE, channel, horizons, Gain::after),
-                        curve("noise", Mark.DASHED, channel, horizons, Gain::noise)),
+                curves,
                 "Predicted from eight states along each held-out run, each of them as the model "
-                        + after
+                        + models.getLast()
                         + " fits it; so few errors may lie below the noise.");
     }
 

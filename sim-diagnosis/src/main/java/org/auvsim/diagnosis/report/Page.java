@@ -76,7 +76,7 @@ final class Page {
     }
 
     private List<Block> gain() {
-        GainTables tables = new GainTables(of, after(of));
+        GainTables tables = new GainTables(of, names);
         return Stream.of(tables.byChannel(), tables.byHorizon()).flatMap(List::stream).toList();
     }
 

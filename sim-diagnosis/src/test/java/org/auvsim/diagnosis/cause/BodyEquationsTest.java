@@ -46,6 +46,7 @@ class BodyEquationsTest extends CauseEquationsContract {
                         "",
                         falling,
                         numbers(0.2),
+                        false,
                         new RigidBodyEquations(
                                 new Vector3D(1.2 * MASS, 1.2 * MASS, 1.2 * MASS), INERTIA, weight),
                         CauseCase.SMOOTH),
@@ -54,6 +55,7 @@ class BodyEquationsTest extends CauseEquationsContract {
                         "",
                         "",
                         numbers(0.4, -0.2, 0.1),
+                        false,
                         new RigidBodyEquations(
                                 new Vector3D(MASS, MASS, MASS),
                                 times(INERTIA, new Vector3D(1.4, 0.8, 1.1)),
@@ -64,6 +66,7 @@ class BodyEquationsTest extends CauseEquationsContract {
                         "",
                         "",
                         numbers(3, 5, 8),
+                        false,
                         new RigidBodyEquations(
                                 new Vector3D(MASS + 3, MASS + 5, MASS + 8), INERTIA, NOTHING),
                         CauseCase.SMOOTH));

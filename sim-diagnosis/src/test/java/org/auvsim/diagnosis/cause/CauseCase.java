@@ -15,6 +15,7 @@ import java.util.stream.DoubleStream;
  * @param subject what it is about; empty: nothing in particular
  * @param believed elements of the model's body
  * @param theta numbers of the cause
+ * @param areTold whether they are as people are told them, each of its own parameter alone
  * @param equations of the model and the cause together
  * @param error by which the two motions may differ
  */
@@ -23,6 +24,7 @@ record CauseCase(
         String subject,
         String believed,
         List<Double> theta,
+        boolean areTold,
         RigidBodyEquations equations,
         double error) {
     static final double MASS = 12;
@@ -39,17 +41,38 @@ record CauseCase(
     static CauseCase cause(String id, String believed, Push push, double... theta) {
         RigidBodyEquations body =
                 new RigidBodyEquations(new Vector3D(MASS, MASS, MASS), INERTIA, push);
-        return new CauseCase(id, "", believed, numbers(theta), body, SMOOTH);
+        return new CauseCase(id, "", believed, numbers(theta), false, body, SMOOTH);
     }
 
     /** The same about something. */
     static CauseCase about(String subject, CauseCase of) {
-        return new CauseCase(of.id, subject, of.believed, of.theta, of.equations, of.error);
+        return new CauseCase(
+                of.id, subject, of.believed, of.theta, of.areTold, of.equations, of.error);
     }
 
     /** The same of what jumps. */
     static CauseCase loosely(CauseCase of) {
-        return new CauseCase(of.id, of.subject, of.believed, of.theta, of.equations, JUMPING);
+        return new CauseCase(
+                of.id, of.subject, of.believed, of.theta, of.areTold, of.equations, JUMPING);
+    }
+
+    /** The same, its numbers as people are told them. */
+    static CauseCase told(CauseCase of) {
+        return new CauseCase(
+                of.id, of.subject, of.believed, of.theta, true, of.equations, of.error);
+    }
+
+    /** Numbers of a cause that are told so: what is told of each grows with it evenly. */
+    double[] theta(Cause cause) {
+        double[] theta = this.theta.stream().mapToDouble(x -> x).toArray();
+        for (int i = 0; areTold && i < theta.length; i++) {
+            theta[i] = 0;
+            double atZero = cause.quantities(theta).get(i).value();
+            theta[i] = 1;
+            double atOne = cause.quantities(theta).get(i).value();
+            theta[i] = (this.theta.get(i) - atZero) / (atOne - atZero);
+        }
+        return theta;
     }
 
     static List<Double> numbers(double... theta) {

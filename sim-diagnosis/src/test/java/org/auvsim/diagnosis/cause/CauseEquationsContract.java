@@ -35,8 +35,7 @@ abstract class CauseEquationsContract {
                         .filter(one -> one.subject().orElse("").equals(c.subject()))
                         .findFirst()
                         .orElseThrow();
-        Variant variant =
-                cause.in(model.variant(), c.theta().stream().mapToDouble(x -> x).toArray());
+        Variant variant = cause.in(model.variant(), c.theta(cause));
         RigidMotion[] motion =
                 Ensemble.simulate(
                         model,

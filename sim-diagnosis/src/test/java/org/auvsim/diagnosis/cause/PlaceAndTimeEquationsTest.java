@@ -4,6 +4,7 @@ import static org.auvsim.diagnosis.cause.CauseCase.G;
 import static org.auvsim.diagnosis.cause.CauseCase.cause;
 import static org.auvsim.diagnosis.cause.CauseCase.force;
 import static org.auvsim.diagnosis.cause.CauseCase.loosely;
+import static org.auvsim.diagnosis.cause.CauseCase.told;
 
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 
@@ -16,32 +17,34 @@ class PlaceAndTimeEquationsTest extends CauseEquationsContract {
         Vector3D source = new Vector3D(2, 0.5, -1);
         Vector3D push = new Vector3D(3, -2, 1);
         return Stream.of(
-                cause(
-                        "magnetic",
-                        "",
-                        force(
-                                n -> {
-                                    Vector3D d = source.subtract(n.place());
-                                    return d.scalarMultiply(7 / Math.pow(d.getNorm(), 5));
-                                }),
-                        2,
-                        0.5,
-                        -1,
-                        7),
-                cause(
-                        "tether_spring",
-                        "",
-                        force(
-                                n -> {
-                                    Vector3D d = source.subtract(n.place());
-                                    double beyond = Math.max(0, d.getNorm() - 0.8);
-                                    return d.scalarMultiply(6 * beyond / d.getNorm());
-                                }),
-                        2,
-                        0.5,
-                        -1,
-                        0.8,
-                        6),
+                told(
+                        cause(
+                                "magnetic",
+                                "",
+                                force(
+                                        n -> {
+                                            Vector3D d = source.subtract(n.place());
+                                            return d.scalarMultiply(7 / Math.pow(d.getNorm(), 5));
+                                        }),
+                                2,
+                                0.5,
+                                -1,
+                                7)),
+                told(
+                        cause(
+                                "tether_spring",
+                                "",
+                                force(
+                                        n -> {
+                                            Vector3D d = source.subtract(n.place());
+                                            double beyond = Math.max(0, d.getNorm() - 0.8);
+                                            return d.scalarMultiply(6 * beyond / d.getNorm());
+                                        }),
+                                2,
+                                0.5,
+                                -1,
+                                0.8,
+                                6)),
                 cause(
                         "wave_forcing",
                         "",

@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.cause;
 import static org.auvsim.diagnosis.cause.CauseCase.cause;
 import static org.auvsim.diagnosis.cause.CauseCase.drag;
 import static org.auvsim.diagnosis.cause.CauseCase.force;
+import static org.auvsim.diagnosis.cause.CauseCase.told;
 
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.auvsim.diagnosis.cause.RigidBodyEquations.Load;
@@ -87,23 +88,27 @@ class WaterEquationsTest extends CauseEquationsContract {
                                                                 new Vector3D(0.2, -0.1, 0)))),
                         0.2,
                         -0.1),
-                cause(
-                        "current_vortex",
-                        dragged,
-                        force(
-                                n -> {
-                                    double x = n.place().getX() - 1;
-                                    double y = n.place().getY() + 2;
-                                    double rate = 6 / (2 * Math.PI * (x * x + y * y + 0.25));
-                                    return drag(
-                                            5,
-                                            n.velocity()
-                                                    .subtract(
-                                                            new Vector3D(-rate * y, rate * x, 0)));
-                                }),
-                        1,
-                        -2,
-                        6,
-                        0.5));
+                told(
+                        cause(
+                                "current_vortex",
+                                dragged,
+                                force(
+                                        n -> {
+                                            double x = n.place().getX() - 1;
+                                            double y = n.place().getY() + 2;
+                                            double rate =
+                                                    6 / (2 * Math.PI * (x * x + y * y + 0.25));
+                                            return drag(
+                                                    5,
+                                                    n.velocity()
+                                                            .subtract(
+                                                                    new Vector3D(
+                                                                            -rate * y, rate * x,
+                                                                            0)));
+                                        }),
+                                1,
+                                -2,
+                                6,
+                                0.5)));
     }
 }

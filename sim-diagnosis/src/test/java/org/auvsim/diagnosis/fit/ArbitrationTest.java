@@ -68,6 +68,6 @@ class ArbitrationTest {
                         new Hypothesis(causes, numbers),
                         Misses.of(parts, noise),
                         noise);
-        return Refinement.converge(Judged.of(fit.whole()), STEPS);
+        return Descent.of(fit.whole()).steps(STEPS);
     }
 }

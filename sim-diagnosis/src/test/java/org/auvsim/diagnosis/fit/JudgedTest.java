@@ -13,14 +13,12 @@ class JudgedTest {
         Cause drag = cart.cause("linear_drag");
         Cause current = cart.cause("current_constant");
         Judged one =
-                Refinement.converge(
-                        Judged.of(cart.fit(Hypothesis.NONE.and(drag, new double[] {3})).whole()),
-                        20);
+                Descent.of(cart.fit(Hypothesis.NONE.and(drag, new double[] {3})).whole()).steps(20);
         Hypothesis both = Hypothesis.NONE.and(drag, new double[] {1}).and(current, new double[3]);
         Judged givenUp = Judged.of(cart.fit(both).whole());
 
         assertThat(givenUp.isBehind(one)).isTrue();
-        assertThat(Refinement.converge(givenUp, 40).isBehind(one)).isFalse();
+        assertThat(Descent.of(givenUp).steps(40).isBehind(one)).isFalse();
         assertThat(one.isBehind(givenUp)).isFalse();
     }
 }

@@ -42,6 +42,7 @@ class ProfileTest {
         double[] stretches =
                 new Profile(
                                 fitted,
+                                Tangents.of(Simulated.of(fitted.fit())),
                                 new Array2DRowRealMatrix(new double[][] {{deviation * deviation}}),
                                 1)
                         .stretches();
@@ -73,7 +74,7 @@ class ProfileTest {
         Fit fit =
                 Following.of(
                         Stepping.exact(model), hypothesis, Misses.of(List.of(run), ofRun), ofRun);
-        return Refinement.converge(Refinement.approach(fit, 1), 20);
+        return Descent.of(Refinement.approach(fit, 1)).steps(20);
     }
 
     private static MeasuredRun run(double[] measured, double noise) {

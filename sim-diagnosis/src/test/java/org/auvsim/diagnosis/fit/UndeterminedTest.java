@@ -30,7 +30,7 @@ class UndeterminedTest {
         Cause current = CART.cause("current_constant");
         Fit fit = CART.fit(new Hypothesis(List.of(current), List.of(new double[3])));
 
-        Judged fitted = Refinement.converge(Refinement.approach(fit, 1), 10);
+        Judged fitted = Descent.of(Refinement.approach(fit, 1)).steps(10);
 
         for (double u : fitted.fit().hypothesis().numbers()) {
             assertThat(u).isBetween(-1.0, 1.0);

@@ -71,7 +71,7 @@ class WindowBlockTest {
     }
 
     private static double yawRateAfter(double asked) throws Exception {
-        return Refinement.windows(List.of(List.of(asking(YAW_RATE, asked))), new double[0])
+        return Step.windows(List.of(List.of(asking(YAW_RATE, asked))), new double[0])
                 .getFirst()
                 .getFirst()
                 .start()

@@ -122,6 +122,7 @@ class ReportTest {
         assertThat(page(Diagnoses.none()))
                 .contains("<h1>sledge: nothing missing</h1>")
                 .contains("Residual of the position, simulated")
+                .contains("<th>simulated</th><th>noise</th>")
                 .doesNotContain("with what was found</h3>")
                 .doesNotContain("<h2>Notices</h2>");
     }

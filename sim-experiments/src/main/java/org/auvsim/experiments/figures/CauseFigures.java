@@ -57,7 +57,7 @@ final class CauseFigures {
         position("current_constant", VEHICLE, 0.05, -0.03, 0);
         position("current_oscillating", VEHICLE, 0.1, 0.05, 0, 0, 0.05, 0, 1);
         position("current_shear", VEHICLE, 0.01, 0.005);
-        position("current_vortex", VEHICLE, 3, -1, 1.5, 2);
+        position("current_vortex", VEHICLE, 3, -1, 0.05, 2);
     }
 
     private void ofTheBody() {
@@ -87,8 +87,8 @@ final class CauseFigures {
     }
 
     private void ofPlaces() {
-        position("magnetic", SPINNER, 6, 1, 2, 0.3);
-        position("tether_spring", SPINNER, 0, 0, 1, 3, 0.05);
+        position("magnetic", SPINNER, 6, 1, 2, 3e-4);
+        position("tether_spring", SPINNER, 0, 0, 1, 2.4, 0.05);
     }
 
     private void ofTimes() {

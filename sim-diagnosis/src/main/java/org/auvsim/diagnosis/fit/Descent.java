@@ -1,0 +1,106 @@
+package org.auvsim.diagnosis.fit;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/**
+ * Goes down to where a hypothesis fits whole runs best, by steps that are damped the more the less
+ * the last ones led where they should (Levenberg-Marquardt: Marquardt 1963). Derivatives are taken
+ * anew where those there were did not foretell what is missed.
+ */
+final class Descent {
+    /** All that follow one gain no more than so many like it; of fewer, long valleys are missed. */
+    private static final int MOST_HOPED = 40;
+
+    /** What derivatives foretold less wrong than this (squares of standard deviations) is sure. */
+    private static final double SURE = 0.01;
+
+    /** Steps that gain less of what they should are tried in other ways, too. */
+    private static final double POOR = 0.05;
+
+    private static final List<Double> SHARES = List.of(1.0 / 3, 1.0 / 9, 1.0 / 27, 1.0 / 81);
+
+    private Place best;
+    private Optional<Tangents> tangents = Optional.empty();
+    private final Damping ofParameters = new Damping(Step::damped);
+    private final Damping ofAll = new Damping(Step::held);
+
+    private Descent(Place start) {
+        this.best = start;
+    }
+
+    /** From a fit of one window a run. */
+    static Descent of(Fit start) {
+        return new Descent(Place.of(start));
+    }
+
+    /** The same of one that was judged. */
+    static Descent of(Judged start) {
+        return new Descent(Place.of(start));
+    }
+
+    /** The same, derivatives known of the neighbourhood. */
+    Descent near(Tangents known) {
+        tangents = Optional.of(known);
+        return this;
+    }
+
+    /** So many steps, or as many as help. */
+    Judged steps(int most) {
+        return steps(most, Double.POSITIVE_INFINITY, Course.UNHEARD);
+    }
+
+    /**
+     * So many steps, or as many as help; given up where a score is out of reach, as far as the last
+     * step tells, and once it was told to stop.
+     */
+    Judged steps(int most, double score, Course course) {
+        for (int s = 0; s < most && course.goesOn(); s++) {
+            Tangents here =
+                    tangents.map(t -> t.at(best.at())).orElseGet(() -> Tangents.of(best.at()));
+            Optional<Step> step = Step.of(best.at().fit(), here, 1);
+            if (step.isEmpty()) {
+                break;
+            }
+            Place next = next(step.get(), here.off() == 0);
+            double gain = best.cost() - next.cost();
+            double hoped = MOST_HOPED * (best.judged().score() - next.judged().score());
+            best = next;
+            boolean hasArrived = !best.isWorthIt(gain) && here.off() < SURE;
+            if (hasArrived || !(best.judged().score() - hoped < score)) {
+                break;
+            }
+            tangents = best.isWorthIt(gain) ? Optional.of(here) : Optional.empty();
+        }
+        return best.judged();
+    }
+
+    /**
+     * Where a step leads, as short as it needs to be; the same place if it leads nowhere.
+     *
+     * @param isExact whether its derivatives were taken here
+     */
+    private Place next(Step step, boolean isExact) {
+        Damping first = step.hasParameters() ? ofParameters : ofAll;
+        Place reached = first.next(best, step, isExact);
+        double promise = best.cost() - step.least();
+        boolean isPoor = best.cost() - reached.cost() < POOR * promise;
+        if (!isExact || !isPoor || !best.isWorthIt(promise)) {
+            return reached;
+        }
+        Place held = step.hasParameters() ? ofAll.next(best, step, true) : reached;
+        return Stream.of(reached, held, shorter(step))
+                .min(Comparator.comparingDouble(Place::cost))
+                .orElseThrow();
+    }
+
+    private Place shorter(Step step) {
+        return SHARES.stream()
+                .map(share -> Place.of(step.end(share)))
+                .filter(tried -> tried.cost() < best.cost())
+                .findFirst()
+                .orElse(best);
+    }
+}

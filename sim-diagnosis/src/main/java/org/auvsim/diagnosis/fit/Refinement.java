@@ -57,8 +57,11 @@ final class Refinement {
         double before = Double.POSITIVE_INFINITY;
         int more = 0;
         for (int block = perBlock; more <= MORE_STEPS; block = Math.min(2 * block, longest)) {
-            Optional<Step> step =
-                    course.goesOn() ? Step.of(at.fit(), tangents, block) : Optional.empty();
+            if (!course.goesOn()) {
+                break;
+            }
+            tangents = tangents.at(at);
+            Optional<Step> step = Step.of(at.fit(), tangents, block);
             if (step.isEmpty()) {
                 break;
             }
@@ -76,7 +79,6 @@ final class Refinement {
                 }
                 more++;
             }
-            tangents = tangents.at(at);
         }
         return new Near(best, false);
     }

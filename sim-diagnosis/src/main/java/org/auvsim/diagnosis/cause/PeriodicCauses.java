@@ -15,7 +15,16 @@ final class PeriodicCauses {
     private PeriodicCauses() {}
 
     static List<Cause> of(Setting s) {
-        return List.of(waves(s), force(s));
+        boolean alongX = Setting.goes(s.body(), new Vec3(1, 0, 0));
+        boolean alongY = Setting.goes(s.body(), new Vec3(0, 1, 0));
+        List<Cause> causes = new ArrayList<>();
+        if (alongX && alongY) {
+            causes.add(waves(s));
+        } else if (alongX || alongY) {
+            causes.add(wavesAlong(s, alongX ? 0 : Math.PI / 2));
+        }
+        causes.add(force(s));
+        return causes;
     }
 
     private static Cause force(Setting s) {
@@ -67,6 +76,54 @@ final class PeriodicCauses {
         return Change.of("wave_forcing", parameters, (v, t) -> v.with(b -> b.effect(force(t))))
                 .from(guesses)
                 .told(PeriodicCauses::quantities);
+    }
+
+    /**
+     * The same on a body that goes along one horizontal axis alone: only so much of their force is
+     * felt. A wave number below 0 is that of waves which run against the axis.
+     */
+    private static Cause wavesAlong(Setting s, double direction) {
+        Frequencies frequencies = new Frequencies(s);
+        List<Parameter> parameters =
+                List.of(
+                        Parameter.signed("sine", "N", s.force()),
+                        Parameter.signed("cosine", "N", s.force()),
+                        frequencies.parameter(),
+                        new Parameter("dispersion", "1", 0.1, -10, 10));
+        List<Guess> guesses = new ArrayList<>();
+        for (double omega : frequencies.told(FEWEST_WAVES)) {
+            guesses.add(Change.guess(parameters, new double[] {0, 0, omega, 1}, 0, 1));
+            guesses.add(Change.guess(parameters, new double[] {0, 0, omega, -1}, 0, 1));
+        }
+        for (double omega : frequencies.all()) {
+            guesses.add(Change.guess(parameters, new double[] {0, 0, omega, 0}, 0, 1));
+        }
+        return Change.of(
+                        "wave_forcing",
+                        parameters,
+                        (v, t) -> v.with(b -> b.effect(forceAlong(direction, t))))
+                .from(guesses)
+                .told(
+                        t ->
+                                List.of(
+                                        new Quantity(
+                                                "amplitude", "N", StrictMath.hypot(t[0], t[1])),
+                                        new Quantity("omega", "rad/s", t[2]),
+                                        new Quantity("phase", "rad", StrictMath.atan2(t[1], t[0])),
+                                        new Quantity(
+                                                "wave_number",
+                                                "rad/m",
+                                                t[3] * t[2] * t[2] / Earth.GRAVITY)));
+    }
+
+    private static WaveForce forceAlong(double direction, double[] theta) {
+        double against = theta[3] < 0 ? Math.PI : 0;
+        return new WaveForce(
+                StrictMath.hypot(theta[0], theta[1]),
+                direction + against,
+                theta[2],
+                StrictMath.atan2(theta[1], theta[0]) + against,
+                Math.abs(theta[3]) * theta[2] * theta[2] / Earth.GRAVITY);
     }
 
     private static WaveForce force(double[] theta) {

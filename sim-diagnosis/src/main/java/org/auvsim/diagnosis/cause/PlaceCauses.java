@@ -12,6 +12,12 @@ final class PlaceCauses {
     /** Distances of magnets to begin with from the path's middle, in its radii. */
     private static final double[] DISTANCES = {0.7, 1.4};
 
+    /** Paths are in a plane that leave it by less than this share of their range. */
+    private static final double FLAT = 1e-3;
+
+    /** A little way out of that plane. */
+    private static final double BESIDE = 0.3;
+
     /** Shares of the path along which a line to begin with is slack. */
     private static final double[] SLACK = {0.5, 0.8};
 
@@ -34,7 +40,7 @@ final class PlaceCauses {
         parameters.add(Parameter.signed("pull", "N", s.force()));
         List<Guess> guesses = new ArrayList<>();
         for (double distance : DISTANCES) {
-            for (Vec3 way : directions()) {
+            for (Vec3 way : directions(path)) {
                 Vec3 p = path.centre().plus(way.times(distance * r));
                 guesses.add(Change.guess(parameters, new double[] {p.x(), p.y(), p.z(), 0}, 3));
             }
@@ -76,12 +82,16 @@ final class PlaceCauses {
                         });
     }
 
-    /** To the middles of the faces, edges and corners of a cube. */
-    private static List<Vec3> directions() {
+    /**
+     * To the middles of the faces, edges and corners of a cube. From a path in a plane to one side
+     * of that, as the other is its mirror image; and never within it, where no step along its
+     * normal would show.
+     */
+    private static List<Vec3> directions(Path path) {
         List<Vec3> directions = new ArrayList<>();
-        for (int x = -1; x <= 1; x++) {
-            for (int y = -1; y <= 1; y++) {
-                for (int z = -1; z <= 1; z++) {
+        for (double x : components(path, new Vec3(1, 0, 0))) {
+            for (double y : components(path, new Vec3(0, 1, 0))) {
+                for (double z : components(path, new Vec3(0, 0, 1))) {
                     if (x != 0 || y != 0 || z != 0) {
                         directions.add(new Vec3(x, y, z).normalized());
                     }
@@ -89,6 +99,11 @@ final class PlaceCauses {
             }
         }
         return directions;
+    }
+
+    private static List<Double> components(Path path, Vec3 axis) {
+        double extent = path.high().minus(path.low()).dot(axis);
+        return extent < FLAT * path.range() ? List.of(BESIDE, 1.0) : List.of(-1.0, 0.0, 1.0);
     }
 
     /** In place of its length is searched for by how much the path is beyond it, on average. */

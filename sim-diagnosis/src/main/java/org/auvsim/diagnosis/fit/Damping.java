@@ -31,8 +31,9 @@ final class Damping {
      *
      * @param isExact whether its derivatives were taken there: else it is not worth more than one
      *     trial
+     * @param worth what a step must promise to be worth more than that
      */
-    Place next(Place from, Step step, boolean isExact) {
+    Place next(Place from, Step step, boolean isExact, double worth) {
         Place reached = from;
         boolean helps = false;
         boolean goesOn = true;
@@ -45,7 +46,7 @@ final class Damping {
             goesOn =
                     isExact
                             && by < MOST
-                            && from.isWorthIt(promise)
+                            && promise > worth
                             && gain < TOO_LITTLE * promise
                             && (isBetter || !helps);
             if (isBetter) {

@@ -11,6 +11,12 @@ import java.util.stream.Stream;
  * anew where those there were did not foretell what is missed.
  */
 final class Descent {
+    /** A share of the cost that is not worth a step. */
+    private static final double ENOUGH = 1e-4;
+
+    /** The same of what is believed. */
+    private static final double ENOUGH_AT_LAST = 1e-6;
+
     /** All that follow one gain no more than so many like it; of fewer, long valleys are missed. */
     private static final int MOST_HOPED = 40;
 
@@ -24,6 +30,7 @@ final class Descent {
 
     private Place best;
     private Optional<Tangents> tangents = Optional.empty();
+    private double enough = ENOUGH;
     private final Damping ofParameters = new Damping(Step::damped);
     private final Damping ofAll = new Damping(Step::held);
 
@@ -44,6 +51,12 @@ final class Descent {
     /** The same, derivatives known of the neighbourhood. */
     Descent near(Tangents known) {
         tangents = Optional.of(known);
+        return this;
+    }
+
+    /** The same, to the very end of long valleys. */
+    Descent finely() {
+        enough = ENOUGH_AT_LAST;
         return this;
     }
 
@@ -68,11 +81,11 @@ final class Descent {
             double gain = best.cost() - next.cost();
             double hoped = MOST_HOPED * (best.judged().score() - next.judged().score());
             best = next;
-            boolean hasArrived = !best.isWorthIt(gain) && here.off() < SURE;
+            boolean hasArrived = !isWorthIt(gain) && here.off() < SURE;
             if (hasArrived || !(best.judged().score() - hoped < score)) {
                 break;
             }
-            tangents = best.isWorthIt(gain) ? Optional.of(here) : Optional.empty();
+            tangents = isWorthIt(gain) ? Optional.of(here) : Optional.empty();
         }
         return best.judged();
     }
@@ -84,16 +97,25 @@ final class Descent {
      */
     private Place next(Step step, boolean isExact) {
         Damping first = step.hasParameters() ? ofParameters : ofAll;
-        Place reached = first.next(best, step, isExact);
+        Place reached = first.next(best, step, isExact, worth());
         double promise = best.cost() - step.least();
         boolean isPoor = best.cost() - reached.cost() < POOR * promise;
-        if (!isExact || !isPoor || !best.isWorthIt(promise)) {
+        if (!isExact || !isPoor || !isWorthIt(promise)) {
             return reached;
         }
-        Place held = step.hasParameters() ? ofAll.next(best, step, true) : reached;
+        Place held = step.hasParameters() ? ofAll.next(best, step, true, worth()) : reached;
         return Stream.of(reached, held, shorter(step))
                 .min(Comparator.comparingDouble(Place::cost))
                 .orElseThrow();
+    }
+
+    private boolean isWorthIt(double gain) {
+        return gain > worth();
+    }
+
+    /** What a step must gain. */
+    private double worth() {
+        return enough * best.cost();
     }
 
     private Place shorter(Step step) {

@@ -53,12 +53,13 @@ final class Findings {
 
     /**
      * Share of the squares beyond noise that goes from one fit to a better one. Errors that last
-     * belong to what is missed, and not to the noise.
+     * belong to what is missed, and not to the noise, which is no larger than what is left.
      */
     static double share(Judged without, Judged with) {
-        double noise = with.outcome().count();
+        double left = with.fit().squares();
+        double noise = Math.min(left, with.outcome().count());
         double before = Math.max(without.fit().squares() - noise, 0);
-        double after = Math.max(with.fit().squares() - noise, 0);
+        double after = left - noise;
         return before > 0 ? Math.max(0, Math.min(1, 1 - after / before)) : 0;
     }
 }

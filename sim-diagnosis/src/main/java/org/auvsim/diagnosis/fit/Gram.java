@@ -142,21 +142,22 @@ final class Gram {
 
     /** The change of these parameters, within their bounds, that explains most. */
     double[] solve(int[] columns, Bounds bounds) {
-        return solve(columns, bounds, RIDGE);
+        return solve(columns, bounds, RIDGE, new double[columns.length]);
     }
 
     /**
      * The same, damped. What would go beyond its bounds stops there, and the others make up for it.
      *
      * @param damping share of a column's size that is added to it (Marquardt 1963)
+     * @param least sizes that are damped: a column that is 0 just here is not to go anywhere
      */
-    double[] solve(int[] columns, Bounds bounds, double damping) {
+    double[] solve(int[] columns, Bounds bounds, double damping, double[] least) {
         boolean[] isFree = new boolean[columns.length];
         Arrays.fill(isFree, true);
         double[] change = new double[columns.length];
         boolean goesOn = true;
         while (goesOn) {
-            solveFree(columns, isFree, damping, change);
+            solveFree(columns, isFree, damping, least, change);
             goesOn = false;
             for (int i = 0; i < change.length; i++) {
                 double clipped = bounds.clipped(i, change[i]);
@@ -171,7 +172,8 @@ final class Gram {
     }
 
     /** Solves for those changes that are free, where the others are what they are. */
-    private void solveFree(int[] columns, boolean[] isFree, double damping, double[] change) {
+    private void solveFree(
+            int[] columns, boolean[] isFree, double damping, double[] least, double[] change) {
         int[] free = IntStream.range(0, columns.length).filter(i -> isFree[i]).toArray();
         int n = free.length;
         double[][] matrix = new double[n][n];
@@ -186,7 +188,8 @@ final class Gram {
             for (int b = 0; b < a; b++) {
                 matrix[a][b] = ofColumn[columns[free[b]]] / scale[a] / scale[b];
             }
-            matrix[a][a] = 1 + damping;
+            double damped = Math.max(1, least[free[a]] / scale[a]);
+            matrix[a][a] = 1 + damping * damped * damped;
             double missed = products[misses][columns[free[a]]];
             for (int i = 0; i < columns.length; i++) {
                 missed += isFree[i] ? 0 : ofColumn[columns[i]] * change[i];

@@ -70,7 +70,7 @@ final class Selection {
         for (Judged more = completed(best); !more.equals(best); more = completed(best)) {
             best = more;
         }
-        return chosen(best);
+        return chosen(best.isNone() ? best : tried.settled(best));
     }
 
     /**

@@ -1,5 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.diagnosis.cause.Parameter;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -12,6 +14,9 @@ import java.util.stream.IntStream;
 final class Step {
     /** A step turns no window by more (rad): beyond that it is not linear. */
     private static final double MOST_TURN = 0.7;
+
+    /** Share of the largest column that others are damped by at least. */
+    private static final double LEAST = 0.1;
 
     private final Fit from;
     private final List<List<WindowBlock>> blocks;
@@ -48,8 +53,28 @@ final class Step {
                 Gram.of(blocks, size)
                         .with(fit.knowledge(), fit.hypothesis().numbers())
                         .cautious(fit.hypothesis().parameters());
-        return new Step(
-                fit, blocks, gram, gram.solve(all(size), fit.hypothesis().bounds(), damping));
+        return new Step(fit, blocks, gram, solved(fit, gram, damping));
+    }
+
+    private static double[] solved(Fit fit, Gram gram, double damping) {
+        Hypothesis of = fit.hypothesis();
+        return damping == 0
+                ? gram.solve(all(of.size()), of.bounds())
+                : gram.solve(all(of.size()), of.bounds(), damping, least(of, gram));
+    }
+
+    /** Sizes of columns that are a share of the largest, each by its parameter's scale. */
+    private static double[] least(Hypothesis of, Gram gram) {
+        List<Parameter> parameters = of.parameters();
+        double largest = 0;
+        for (int i = 0; i < parameters.size(); i++) {
+            largest = Math.max(largest, gram.norm(i) * parameters.get(i).scale());
+        }
+        double[] least = new double[parameters.size()];
+        for (int i = 0; i < least.length; i++) {
+            least[i] = LEAST * largest / parameters.get(i).scale();
+        }
+        return least;
     }
 
     private static int[] all(int size) {
@@ -58,8 +83,7 @@ final class Step {
 
     /** The same, shorter along what is hardly determined (Marquardt 1963). */
     Step damped(double damping) {
-        double[] shorter = gram.solve(all(change.length), from.hypothesis().bounds(), damping);
-        return new Step(from, blocks, gram, shorter);
+        return new Step(from, blocks, gram, solved(from, gram, damping));
     }
 
     /** The same, that of the starts shorter, too. */

@@ -29,6 +29,16 @@ final class Tried {
                 .orElse(otherwise);
     }
 
+    /** The same, brought to the very end. */
+    Judged settled(Judged best) {
+        Judged settled =
+                Descent.of(best)
+                        .finely()
+                        .steps(Tournament.TO_THE_END, Double.POSITIVE_INFINITY, course);
+        judged.add(settled);
+        return settled;
+    }
+
     /** Without the causes that are not worth their price. */
     Judged pruned(Judged start) {
         Judged best = start;

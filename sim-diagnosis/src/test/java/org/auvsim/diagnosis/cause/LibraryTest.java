@@ -148,11 +148,7 @@ class LibraryTest {
     /** Of a boat whose height is not measured, the scenario knows it. */
     @Test
     void whatActsFromAPlaceIsLookedForWhereWhatHoldsTheBodySaysWhereItIs() {
-        MeasuredRunBuilder sailing = MeasuredRun.named("sailing");
-        for (int k = 0; k < SAMPLES; k++) {
-            sailing.at(k).measured(Channel.POSITION, 0.3 * k, 0.1 * k, Double.NaN);
-        }
-        List<MeasuredRun> runs = List.of(sailing.build());
+        List<MeasuredRun> runs = sailing();
         BelievedModel boat = Tank.model("", "<held z=\"1\" turn-x=\"1\" turn-y=\"1\"/>");
 
         assertThat(Library.of(boat, runs))
@@ -161,6 +157,47 @@ class LibraryTest {
         assertThat(Library.of(Tank.bare(), runs))
                 .extracting(Cause::id)
                 .doesNotContain("magnetic", "tether_spring");
+    }
+
+    /**
+     * The source of a magnet beside a plane is at one side or the other: from within, no step
+     * shows.
+     */
+    @Test
+    void besideAPathInAPlaneAMagnetBeginsOutOfIt() {
+        Cause magnet = cause("magnetic", "<held z=\"1\" turn-x=\"1\" turn-y=\"1\"/>");
+
+        assertThat(magnet.guesses(sailing()))
+                .isNotEmpty()
+                .allSatisfy(guess -> assertThat(guess.theta().get(2)).isGreaterThan(0.1));
+    }
+
+    /** A body that goes along x tells nothing of a wave's direction. */
+    @Test
+    void wavesOnABodyThatGoesAlongOneAxisHaveNoDirection() {
+        String alongX = "<held y=\"1\" turn-x=\"1\" turn-z=\"1\"/>";
+
+        assertThat(cause("wave_forcing", alongX).parameters())
+                .extracting(Parameter::name)
+                .doesNotContain("direction");
+        assertThat(cause("wave_forcing", "<held z=\"1\"/>").parameters())
+                .extracting(Parameter::name)
+                .contains("direction");
+    }
+
+    private static Cause cause(String id, String held) {
+        return Library.of(Tank.model("", held), sailing()).stream()
+                .filter(cause -> cause.id().equals(id))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private static List<MeasuredRun> sailing() {
+        MeasuredRunBuilder sailing = MeasuredRun.named("sailing");
+        for (int k = 0; k < SAMPLES; k++) {
+            sailing.at(k).measured(Channel.POSITION, 0.3 * k, 0.1 * k, Double.NaN);
+        }
+        return List.of(sailing.build());
     }
 
     /** What sticks creeps at the rate that the scenario states for it. */

@@ -49,6 +49,21 @@ class GramTest {
         assertThat(told.cautious(one).solve(new int[] {0}, free(1))[0]).isCloseTo(5, within(1e-5));
     }
 
+    /** A damped step of b would be of 500 by the size of its own column, as good as 0 here. */
+    @Test
+    void aColumnThatIsNothingJustHereIsDampedAsOneOfSomeSize() {
+        Gram gram = new Gram(new double[][] {{1, 0, -1}, {0, 1e-6, -1e-3}, {-1, -1e-3, 9}});
+        int[] both = {0, 1};
+
+        double[] bySize = gram.solve(both, free(2), 1, new double[2]);
+        double[] byLeast = gram.solve(both, free(2), 1, new double[] {0, 0.1});
+
+        assertThat(bySize[0]).isCloseTo(0.5, within(1e-8));
+        assertThat(bySize[1]).isCloseTo(500, within(1e-5));
+        assertThat(byLeast[0]).isCloseTo(0.5, within(1e-8));
+        assertThat(byLeast[1]).isCloseTo(1e-3 / (1e-6 + 0.01), within(1e-8));
+    }
+
     @Test
     void whatMayBeAnyNumberIsWhereTheCostIsLowest() {
         double[] change = BOWL.solve(new int[] {0, 1}, free(2));

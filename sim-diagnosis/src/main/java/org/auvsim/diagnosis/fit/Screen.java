@@ -30,6 +30,11 @@ final class Screen {
 
     private static final int MOST_THOROUGH = 16;
 
+    /**
+     * What lacks no more to its price is begun there, too: promises are true to first order only.
+     */
+    private static final double LACKING = 30;
+
     private final Fit base;
     private final List<Seed> seeds;
     private final int own;
@@ -126,7 +131,7 @@ final class Screen {
 
     /** Several starts of each cause alone, from each level. */
     List<Start> startsOfEach() {
-        return starts(blocks -> firstOfEach(singles(blocks, 0), THOROUGH, MOST_THOROUGH));
+        return starts(blocks -> firstOfEach(singles(blocks, -LACKING), THOROUGH, MOST_THOROUGH));
     }
 
     private List<Start> starts(Function<List<List<WindowBlock>>, List<Promise>> best) {

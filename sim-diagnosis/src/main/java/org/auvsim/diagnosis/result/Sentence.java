@@ -196,7 +196,7 @@ public final class Sentence {
         String best =
                 of.share() > 0
                         ? BEST + Numbers.percent(of.share()) + " of it away"
-                        : "; none of the causes takes any of it away";
+                        : "; none of the causes takes enough of it away to be believed";
         return "; it shows most in the %s %s %s, at %s s of %s%s%s"
                 .formatted(
                         words(of.channel()),

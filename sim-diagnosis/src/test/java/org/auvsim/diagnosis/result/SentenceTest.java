@@ -178,7 +178,9 @@ class SentenceTest {
                         Channel.POSITION, 'x', "run1", 3, Vec3.ZERO, OptionalDouble.empty(), 0);
 
         assertThat(sentence.unexplained(Optional.of(seen)))
-                .contains("at 3.00 s of run1; none of the causes takes any of it away; held-out");
+                .contains(
+                        "at 3.00 s of run1; none of the causes takes enough of it"
+                                + " away to be believed; held-out");
     }
 
     @Test

@@ -1,8 +1,8 @@
 package org.auvsim.experiments.hidden;
 
 import org.auvsim.diagnosis.cause.Cause;
-import org.auvsim.diagnosis.cause.Parameter;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -14,6 +14,9 @@ final class TrueNumbers {
     private static final Set<String> FACTORS =
             Set.of("mass_error", "inertia_error", "thruster_gain", "sensor_scale");
 
+    /** Searched for by what they do along the path. */
+    private static final Set<String> PLACED = Set.of("magnetic", "tether_spring", "current_vortex");
+
     private static final String[] AXES = {".x", ".y", ".z"};
 
     private TrueNumbers() {}
@@ -21,18 +24,43 @@ final class TrueNumbers {
     /** A number for each parameter; those that the effect does not state are 0, a loss is whole. */
     static double[] of(Cause cause, HiddenEffect hidden) {
         Map<String, Double> numbers = byName(hidden);
-        return cause.parameters().stream()
-                .map(Parameter::name)
-                .mapToDouble(n -> numbers.getOrDefault(n, n.equals("lost") ? 1.0 : 0.0))
-                .toArray();
+        double[] theta = new double[cause.parameters().size()];
+        for (int i = 0; i < theta.length; i++) {
+            String name = cause.parameters().get(i).name();
+            theta[i] = numbers.getOrDefault(name, name.equals("lost") ? 1.0 : 0.0);
+        }
+        for (int i = 0; tellsOtherwise(cause) && i < theta.length; i++) {
+            if (!numbers.containsKey(cause.parameters().get(i).name())) {
+                theta[i] = solved(cause, theta, i, numbers);
+            }
+        }
+        return theta;
+    }
+
+    /** What is told in place of a parameter grows with it evenly, all others as they are. */
+    private static double solved(Cause cause, double[] theta, int i, Map<String, Double> numbers) {
+        double[] one = theta.clone();
+        one[i] = 1;
+        double atZero = cause.quantities(theta).get(i).value();
+        double atOne = cause.quantities(one).get(i).value();
+        double wanted = numbers.getOrDefault(cause.quantities(theta).get(i).name(), 0.0);
+        return (wanted - atZero) / (atOne - atZero);
+    }
+
+    /** Whether it tells something else in place of a parameter. */
+    private static boolean tellsOtherwise(Cause cause) {
+        return PLACED.contains(cause.id());
     }
 
     /** Whether a cause has a parameter for each of them. */
     static boolean haveAPlaceIn(Cause cause, HiddenEffect hidden) {
-        return cause.parameters().stream()
-                .map(Parameter::name)
-                .toList()
-                .containsAll(byName(hidden).keySet());
+        List<String> places = new ArrayList<>();
+        cause.parameters().forEach(parameter -> places.add(parameter.name()));
+        if (tellsOtherwise(cause)) {
+            double[] any = new double[cause.parameters().size()];
+            cause.quantities(any).forEach(quantity -> places.add(quantity.name()));
+        }
+        return places.containsAll(byName(hidden).keySet());
     }
 
     private static Map<String, Double> byName(HiddenEffect hidden) {

@@ -49,8 +49,9 @@ final class GainTables {
                                 ? "Root mean square errors; the held-out runs had to be used for"
                                         + " the search, so each run was left out in turn."
                                 : "Root mean square errors; each model begins each run where it"
-                                        + " fits it best, and nothing else is fitted to these runs."
-                                        + " No model gets below the noise."));
+                                      + " fits it best, and nothing else is fitted to these runs."
+                                      + " The noise is estimated: a true model's error is about as"
+                                      + " large."));
     }
 
     private List<String> row(Channel channel, Gain gain) {
@@ -92,9 +93,8 @@ final class GainTables {
                 "ahead (s)",
                 "error (%s)".formatted(Sentence.unit(channel)),
                 curves,
-                "Predicted from eight states along each held-out run, each of them as the model "
-                        + models.getLast()
-                        + " fits it; so few errors may lie below the noise.");
+                "Predicted from eight states along each held-out run, each of them as the model%s fits it; so few errors may lie below the noise."
+                        .formatted(models.size() > 1 ? " " + models.getLast() : ""));
     }
 
     private static Curve curve(

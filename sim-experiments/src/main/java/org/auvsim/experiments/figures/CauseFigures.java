@@ -87,7 +87,7 @@ final class CauseFigures {
     }
 
     private void ofPlaces() {
-        position("magnetic", SPINNER, 6, 1, 2, 3e-4);
+        position("magnetic", SPINNER, 6, 1, 2, 0.012);
         position("tether_spring", SPINNER, 0, 0, 1, 2.4, 0.05);
     }
 

@@ -1,9 +1,9 @@
 package org.auvsim.diagnosis.cause;
 
 /** What causes take for granted of where a body moves. */
-final class Earth {
+public final class Earth {
     /** Standard gravity (m/s^2; CGPM 1901). */
-    static final double GRAVITY = 9.80665;
+    public static final double GRAVITY = 9.80665;
 
     private Earth() {}
 }

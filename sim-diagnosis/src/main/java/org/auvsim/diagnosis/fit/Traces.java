@@ -14,8 +14,10 @@ import org.auvsim.diagnosis.result.Identifiability.Smallest;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
@@ -85,13 +87,15 @@ final class Traces {
         return new Identifiability(nearest(confusions), unseen(), smallest());
     }
 
-    /** Of each cause that is not there the numbers that would be found, each alone. */
+    /**
+     * Of each cause that is not there the numbers that would be found, each alone: where, of the
+     * guesses at it, that number shows best.
+     */
     private List<Smallest> smallest() {
-        List<Smallest> smallest = new ArrayList<>();
-        Set<String> told = new HashSet<>();
+        Map<List<String>, Smallest> smallest = new LinkedHashMap<>();
         for (Seed seed : seeds) {
             Cause cause = seed.cause();
-            if (beside.causes().contains(cause) || !told.add(cause.name())) {
+            if (beside.causes().contains(cause)) {
                 continue;
             }
             double trace = NOISE + Math.sqrt(price.applyAsDouble(cause) + Selection.DOUBTFUL);
@@ -101,11 +105,14 @@ final class Traces {
                 double size = trace / norm;
                 boolean isSeen = norm * of.scale() > UNSEEN;
                 if (isSeen && size < Math.max(of.highest(), -of.lowest())) {
-                    smallest.add(new Smallest(cause.name(), of.name(), of.unit(), size));
+                    smallest.merge(
+                            List.of(cause.name(), of.name()),
+                            new Smallest(cause.name(), of.name(), of.unit(), size),
+                            (one, other) -> one.size() <= other.size() ? one : other);
                 }
             }
         }
-        return smallest;
+        return List.copyOf(smallest.values());
     }
 
     /** The square of what a column leaves that the hypothesis's own numbers cannot make up for. */

@@ -106,7 +106,10 @@ final class IdentifiabilityTables {
                                 "What was not found is not there, or smaller than this: of a"
                                         + " change of this size, alone beside what was"
                                         + " found and to first order, 97 of"
-                                        + " 100 such measurements would tell. Numbers that are"
-                                        + " not here hardly show in this data."));
+                                        + " 100 such measurements would tell. Of what acts from"
+                                        + " a place, or from a time on, that holds at"
+                                        + " the one, of those looked at, where it shows best."
+                                        + " Numbers that are not here hardly show in this"
+                                        + " data."));
     }
 }

@@ -14,7 +14,8 @@ public record Identifiability(List<Confusion> pairs, List<String> unseen, List<S
     public record Confusion(String first, String second, double angle) {}
 
     /**
-     * How large a number of a cause must be to be found in this data, to first order.
+     * How large a number of a cause must be to be found in this data, to first order; of what acts
+     * from a place, or from a time on, at the one where it shows best of those that were looked at.
      *
      * @param cause its name
      * @param parameter the number's name

@@ -1,5 +1,8 @@
 package org.auvsim.diagnosis.result;
 
+import org.auvsim.diagnosis.cause.Earth;
+import org.auvsim.diagnosis.cause.Quantity;
+
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
@@ -8,6 +11,12 @@ import java.util.Optional;
 /** What each cause means, in a few words: {@code Quadratic drag is missing}. */
 public final class Phrases {
     private static final Map<String, Phrase> KNOWN = new HashMap<>();
+
+    private static final String ALIKE_EVERYWHERE =
+            "A force to and fro is missing, the same everywhere";
+
+    /** Numbers are within so many of their standard deviations, in 95 of 100 measurements. */
+    private static final double LIKELY = 2;
 
     private Phrases() {}
 
@@ -75,7 +84,29 @@ public final class Phrases {
 
     /** Of a finding. */
     public static String of(Finding finding) {
-        return of(finding.cause(), finding.subject(), isBelow(finding));
+        return isAlikeEverywhere(finding)
+                ? ALIKE_EVERYWHERE
+                : of(finding.cause(), finding.subject(), isBelow(finding));
+    }
+
+    /**
+     * Whether a force as of waves is told by a wave number that may well be 0, but not that of
+     * waves in deep water.
+     */
+    private static boolean isAlikeEverywhere(Finding finding) {
+        double omega = 0;
+        for (int i = 0; i < finding.deviations().size(); i++) {
+            Quantity of = finding.quantities().get(i);
+            if (of.name().equals("omega")) {
+                omega = of.value();
+            } else if (of.name().equals("wave_number")) {
+                double far = LIKELY * finding.deviations().get(i);
+                double ofDeepWater = omega * omega / Earth.GRAVITY;
+                return Math.abs(of.value()) <= far
+                        && Math.abs(Math.abs(of.value()) - ofDeepWater) > far;
+            }
+        }
+        return false;
     }
 
     private static boolean isBelow(Finding finding) {

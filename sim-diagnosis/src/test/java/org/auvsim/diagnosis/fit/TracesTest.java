@@ -3,6 +3,8 @@ package org.auvsim.diagnosis.fit;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Guess;
+import org.auvsim.diagnosis.result.Identifiability;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.junit.jupiter.api.Test;
 
@@ -25,6 +27,35 @@ class TracesTest {
                         .traces();
 
         assertThat(traces.alike(loss)).containsExactly(gain);
+    }
+
+    /** A failure shows best early in the run: that is the one that could least have been missed. */
+    @Test
+    void whatCouldHaveBeenMissedIsToldWhereItShowsBest() throws Exception {
+        Fit sound = new Cart(1, 0, 0).fit(Hypothesis.NONE).whole();
+        Cause loss = CART.cause("thruster_loss");
+        List<Seed.Guesses> all = guesses(loss);
+        List<Guess> guesses = all.getFirst().guesses();
+
+        double best = smallest(sound, all);
+
+        assertThat(guesses).hasSizeGreaterThan(2);
+        assertThat(guesses.stream().mapToDouble(g -> smallest(sound, of(loss, g))))
+                .allSatisfy(alone -> assertThat(alone).isGreaterThanOrEqualTo(best))
+                .contains(best);
+    }
+
+    private static double smallest(Fit fit, List<Seed.Guesses> guesses) {
+        List<Cause> causes = guesses.stream().map(Seed.Guesses::cause).toList();
+        return new Screen(fit, causes, guesses, fit.outcome())
+                .traces().identifiability(List.of()).smallest().stream()
+                        .mapToDouble(Identifiability.Smallest::size)
+                        .min()
+                        .orElse(Double.POSITIVE_INFINITY);
+    }
+
+    private static List<Seed.Guesses> of(Cause cause, Guess guess) {
+        return List.of(new Seed.Guesses(cause, List.of(guess)));
     }
 
     private static List<Seed.Guesses> guesses(Cause... causes) throws Exception {

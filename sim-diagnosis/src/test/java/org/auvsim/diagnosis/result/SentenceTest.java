@@ -45,6 +45,24 @@ class SentenceTest {
                                 + " 0.010 m");
     }
 
+    /** Of waves of 2 rad/s in deep water the wave number is 0.41 rad/m. */
+    @ParameterizedTest
+    @CsvSource({
+        "0.40, 0.02, The force of waves is missing",
+        "0.01, 0.02, 'A force to and fro is missing, the same everywhere'",
+        "0.10, 0.30, The force of waves is missing",
+        "0.10, 0.02, The force of waves is missing",
+    })
+    void wavesThatDoNotRun(double waveNumber, double deviation, String words) {
+        List<Quantity> numbers =
+                List.of(
+                        new Quantity("amplitude", "N", 3),
+                        new Quantity("omega", "rad/s", 2),
+                        new Quantity("wave_number", "rad/m", waveNumber));
+        assertThat(Phrases.of(found("wave_forcing", numbers, List.of(0.1, 0.01, deviation))))
+                .isEqualTo(words);
+    }
+
     @Test
     void aCauseThatMattersToNoHeldOutRun() {
         Sentence same =

@@ -26,6 +26,8 @@ public enum Figure {
     ALIAS_RECALL("aliases, recall", "95 %"),
     /** Median of the parameters' relative errors; for people in per cent, as its target is. */
     PARAMETER_ERROR("parameter error, median", "0.05 / 0.25 / 1.5 %"),
+    /** The same, as large as it has to be by the deviations that are stated: what noise leaves. */
+    EXPECTED_ERROR("what noise leaves of it, median", ""),
     /** Parameters within their 95 % intervals. */
     COVERAGE("coverage of 95 % intervals", "93-97 %"),
     /** Model error left on held-out runs, as a share. */
@@ -73,6 +75,7 @@ public enum Figure {
             case ALIAS_PRECISION -> scores.aliasPrecision();
             case ALIAS_RECALL -> scores.aliasRecall();
             case PARAMETER_ERROR -> scores.parameterError();
+            case EXPECTED_ERROR -> scores.expectedError();
             case COVERAGE -> scores.coverage();
             case ERROR_LEFT -> scores.errorLeft();
             case BASELINE_NAMED -> scores.baselineNamed();
@@ -86,7 +89,7 @@ public enum Figure {
     public String of(Scores scores) {
         return switch (value(scores)) {
             case Double d when Double.isNaN(d) -> "-";
-            case Double d when this == PARAMETER_ERROR ->
+            case Double d when this == PARAMETER_ERROR || this == EXPECTED_ERROR ->
                     String.format(Locale.ROOT, "%.3g %%", 100 * d);
             case Double d -> String.format(Locale.ROOT, "%.3g", d);
             case Object share -> share.toString();

@@ -15,6 +15,8 @@ import java.util.List;
  * @param first cause that it ranks highest of those selected is hidden, and it says explained
  * @param exact it says explained, and names what is hidden and nothing else
  * @param parameterErrors relative errors of the parameters of the hidden causes that it named
+ * @param expectedErrors what the deviations that it states say of them: half of all errors are
+ *     smaller
  * @param covered of their numbers so many are within the 95 % intervals
  * @param stated of their numbers so many have one
  * @param errorLeft of the model on held-out runs against the truth: 0 perfect, 1 no gain; NaN if
@@ -36,6 +38,7 @@ public record Outcome(
         boolean first,
         boolean exact,
         List<Double> parameterErrors,
+        List<Double> expectedErrors,
         int covered,
         int stated,
         double errorLeft,
@@ -48,6 +51,7 @@ public record Outcome(
     public Outcome {
         hidden = List.copyOf(hidden);
         parameterErrors = List.copyOf(parameterErrors);
+        expectedErrors = List.copyOf(expectedErrors);
         baseline = List.copyOf(baseline);
     }
 

@@ -6,7 +6,6 @@ import org.auvsim.diagnosis.result.Finding;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
 /**
  * How right the numbers of a finding are. A vector counts as one parameter, its error by its
@@ -20,6 +19,7 @@ final class ParameterCheck {
     private static final List<String> ANGLES = List.of("phase", "direction");
 
     private final List<Double> errors = new ArrayList<>();
+    private final List<Double> expected = new ArrayList<>();
     private int covered;
     private int stated;
 
@@ -52,6 +52,8 @@ final class ParameterCheck {
         boolean isAngle = ANGLES.contains(name);
         double squares = 0;
         double size = 0;
+        double variances = 0;
+        double squaresOfVariances = 0;
         for (int i = 0; i < truth.size(); i++) {
             double off = found.quantities().get(places.get(i)).value() - truth.get(i);
             if (isAngle) {
@@ -59,32 +61,43 @@ final class ParameterCheck {
             }
             squares += off * off;
             size += truth.get(i) * truth.get(i);
-            deviation(found, places.get(i)).ifPresent(new Covering(off)::count);
-        }
-        errors.add(Math.sqrt(squares) / (isAngle ? Math.PI : Math.sqrt(size)));
-    }
-
-    private final class Covering {
-        private final double off;
-
-        Covering(double off) {
-            this.off = off;
-        }
-
-        void count(double deviation) {
-            stated++;
-            if (Math.abs(off) <= NORMAL_95 * deviation) {
-                covered++;
+            double deviation = deviation(found, places.get(i));
+            variances += deviation * deviation;
+            squaresOfVariances += Math.pow(deviation, 4);
+            if (!Double.isNaN(deviation)) {
+                count(Math.abs(off) <= NORMAL_95 * deviation);
             }
         }
+        double whole = isAngle ? Math.PI : Math.sqrt(size);
+        errors.add(Math.sqrt(squares) / whole);
+        if (!Double.isNaN(variances)) {
+            expected.add(medianLength(variances, squaresOfVariances) / whole);
+        }
     }
 
-    private static Optional<Double> deviation(Finding found, int place) {
+    /**
+     * Half of all normal vectors of such variances are shorter: their squares are as of so many
+     * equal ones (Satterthwaite 1946), whose median is near (Wilson &amp; Hilferty 1931).
+     */
+    private static double medianLength(double variances, double squaresOfVariances) {
+        double alike = variances * variances / squaresOfVariances;
+        return Math.sqrt(variances * Math.pow(1 - 2 / (9 * alike), 3));
+    }
+
+    private void count(boolean isCovered) {
+        stated++;
+        if (isCovered) {
+            covered++;
+        }
+    }
+
+    /** NaN if there is none. */
+    private static double deviation(Finding found, int place) {
         return place < found.deviations().size()
                         && Double.isFinite(found.deviations().get(place))
                         && found.deviations().get(place) > 0
-                ? Optional.of(found.deviations().get(place))
-                : Optional.empty();
+                ? found.deviations().get(place)
+                : Double.NaN;
     }
 
     private static List<Integer> places(String name, List<Quantity> quantities) {
@@ -100,6 +113,11 @@ final class ParameterCheck {
 
     List<Double> errors() {
         return errors;
+    }
+
+    /** What the stated deviations say of each: half of all errors are smaller than that. */
+    List<Double> expected() {
+        return expected;
     }
 
     int covered() {

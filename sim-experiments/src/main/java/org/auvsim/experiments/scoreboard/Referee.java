@@ -26,6 +26,7 @@ final class Referee {
         boolean explained = diagnosis.verdict() == Verdict.EXPLAINED;
         List<Finding> selected = diagnosis.selected();
         List<Double> errors = new ArrayList<>();
+        List<Double> expected = new ArrayList<>();
         int covered = 0;
         int stated = 0;
         int hits = 0;
@@ -34,6 +35,7 @@ final class Referee {
                 if (of.isHit(effect, finding)) {
                     ParameterCheck check = ParameterCheck.of(effect.parameters(), finding);
                     errors.addAll(check.errors());
+                    expected.addAll(check.expected());
                     covered += check.covered();
                     stated += check.stated();
                     hits++;
@@ -55,6 +57,7 @@ final class Referee {
                 first,
                 exact,
                 errors,
+                expected,
                 covered,
                 stated,
                 of.hidden().isEmpty() ? Double.NaN : errorLeft(of, diagnosis),

@@ -22,6 +22,7 @@ import java.util.function.Predicate;
  * @param aliasPrecision of the aliases told, those that are so
  * @param aliasRecall of the aliases that are so, those told
  * @param parameterError median of relative errors; NaN of none
+ * @param expectedError what deviations that are stated lead one to expect of it; NaN of none
  * @param coverage of 95 % intervals
  * @param errorLeft median of model errors left on held-out runs; NaN of none
  * @param baselineNamed single effects that sparse regression names, and nothing else
@@ -42,6 +43,7 @@ public record Scores(
         Share aliasPrecision,
         Share aliasRecall,
         double parameterError,
+        double expectedError,
         Share coverage,
         double errorLeft,
         Share baselineNamed,
@@ -74,6 +76,7 @@ public record Scores(
                 aliases(of(at, CaseKind.ALIAS), AliasTold::told),
                 aliases(of(at, CaseKind.ALIAS), AliasTold::so),
                 median(known.stream().flatMap(o -> o.parameterErrors().stream()).toList()),
+                median(known.stream().flatMap(o -> o.expectedErrors().stream()).toList()),
                 new Share(
                         known.stream().mapToInt(Outcome::covered).sum(),
                         known.stream().mapToInt(Outcome::stated).sum()),

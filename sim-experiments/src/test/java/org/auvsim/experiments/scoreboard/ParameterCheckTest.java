@@ -2,6 +2,7 @@ package org.auvsim.experiments.scoreboard;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.result.Finding;
@@ -58,6 +59,35 @@ class ParameterCheckTest {
 
         assertThat(check.errors()).hasSize(3).allSatisfy(e -> close(e, 0));
         assertThat(check.stated()).isZero();
+        assertThat(check.expected()).isEmpty();
+    }
+
+    /** The medians of the chi distributions of 1 and 3 degrees of freedom are 0.6745 and 1.5382. */
+    @Test
+    void whatDeviationsLeaveIsTheMedianOfErrorsOfThatSize() {
+        ParameterCheck one =
+                ParameterCheck.of(
+                        Map.of("k", List.of(2.0)),
+                        found("quadratic_drag", List.of(new Quantity("k", "kg/m", 2)), 0.1));
+        ParameterCheck three =
+                ParameterCheck.of(
+                        Map.of("u", List.of(0.0, 2.0, 0.0)),
+                        found(
+                                "current_constant",
+                                List.of(
+                                        new Quantity("u.x", "m/s", 0),
+                                        new Quantity("u.y", "m/s", 2),
+                                        new Quantity("u.z", "m/s", 0)),
+                                0.1,
+                                0.1,
+                                0.1));
+
+        assertThat(one.expected())
+                .singleElement()
+                .satisfies(e -> assertThat(e).isCloseTo(0.6745 * 0.05, withinPercentage(2)));
+        assertThat(three.expected())
+                .singleElement()
+                .satisfies(e -> assertThat(e).isCloseTo(1.5382 * 0.05, withinPercentage(2)));
     }
 
     private static void close(double error, double expected) {

@@ -37,6 +37,7 @@ class ScoreFilesTest {
                 true,
                 true,
                 List.of(0.0025),
+                List.of(0.002),
                 1,
                 1,
                 0.004,

@@ -20,8 +20,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.StringJoiner;
 import java.util.stream.IntStream;
 
 /**
@@ -33,12 +31,6 @@ public final class Examination {
 
     /** Errors that are such a share of those before are worth a model that explains nothing. */
     private static final double NEARER = 0.5;
-
-    private static final String NO_GAIN =
-            "held-out runs are predicted as well without what was found: it matters to runs of the"
-                    + " fit alone; if nothing else was there, their start may not have been found,"
-                    + " as that of a body which nothing rights: shorter parts (--parts SECONDS)"
-                    + " tell";
 
     private final BelievedModel model;
     private final List<MeasuredRun> fit;
@@ -68,74 +60,6 @@ public final class Examination {
         this.seed = seed;
         this.contest = contest;
         this.course = new Course(progress);
-    }
-
-    /**
-     * What was found, and how held-out runs judge it.
-     *
-     * @param before the model as it was believed, on the held-out runs
-     * @param after what was found on them
-     * @param passes whether it holds there, or where all runs were searched with, for each by the
-     *     others
-     * @param agrees whether they want the same numbers
-     */
-    private record Judgement(
-            Search.Found found,
-            Trial trial,
-            Judged before,
-            Judged after,
-            boolean passes,
-            boolean agrees) {
-        static Judgement of(Search.Found found, Trial trial) {
-            Judged best = found.best();
-            Judged before = trial.prediction(Hypothesis.NONE);
-            Judged after = best.isNone() ? before : trial.prediction(best.fit().hypothesis());
-            if (!best.isWhite()) {
-                return new Judgement(found, trial, before, after, false, false);
-            }
-            Judged adjusted = Trial.adjusted(best, after, new Uncertainty(best).knowledge());
-            boolean passes = Trial.passes(best, before, after, adjusted);
-            boolean agrees = passes && Agreement.of(adjusted);
-            return new Judgement(found, trial, before, after, passes, agrees);
-        }
-
-        /** The same of what all runs said, which was believed. */
-        Judgement convinced(Search.Found all) {
-            Hypothesis best = all.best().fit().hypothesis();
-            return new Judgement(all, trial, before, trial.prediction(best), true, true);
-        }
-
-        /**
-         * Where held-out runs do not bear out what was found: that nothing was, if the model as it
-         * was believed leaves nothing but noise in all runs.
-         */
-        Judgement orAsBelieved() {
-            Judged none = found.none();
-            boolean isNone =
-                    !passes && none.isWhite() && Trial.passes(none, before, before, before);
-            return isNone
-                    ? new Judgement(found.nothing(), trial, before, before, true, true)
-                    : this;
-        }
-
-        /** Whether the fit is content and the held-out runs are not. */
-        boolean isOfTwoMinds() {
-            return found.best().isWhite() && !agrees;
-        }
-
-        /** Whether what all runs say is something else than what those of the fit said. */
-        boolean isNews(Search.Found all) {
-            List<Cause> before = found.best().fit().hypothesis().causes();
-            List<Cause> now = all.best().fit().hypothesis().causes();
-            return !passes || !Set.copyOf(before).equals(Set.copyOf(now));
-        }
-
-        private Verdict verdict() {
-            if (!passes) {
-                return Verdict.UNEXPLAINED;
-            }
-            return found.best().isNone() ? Verdict.NONE : Verdict.EXPLAINED;
-        }
     }
 
     /** What the runs say of the model. */
@@ -242,7 +166,7 @@ public final class Examination {
                 new Menu(best.fit(), found.noise()).next(best, found.competitors()),
                 found.traces().identifiability(best.fit().hypothesis().causes()),
                 model.extended(isExplained ? best.fit().variant() : model.variant()),
-                notices(found, verdict, gains),
+                new Notices(model, fit, heldOut).of(found, verdict, gains),
                 seed,
                 course.goesOn());
     }
@@ -275,68 +199,6 @@ public final class Examination {
                         new Approximation(
                                 Findings.unsure(found),
                                 model.extended(found.best().fit().variant())));
-    }
-
-    /** Steps that follow data which no model fits tell of that data, not of the scenario. */
-    private List<String> notices(Search.Found found, Verdict verdict, Map<Channel, Gain> gains) {
-        List<String> notices = new ArrayList<>();
-        if (verdict == Verdict.EXPLAINED && !gains.isEmpty() && !Sentence.isGain(gains)) {
-            notices.add(NO_GAIN);
-        }
-        double stated = model.scenario().timeStep().delta();
-        double used = found.stepping().fine().scenario().timeStep().delta();
-        if (used < stated && verdict != Verdict.UNEXPLAINED) {
-            notices.add(
-                    ("the scenario's time step of %s s is too long for this data: steps of %s"
-                                    + " s were made, which a simulation needs, too")
-                            .formatted(stated, used));
-        }
-        String still = still(found.noise());
-        if (!still.isEmpty()) {
-            notices.add(
-                    "what never changes in any run tells nothing and counts as not measured: "
-                            + still);
-        }
-        allRuns().forEach(run -> notices.addAll(stuck(run, found.noise())));
-        for (Misses of : Misses.of(allRuns(), found.noise())) {
-            HeavyTails.notice(of.run(), of.rows(), found.noise()).ifPresent(notices::add);
-        }
-        return notices;
-    }
-
-    /** What never changes in a run, but does in others. */
-    private static List<String> stuck(MeasuredRun run, Noise noise) {
-        List<String> stuck = new ArrayList<>();
-        for (Channel channel : Channel.values()) {
-            for (int axis = 0; axis < 3; axis++) {
-                if (run.measures(channel, axis)
-                        && noise.tells(channel, axis)
-                        && !Noise.changes(run, channel, axis)) {
-                    stuck.add(
-                            "%s: %s %s never changes, though it does in other runs; if its sensor was dead, leave the run out or empty the cells"
-                                    .formatted(
-                                            run.name(),
-                                            HeavyTails.name(channel),
-                                            "xyz".charAt(axis)));
-                }
-            }
-        }
-        return stuck;
-    }
-
-    /** The axes that were measured and never change. */
-    private String still(Noise noise) {
-        StringJoiner still = new StringJoiner(", ");
-        for (Channel channel : Channel.values()) {
-            for (int axis = 0; axis < 3; axis++) {
-                int of = axis;
-                boolean isMeasured = fit.stream().anyMatch(run -> run.measures(channel, of));
-                if (isMeasured && !noise.tells(channel, axis)) {
-                    still.add(HeavyTails.name(channel) + " " + "xyz".charAt(axis));
-                }
-            }
-        }
-        return still.toString();
     }
 
     private List<DiagnosedRun> runs(Search.Found found, Judged best, Judged before, Judged after) {

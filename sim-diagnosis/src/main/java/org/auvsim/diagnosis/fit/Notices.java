@@ -1,0 +1,96 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.result.Gain;
+import org.auvsim.diagnosis.result.Sentence;
+import org.auvsim.diagnosis.result.Verdict;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.StringJoiner;
+
+/** What is to be known of runs, and limits what they say. */
+final class Notices {
+    private static final String NO_GAIN =
+            "held-out runs are predicted as well without what was found: it matters to runs of the"
+                    + " fit alone; if nothing else was there, their start may not have been found,"
+                    + " as that of a body which nothing rights: shorter parts (--parts SECONDS)"
+                    + " tell";
+
+    private final BelievedModel model;
+    private final List<MeasuredRun> fit;
+    private final List<MeasuredRun> all;
+
+    /** Of a model, the runs it was searched with, and those that judge. */
+    Notices(BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
+        this.model = model;
+        this.fit = fit;
+        this.all = new ArrayList<>(fit);
+        all.addAll(heldOut);
+    }
+
+    /** Steps that follow data which no model fits tell of that data, not of the scenario. */
+    List<String> of(Search.Found found, Verdict verdict, Map<Channel, Gain> gains) {
+        List<String> notices = new ArrayList<>();
+        if (verdict == Verdict.EXPLAINED && !gains.isEmpty() && !Sentence.isGain(gains)) {
+            notices.add(NO_GAIN);
+        }
+        double stated = model.scenario().timeStep().delta();
+        double used = found.stepping().fine().scenario().timeStep().delta();
+        if (used < stated && verdict != Verdict.UNEXPLAINED) {
+            notices.add(
+                    ("the scenario's time step of %s s is too long for this data: steps of %s"
+                                    + " s were made, which a simulation needs, too")
+                            .formatted(stated, used));
+        }
+        String still = still(found.noise());
+        if (!still.isEmpty()) {
+            notices.add(
+                    "what never changes in any run tells nothing and counts as not measured: "
+                            + still);
+        }
+        all.forEach(run -> notices.addAll(stuck(run, found.noise())));
+        for (Misses of : Misses.of(all, found.noise())) {
+            HeavyTails.notice(of.run(), of.rows(), found.noise()).ifPresent(notices::add);
+        }
+        return notices;
+    }
+
+    /** What never changes in a run, but does in others. */
+    private static List<String> stuck(MeasuredRun run, Noise noise) {
+        List<String> stuck = new ArrayList<>();
+        for (Channel channel : Channel.values()) {
+            for (int axis = 0; axis < 3; axis++) {
+                if (run.measures(channel, axis)
+                        && noise.tells(channel, axis)
+                        && !Noise.changes(run, channel, axis)) {
+                    stuck.add(
+                            "%s: %s %s never changes, though it does in other runs; if its sensor was dead, leave the run out or empty the cells"
+                                    .formatted(
+                                            run.name(),
+                                            HeavyTails.name(channel),
+                                            "xyz".charAt(axis)));
+                }
+            }
+        }
+        return stuck;
+    }
+
+    /** The axes that were measured and never change. */
+    private String still(Noise noise) {
+        StringJoiner still = new StringJoiner(", ");
+        for (Channel channel : Channel.values()) {
+            for (int axis = 0; axis < 3; axis++) {
+                int of = axis;
+                boolean isMeasured = fit.stream().anyMatch(run -> run.measures(channel, of));
+                if (isMeasured && !noise.tells(channel, axis)) {
+                    still.add(HeavyTails.name(channel) + " " + "xyz".charAt(axis));
+                }
+            }
+        }
+        return still.toString();
+    }
+}

@@ -9,9 +9,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Function;
+import java.util.Set;
+import java.util.function.BiFunction;
 import java.util.function.Predicate;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -25,6 +27,9 @@ final class Screen {
     private static final int KEPT = 5;
     private static final int STARTS_OF_ONE = 2;
 
+    /** Frequencies at which one that swings is begun. */
+    private static final int PEAKS = 4;
+
     /** Where the search is thorough: starts of one cause, and of all together. */
     private static final int THOROUGH = 4;
 
@@ -37,6 +42,7 @@ final class Screen {
 
     private final Fit base;
     private final List<Seed> seeds;
+    private final List<Cause> swept;
     private final int own;
     private final Bounds bounds;
     private final Moves moves;
@@ -52,6 +58,11 @@ final class Screen {
 
     /** What a set of guesses promises, and the factors of all columns, own ones first. */
     private record Promise(List<Seed> set, List<Double> factors, double score) {
+        /** The only one of a set of one. */
+        Cause cause() {
+            return set.getFirst().cause();
+        }
+
         double[] factors(int from, int to) {
             return factors.subList(from, to).stream().mapToDouble(Double::doubleValue).toArray();
         }
@@ -66,6 +77,8 @@ final class Screen {
         this.base = base;
         this.own = base.hypothesis().size();
         this.seeds = Seed.of(causes, guesses, own);
+        this.swept =
+                guesses.stream().filter(Seed.Guesses::isSwept).map(Seed.Guesses::cause).toList();
         this.bounds = bounds();
         this.moves = moves();
         this.derivatives = FirstOrder.derivatives(base, moves);
@@ -126,15 +139,26 @@ final class Screen {
      * @param isNew those of which each set has one at least
      */
     List<Start> starts(int size, Predicate<Cause> isNew) {
-        return starts(blocks -> size == 1 ? bestSingles(blocks, isNew) : bestPairs(blocks, isNew));
+        return starts(
+                (blocks, isWhole) ->
+                        size == 1 ? bestSingles(blocks, isWhole, isNew) : bestPairs(blocks, isNew));
     }
 
     /** Several starts of each cause alone, from each level. */
     List<Start> startsOfEach() {
-        return starts(blocks -> firstOfEach(singles(blocks, -LACKING), THOROUGH, MOST_THOROUGH));
+        return starts(
+                (blocks, isWhole) ->
+                        firstOfEach(
+                                best(lackingLittle(blocks)),
+                                isWhole ? 1 : THOROUGH,
+                                MOST_THOROUGH));
     }
 
-    private List<Start> starts(Function<List<List<WindowBlock>>, List<Promise>> best) {
+    private List<Promise> lackingLittle(List<List<WindowBlock>> blocks) {
+        return ofEachSeed(blocks).stream().filter(p -> p.score() > -LACKING).toList();
+    }
+
+    private List<Start> starts(BiFunction<List<List<WindowBlock>>, Boolean, List<Promise>> best) {
         List<Start> starts = new ArrayList<>();
         int longest = base.longest();
         int[] levels =
@@ -143,8 +167,9 @@ final class Screen {
                         .toArray();
         for (int perBlock : levels) {
             List<List<WindowBlock>> blocks = base.blocks(derivatives, perBlock);
-            for (Promise promise : best.apply(blocks)) {
-                if (starts.stream().noneMatch(s -> isSame(s, promise, perBlock))) {
+            List<Start> earlier = List.copyOf(starts);
+            for (Promise promise : best.apply(blocks, perBlock == longest)) {
+                if (earlier.stream().noneMatch(s -> isSame(s, promise, perBlock))) {
                     starts.add(start(blocks, promise, perBlock));
                 }
             }
@@ -189,21 +214,56 @@ final class Screen {
     }
 
     /** All there are, if they are few: what one promises is true to first order only. */
-    private List<Promise> bestSingles(List<List<WindowBlock>> blocks, Predicate<Cause> isNew) {
+    private List<Promise> bestSingles(
+            List<List<WindowBlock>> blocks, boolean isWhole, Predicate<Cause> isNew) {
         boolean areFew = seeds.stream().map(Seed::cause).distinct().count() <= KEPT;
+        double least = areFew ? Double.NEGATIVE_INFINITY : 0;
         List<Promise> promises =
-                singles(blocks, areFew ? Double.NEGATIVE_INFINITY : 0).stream()
-                        .filter(promise -> isNew.test(promise.set().getFirst().cause()))
+                ofEachSeed(blocks).stream()
+                        .filter(promise -> promise.score() > least)
+                        .filter(promise -> isNew.test(promise.cause()))
                         .toList();
-        return firstOfEach(promises, STARTS_OF_ONE, KEPT);
+        return isWhole
+                ? withPeaks(firstOfEach(best(promises), 1, KEPT), promises)
+                : firstOfEach(best(promises), STARTS_OF_ONE, KEPT);
     }
 
-    /** Those that make sense and promise more than that, the most promising first. */
-    private List<Promise> singles(List<List<WindowBlock>> blocks, double least) {
+    /**
+     * With what swings begun at other frequencies, too, that promise more than those beside them:
+     * what swings so much that it changes the motion is not the one that promises most.
+     */
+    private List<Promise> withPeaks(List<Promise> first, List<Promise> bySeed) {
+        List<Promise> peaks =
+                IntStream.range(0, bySeed.size())
+                        .filter(i -> !isBelow(bySeed, i, i - 1) && !isBelow(bySeed, i, i + 1))
+                        .mapToObj(bySeed::get)
+                        .filter(peak -> swept.contains(peak.cause()))
+                        .filter(
+                                peak ->
+                                        first.stream()
+                                                .anyMatch(p -> p.cause().equals(peak.cause())))
+                        .toList();
+        Set<Promise> all = new LinkedHashSet<>(first);
+        all.addAll(firstOfEach(best(peaks), PEAKS, PEAKS * KEPT));
+        return List.copyOf(all);
+    }
+
+    /** Whether one promises less than another guess beside it at the same cause. */
+    private static boolean isBelow(List<Promise> bySeed, int one, int beside) {
+        return beside >= 0
+                && beside < bySeed.size()
+                && bySeed.get(beside).cause().equals(bySeed.get(one).cause())
+                && bySeed.get(beside).score() > bySeed.get(one).score();
+    }
+
+    /** What each guess at one cause promises, in their order. */
+    private List<Promise> ofEachSeed(List<List<WindowBlock>> blocks) {
         double without = dropOfOwn(gram(blocks, List.of()));
-        return seeds.parallelStream()
-                .map(seed -> alone(blocks, List.of(seed), without))
-                .filter(promise -> promise.score() > least)
+        return seeds.parallelStream().map(seed -> alone(blocks, List.of(seed), without)).toList();
+    }
+
+    private static List<Promise> best(List<Promise> promises) {
+        return promises.stream()
                 .sorted(Comparator.comparingDouble(Promise::score).reversed())
                 .toList();
     }

@@ -8,9 +8,6 @@ import java.util.List;
 
 /** Screens causes along the measured motion, as closely as a model can follow it. */
 final class Screening {
-    /** What is begun at many places has fewer columns. */
-    private static final int SWEPT = 100;
-
     private final Fit base;
     private final Noise noise;
     private final List<Seed.Guesses> guesses;
@@ -68,14 +65,9 @@ final class Screening {
         return guesses.stream().anyMatch(g -> g.cause().equals(cause) && g.guesses().size() > 2);
     }
 
-    /** Whether there are so many columns of it as of what swings, at any of many frequencies. */
+    /** Whether it swings, at any of many frequencies. */
     boolean isSwept(Cause cause) {
-        return guesses.stream()
-                        .filter(g -> g.cause().equals(cause))
-                        .flatMap(g -> g.guesses().stream())
-                        .mapToInt(guess -> guess.columns().size())
-                        .sum()
-                > SWEPT;
+        return guesses.stream().anyMatch(g -> g.cause().equals(cause) && g.isSwept());
     }
 
     /** With one cause each, the most promising first. */

@@ -31,7 +31,15 @@ record Seed(Cause cause, Guess guess, int first) {
     }
 
     /** A cause and where to begin. */
-    record Guesses(Cause cause, List<Guess> guesses) {}
+    record Guesses(Cause cause, List<Guess> guesses) {
+        /** What is begun at many places has fewer columns. */
+        private static final int SWEPT = 100;
+
+        /** Whether there are so many columns as of what swings, at any of many frequencies. */
+        boolean isSwept() {
+            return guesses.stream().mapToInt(guess -> guess.columns().size()).sum() > SWEPT;
+        }
+    }
 
     int[] columns() {
         int[] columns = new int[guess.columns().size()];

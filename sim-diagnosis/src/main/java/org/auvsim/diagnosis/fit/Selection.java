@@ -101,12 +101,19 @@ final class Selection {
         return Choice.near(best, tried.eachSetOnce(), library);
     }
 
-    /** Where as many as there may be miss something, others will, too. */
+    /**
+     * Where as many as there may be miss something, others will, too. What was exchanged may have
+     * stood for what another of its causes stands for: each is exchanged again beside it.
+     */
     private Judged exchanged(Judged found, Traces traces) {
         boolean isWorthIt = contest.isEmpty() && (hasRoom(found) || found.isWhite());
-        return isWorthIt
-                ? new Exchange(library, screening, tried, course).best(found, traces)
-                : found;
+        if (!isWorthIt) {
+            return found;
+        }
+        Judged best = new Exchange(library, screening, tried, course).best(found, traces);
+        return best.hasCausesOf(found) || best.fit().hypothesis().causes().size() < 2
+                ? best
+                : exchanged(best, screening.traces(best));
     }
 
     /**

@@ -96,7 +96,7 @@ final class CsvRuns {
                 notices.add(
                         undirected.size() == 1 ? lacks(undirected.getFirst()) : lacks(undirected));
             }
-            isDoubtful |= !undirected.isEmpty() && body.isAll(undirected);
+            isDoubtful |= body.isAllDrive(undirected);
             return Survey.of(table, layout);
         } catch (IOException e) {
             throw CsvTable.unreadable(file, e);

@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.reading;
 
+import org.auvsim.core.actuator.Fin;
 import org.auvsim.core.entity.Actuator;
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -39,8 +40,10 @@ final class MeasuredBody {
                 : commands.actuators().stream().filter(a -> !told.contains(a.name())).toList();
     }
 
-    /** Whether there are no other actuators. */
-    boolean isAll(List<Actuator> some) {
-        return some.size() == commands.actuators().size();
+    /** Whether they are all that drives it; fins may well be fixed. */
+    boolean isAllDrive(List<Actuator> some) {
+        List<Actuator> drive =
+                commands.actuators().stream().filter(a -> !(a instanceof Fin)).toList();
+        return !drive.isEmpty() && some.containsAll(drive);
     }
 }

@@ -22,9 +22,14 @@ class SuspicionsTest {
         return folder.resolve("run.csv") + place;
     }
 
-    /** One that is not told may be off; where none is, what was told is missing. */
+    /** A fin that is not told may be fixed; where nothing drives, what was told is missing. */
     @ParameterizedTest
-    @CsvSource({"'x,main,rudder', 0, false", "'x,main', 1, false", "x, 1, true"})
+    @CsvSource({
+        "'x,main,rudder', 0, false",
+        "'x,main', 1, false",
+        "'x,rudder', 1, true",
+        "x, 1, true"
+    })
     void commandsThatAreMissingAreTold(String header, int notices, boolean isDoubtful)
             throws Exception {
         String zeros = ",0".repeat(header.split(",", -1).length - 1);
@@ -33,7 +38,10 @@ class SuspicionsTest {
 
         assertThat(file.notices())
                 .filteredOn(
-                        notice -> notice.contains("told") || notice.contains("angle of the fin"))
+                        notice ->
+                                notice.contains("told")
+                                        || notice.contains("level of the propulsor")
+                                        || notice.contains("angle of the fin"))
                 .hasSize(notices);
         assertThat(file.isDoubtful()).isEqualTo(isDoubtful);
     }

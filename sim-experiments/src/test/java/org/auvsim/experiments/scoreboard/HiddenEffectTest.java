@@ -22,7 +22,8 @@ class HiddenEffectTest {
         "0.01, 61014, 0.06, 0.06",
         "0.01, 4113, 0.13, 0.13",
         "0.001, 61014, 0.006, 0.007",
-        "0.05, 16, 0.08, 0.08"
+        "0.05, 16, 0.08, 0.08",
+        "0.05, 120004, 0.36, 0.2"
     })
     void anEffectOfTheLibraryIsNamed(double noise, long seed, double parameters, double left) {
         HiddenCase of = CaseBook.draw(CaseKind.SINGLE, noise, seed);
@@ -42,7 +43,7 @@ class HiddenEffectTest {
     }
 
     @ParameterizedTest(name = "noise {0}, seed {1}")
-    @CsvSource("0.01, 3, 0.03")
+    @CsvSource({"0.01, 3, 0.03", "0.05, 120008, 0.015"})
     void bothOfAPairAreNamedAndNothingElse(double noise, long seed, double left) {
         HiddenCase of = CaseBook.draw(CaseKind.PAIR, noise, seed);
         foretells(of, right(of), left);

@@ -140,20 +140,29 @@ final class Gram {
         return Arrays.stream(products).flatMapToDouble(Arrays::stream).allMatch(Double::isFinite);
     }
 
+    private boolean isFinite(int column, int[] others) {
+        double[] ofColumn = products[column];
+        return Double.isFinite(products[misses][column])
+                && Arrays.stream(others).allMatch(other -> Double.isFinite(ofColumn[other]));
+    }
+
     /** The change of these parameters, within their bounds, that explains most. */
     double[] solve(int[] columns, Bounds bounds) {
         return solve(columns, bounds, RIDGE, new double[columns.length]);
     }
 
     /**
-     * The same, damped. What would go beyond its bounds stops there, and the others make up for it.
+     * The same, damped. What would go beyond its bounds stops there, and the others make up for it;
+     * what is out of all bounds, so that its products are no numbers, stays where it is.
      *
      * @param damping share of a column's size that is added to it (Marquardt 1963)
      * @param least sizes that are damped: a column that is 0 just here is not to go anywhere
      */
     double[] solve(int[] columns, Bounds bounds, double damping, double[] least) {
         boolean[] isFree = new boolean[columns.length];
-        Arrays.fill(isFree, true);
+        for (int i = 0; i < isFree.length; i++) {
+            isFree[i] = isFinite(columns[i], columns);
+        }
         double[] change = new double[columns.length];
         boolean goesOn = true;
         while (goesOn) {
@@ -192,7 +201,7 @@ final class Gram {
             matrix[a][a] = 1 + damping * damped * damped;
             double missed = products[misses][columns[free[a]]];
             for (int i = 0; i < columns.length; i++) {
-                missed += isFree[i] ? 0 : ofColumn[columns[i]] * change[i];
+                missed += isFree[i] || change[i] == 0 ? 0 : ofColumn[columns[i]] * change[i];
             }
             right[a] = -missed / scale[a];
         }
@@ -220,9 +229,10 @@ final class Gram {
     /** By how much the cost falls with a change of these parameters. */
     double drop(int[] columns, double[] change) {
         double drop = 0;
-        for (int a = 0; a < columns.length; a++) {
+        int[] changed = IntStream.range(0, columns.length).filter(i -> change[i] != 0).toArray();
+        for (int a : changed) {
             drop -= 2 * change[a] * products[misses][columns[a]];
-            for (int b = 0; b < columns.length; b++) {
+            for (int b : changed) {
                 drop -= change[a] * products[columns[a]][columns[b]] * change[b];
             }
         }

@@ -37,6 +37,20 @@ class GramTest {
     /** (a - 1)^2 + (b + 2)^2 + (a + b)^2, the lowest where a = 4/3 and b = -5/3. */
     private static final Gram BOWL = new Gram(new double[][] {{2, 1, -1}, {1, 2, 2}, {-1, 2, 5}});
 
+    /** What b does is beyond all numbers: a goes where it would alone. */
+    @Test
+    void whatIsOutOfAllBoundsStaysWhereItIs() {
+        double over = Double.POSITIVE_INFINITY;
+        Gram gram = new Gram(new double[][] {{2, 0, -4}, {0, over, over}, {-4, over, 9}});
+        int[] both = {0, 1};
+
+        double[] change = gram.solve(both, free(2));
+
+        assertThat(change[0]).isCloseTo(2, within(1e-8));
+        assertThat(change[1]).isZero();
+        assertThat(gram.drop(both, change)).isCloseTo(8, within(1e-8));
+    }
+
     /** The cost is lowest 500 scales away, though noise hides all that is nearer than 1000. */
     @Test
     void whatTheDataHardlyTellsIsHardlyMoved() {

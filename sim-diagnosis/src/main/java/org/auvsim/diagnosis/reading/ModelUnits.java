@@ -45,6 +45,9 @@ final class ModelUnits {
     /** Only where the ways differ by this factor another unit is tried. */
     private static final double FAR = 30;
 
+    /** Ways that differ by less are of the same unit, whatever the model lacks. */
+    private static final double AS_FAR = 5;
+
     /** An axis tells something where forces do such a share (of squares) of what they do at all. */
     private static final double MATTERS = 0.0025;
 
@@ -138,6 +141,7 @@ final class ModelUnits {
             int from = (int) ((long) part * run.size() / parts);
             int to = (int) ((long) (part + 1) * run.size() / parts) - 1;
             UnitTrial trial = UnitTrial.of(model, run, from, to);
+            accounts.forEach(a -> a.isRefuted |= isAsFar(trial.farther(a.of.axes())));
             List<Suspicion> worthwhile =
                     accounts.stream()
                             .map(account -> account.of)
@@ -153,6 +157,11 @@ final class ModelUnits {
     /** Whether a way that is so many times that of the model from rest can be in another unit. */
     private static boolean isPossible(Suspicion of, double farther) {
         return of.factor() < 1 ? farther > FAR : farther < 1 / FAR;
+    }
+
+    /** Whether such a way speaks for the unit as told: in another one it would be far too short. */
+    private static boolean isAsFar(double farther) {
+        return farther > 1 / AS_FAR && farther < AS_FAR;
     }
 
     private void judge(Account account, List<UnitTrial> trials) {

@@ -70,6 +70,31 @@ class SuspicionsTest {
         assertThat(Rov.read(folder, ColumnMapping.USUAL, text).notices()).isEmpty();
     }
 
+    /**
+     * Told to do next to nothing at first, it is pushed by something unknown, 1000 times as much;
+     * then it goes as far as the model, the other way.
+     */
+    @Test
+    void aPartThatHappensToBendAlikeIsNotOfAnotherUnitWhereTheRestIsAsLong() throws Exception {
+        String text =
+                Rov.rows(
+                        "x,y,z,main,rudder,push",
+                        90,
+                        i -> {
+                            double pushed = 0.5 * 20 / 30 * 0.01;
+                            double y =
+                                    i < 30
+                                            ? pushed * i * i
+                                            : pushed
+                                                    * (900
+                                                            + 60 * (i - 30)
+                                                            - 1.2 * (i - 30) * (i - 30));
+                            return "0," + y + ",0," + (i < 30 ? 0.001 : 1) + ",0,0";
+                        });
+
+        assertThat(Rov.read(folder, ColumnMapping.USUAL, text).notices()).isEmpty();
+    }
+
     @ParameterizedTest
     @CsvSource({"ENU, ENU, 0", "NED, NED, 0", "NED, ENU, 1", "ENU, NED, 1"})
     void otherAxesAreSuspectedByHowTheModelMoves(

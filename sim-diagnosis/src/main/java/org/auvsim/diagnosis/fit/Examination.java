@@ -138,7 +138,7 @@ public final class Examination {
                         .orElseGet(() -> trial.gains(before, after));
         Optional<Discrepancy> discrepancy =
                 verdict == Verdict.UNEXPLAINED
-                        ? Optional.of(Misfit.largest(best, share))
+                        ? Optional.of(Misfit.largest(judgement.inDoubt(), share))
                         : Optional.empty();
         Sentence sentence = new Sentence(gains, usedHeldOut);
         String words =

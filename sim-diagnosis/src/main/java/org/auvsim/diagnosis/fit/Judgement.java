@@ -56,6 +56,11 @@ record Judgement(
         return found.best().isWhite() && !agrees;
     }
 
+    /** What misses something: the runs of the fit, or else those that were held out. */
+    Judged inDoubt() {
+        return found.best().isWhite() ? after : found.best();
+    }
+
     /** Whether what all runs say is something else than what those of the fit said. */
     boolean isNews(Search.Found all) {
         List<Cause> before = found.best().fit().hypothesis().causes();

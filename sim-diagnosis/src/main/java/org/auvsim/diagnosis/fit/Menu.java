@@ -4,6 +4,7 @@ import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.model.Ensemble;
 import org.auvsim.diagnosis.model.Ensemble.Entrant;
 import org.auvsim.diagnosis.model.Variant;
@@ -22,6 +23,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /**
  * Proposes the run of a menu that would tell most among models that are left: the one of which most
@@ -38,6 +40,11 @@ final class Menu {
     private static final double LEVEL = 0.7;
     private static final double SPIN = 0.5;
     private static final double SHARE_OF_MASS = 0.2;
+
+    /** Logarithm of odds from which evidence is strong (Kass and Raftery 1995). */
+    private static final double STRONG = 3;
+
+    private static final double ROUNDING = 1e-9;
 
     /** So much lower is another depth (m). */
     private static final double DEEPER = 5;
@@ -85,7 +92,8 @@ final class Menu {
         return competitors.isEmpty()
                 ? Optional.empty()
                 : dishes().stream()
-                        .map(dish -> experiment(dish, best.fit().variant(), competitors))
+                        .filter(this::isPossible)
+                        .map(dish -> experiment(dish, best, competitors))
                         .flatMap(Optional::stream)
                         .max(
                                 Comparator.comparingInt(Told::competitors)
@@ -96,17 +104,30 @@ final class Menu {
     /** An experiment, and how many competitors it tells from the best. */
     private record Told(NextExperiment experiment, int competitors) {}
 
+    /** Whether it begins otherwise only where nothing holds the body. */
+    private boolean isPossible(Dish dish) {
+        double[] moved = dish.start().minus(rest);
+        double[] free = stepping.model().free(moved);
+        return IntStream.range(0, moved.length)
+                .allMatch(i -> Math.abs(moved[i] - free[i]) < ROUNDING);
+    }
+
     /** Empty if it tells the best from no competitor. */
-    private Optional<Told> experiment(Dish dish, Variant best, List<Judged> competitors) {
-        MeasuredRun run = measured(dish, best);
+    private Optional<Told> experiment(Dish dish, Judged best, List<Judged> competitors) {
+        MeasuredRun run = measured(dish, best.fit().variant());
+        List<Cause> causes = best.fit().hypothesis().causes();
         double least = Double.POSITIVE_INFINITY;
         int told = 0;
         Set<String> separates = new LinkedHashSet<>();
         for (Judged competitor : competitors) {
             Hypothesis of = competitor.fit().hypothesis();
             double evidence = evidence(run, dish.start(), of);
-            if (evidence > 1) {
-                of.causes().forEach(cause -> separates.add(cause.name()));
+            if (evidence > STRONG) {
+                Set<Cause> either = new LinkedHashSet<>(causes);
+                either.addAll(of.causes());
+                either.stream()
+                        .filter(c -> !causes.contains(c) || !of.causes().contains(c))
+                        .forEach(cause -> separates.add(cause.name()));
                 least = Math.min(least, evidence);
                 told++;
             }

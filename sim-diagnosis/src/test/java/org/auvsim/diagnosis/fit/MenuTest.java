@@ -40,7 +40,7 @@ class MenuTest {
                 next(judged("thruster_gain", -0.2), judged("mass_error", 0.25)).orElseThrow();
 
         assertThat(next.id()).isEqualTo("known_mass");
-        assertThat(next.separates()).containsExactly("mass_error");
+        assertThat(next.separates()).containsExactly("thruster_gain (motor)", "mass_error");
     }
 
     /** Sensors that err lastingly will do so again: another run tells less then. */
@@ -88,6 +88,6 @@ class MenuTest {
         Menu menu = new Menu(best.fit(), Noise.of(List.of(best.fit().data().getFirst().run())));
         assertThat(menu.next(best, List.of(other, heavy)).orElseThrow().separates())
                 .as("what can be told is, though not all can")
-                .containsExactly("mass_error");
+                .containsExactly("thruster_gain (motor)", "mass_error");
     }
 }

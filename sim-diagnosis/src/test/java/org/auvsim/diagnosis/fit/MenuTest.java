@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.cause.Parameter;
+import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.NextExperiment;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -89,5 +91,46 @@ class MenuTest {
         assertThat(menu.next(best, List.of(other, heavy)).orElseThrow().separates())
                 .as("what can be told is, though not all can")
                 .containsExactly("thruster_gain (motor)", "mass_error");
+    }
+
+    /**
+     * A current that grows with depth is told from none by going deeper; a rail lets none do so.
+     */
+    @Test
+    void whatHoldsTheBodyLimitsTheMenu() throws Exception {
+        assertThat(currents("").orElseThrow().id()).isEqualTo("another_depth");
+        assertThat(currents("<held z=\"1\"/>")).isEmpty();
+    }
+
+    private static Optional<NextExperiment> currents(String held) throws Exception {
+        BelievedModel dragged =
+                Believed.model(
+                        """
+                        <scenario><time-step delta="0.05"/>
+                          <world-object name="cart" mass="10"><sphere radius="0.2"/>
+                            <damping><linear x="2" y="2" z="2"/></damping>
+                            <propulsor name="motor" maximum-thrust="20"/>
+                            %s
+                          </world-object>
+                        </scenario>
+                        """
+                                .formatted(held),
+                        "cart");
+        return next(
+                current(dragged, "current_constant", 0, 0, 0),
+                current(dragged, "current_shear", 0.1, 0));
+    }
+
+    private static Judged current(BelievedModel dragged, String id, double... numbers) {
+        List<MeasuredRun> runs = List.of(CART.run());
+        Cause cause =
+                Library.of(dragged, runs).stream()
+                        .filter(c -> c.id().equals(id))
+                        .findFirst()
+                        .orElseThrow();
+        Noise noise = Noise.of(runs);
+        Hypothesis of = new Hypothesis(List.of(cause), List.of(numbers));
+        Stepping stepping = Stepping.longer(dragged).getFirst();
+        return Judged.of(Following.of(stepping, of, Misses.of(runs, noise), noise).whole());
     }
 }

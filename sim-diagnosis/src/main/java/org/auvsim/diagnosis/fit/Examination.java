@@ -133,14 +133,15 @@ public final class Examination {
                         .filter(other -> !other.isNone())
                         .map(other -> Alternatives.alternative(best, other))
                         .toList();
-        Map<Channel, Gain> gains =
-                turns.map(of -> Trial.leftOut(asBelieved(found), of, found.noise()))
-                        .orElseGet(() -> trial.gains(before, after));
+        Foretold foretold =
+                turns.map(of -> Foretold.byTurns(asBelieved(found), of, found.noise()))
+                        .orElseGet(() -> Foretold.of(before, after, found.noise()));
+        Map<Channel, Gain> gains = foretold.gains();
         Optional<Discrepancy> discrepancy =
                 verdict == Verdict.UNEXPLAINED
                         ? Optional.of(Misfit.largest(judgement.inDoubt(), share))
                         : Optional.empty();
-        Sentence sentence = new Sentence(gains, usedHeldOut);
+        Sentence sentence = new Sentence(gains, usedHeldOut, foretold.isBetter());
         String words =
                 switch (verdict) {
                     case EXPLAINED -> explained(sentence, found, selected, share, alternatives);
@@ -166,7 +167,7 @@ public final class Examination {
                 new Menu(best.fit(), found.noise()).next(best, found.competitors()),
                 found.traces().identifiability(best.fit().hypothesis().causes()),
                 model.extended(isExplained ? best.fit().variant() : model.variant()),
-                new Notices(model, fit, heldOut).of(found, verdict, gains),
+                new Notices(model, fit, heldOut).of(found, verdict, foretold),
                 seed,
                 course.goesOn());
     }

@@ -40,8 +40,10 @@ public record Imitation(UnaryOperator<Variant> change) implements Cause {
      */
     public Map<Channel, Gain> gains(
             BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
-        Trial trial = new Trial(Stepping.exact(model), heldOut, Noise.of(fit));
+        Noise noise = Noise.of(fit);
+        Trial trial = new Trial(Stepping.exact(model), heldOut, noise);
         Hypothesis imitated = Hypothesis.NONE.and(this, new double[0]);
-        return trial.gains(trial.prediction(Hypothesis.NONE), trial.prediction(imitated));
+        Judged before = trial.prediction(Hypothesis.NONE);
+        return Foretold.of(before, trial.prediction(imitated), noise).gains();
     }
 }

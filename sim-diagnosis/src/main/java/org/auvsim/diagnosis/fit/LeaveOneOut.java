@@ -1,7 +1,5 @@
 package org.auvsim.diagnosis.fit;
 
-import org.auvsim.diagnosis.fit.Outcome.Squares;
-import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
@@ -82,18 +80,6 @@ final class LeaveOneOut {
 
     private Judged converged(Fit fit) {
         return Descent.of(fit).steps(STEPS, Double.POSITIVE_INFINITY, course);
-    }
-
-    /** Root mean square error of a channel over all predictions, in its unit. */
-    static double error(List<Judged> predictions, Channel channel) {
-        double sum = 0;
-        int count = 0;
-        for (Judged prediction : predictions) {
-            Squares errors = prediction.fit().errors().getOrDefault(channel, Outcome.NOTHING);
-            sum += errors.sum();
-            count += errors.count();
-        }
-        return Math.sqrt(sum / count);
     }
 
     private static Fit without(Fit fit, int run) {

@@ -1,15 +1,12 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.model.BelievedModel;
-import org.auvsim.diagnosis.result.Gain;
-import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.StringJoiner;
 
 /** What is to be known of runs, and limits what they say. */
@@ -33,9 +30,10 @@ final class Notices {
     }
 
     /** Steps that follow data which no model fits tell of that data, not of the scenario. */
-    List<String> of(Search.Found found, Verdict verdict, Map<Channel, Gain> gains) {
+    List<String> of(Search.Found found, Verdict verdict, Foretold foretold) {
         List<String> notices = new ArrayList<>();
-        if (verdict == Verdict.EXPLAINED && !gains.isEmpty() && !Sentence.isGain(gains)) {
+        boolean isTested = !foretold.gains().isEmpty();
+        if (verdict == Verdict.EXPLAINED && isTested && !foretold.isBetter()) {
             notices.add(NO_GAIN);
         }
         double stated = model.scenario().timeStep().delta();

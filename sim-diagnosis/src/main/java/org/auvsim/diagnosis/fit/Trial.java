@@ -1,16 +1,12 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
-import org.auvsim.diagnosis.fit.Outcome.Squares;
 import org.auvsim.diagnosis.model.Variant;
-import org.auvsim.diagnosis.result.Gain;
 import org.auvsim.diagnosis.result.HorizonGain;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
-import java.util.EnumMap;
 import java.util.List;
-import java.util.Map;
 
 /** Held-out runs judge a hypothesis, which had no part in choosing it. */
 final class Trial {
@@ -121,41 +117,7 @@ final class Trial {
         return Double.isFinite(heldOut.cost()) ? worst : Double.POSITIVE_INFINITY;
     }
 
-    /** Those of leaving each run out in turn, where all were searched with. */
-    static Map<Channel, Gain> leftOut(LeaveOneOut before, LeaveOneOut after, Noise noise) {
-        List<Judged> without = before.predictions();
-        List<Judged> with = after.predictions();
-        Map<Channel, Gain> gains = new EnumMap<>(Channel.class);
-        for (Channel channel : noise.byChannel().keySet()) {
-            gains.put(
-                    channel,
-                    new Gain(
-                            LeaveOneOut.error(without, channel),
-                            LeaveOneOut.error(with, channel),
-                            noise.of(channel)));
-        }
-        return gains;
-    }
-
-    /** Root mean square errors by channel, in the channel's unit. */
-    Map<Channel, Gain> gains(Judged before, Judged after) {
-        Map<Channel, Gain> gains = new EnumMap<>(Channel.class);
-        Map<Channel, Squares> errorsBefore = before.fit().errors();
-        Map<Channel, Squares> errorsAfter = after.fit().errors();
-        for (Channel channel : errorsAfter.keySet()) {
-            Squares without = errorsBefore.getOrDefault(channel, Outcome.NOTHING);
-            Squares with = errorsAfter.getOrDefault(channel, Outcome.NOTHING);
-            gains.put(
-                    channel,
-                    new Gain(
-                            Math.sqrt(without.sum() / without.count()),
-                            Math.sqrt(with.sum() / with.count()),
-                            noise.of(channel)));
-        }
-        return gains;
-    }
-
-    /** The same by how far ahead is predicted. */
+    /** Errors by how far ahead is predicted. */
     List<HorizonGain> horizons(Variant after) {
         return new Horizons(stepping, noise).gains(data, after);
     }

@@ -17,9 +17,6 @@ public final class Sentence {
     private static final String BEST = "; the best known causes take ";
     private static final String NO_GAIN = "; but they are predicted as well without ";
 
-    /** Of an error that is mostly noise even a cause that is surely there takes little away. */
-    private static final double GAIN = 0.998;
-
     private final Optional<Map.Entry<Channel, Gain>> error;
     private final String runs;
     private final boolean isGained;
@@ -29,19 +26,15 @@ public final class Sentence {
      *
      * @param heldOut by channel; that of the position is told, or else the first
      * @param usedHeldOut whether it is that of leaving each run out in turn
+     * @param isGained whether what was found makes it smaller, by more than chance
      */
-    public Sentence(Map<Channel, Gain> heldOut, boolean usedHeldOut) {
+    public Sentence(Map<Channel, Gain> heldOut, boolean usedHeldOut, boolean isGained) {
         this.error =
                 heldOut.isEmpty()
                         ? Optional.empty()
                         : new EnumMap<>(heldOut).entrySet().stream().findFirst();
         this.runs = usedHeldOut ? "left-out" : "held-out";
-        this.isGained = heldOut.isEmpty() || isGain(heldOut);
-    }
-
-    /** Whether what was found makes the errors of any channel smaller, to speak of. */
-    public static boolean isGain(Map<Channel, Gain> gains) {
-        return gains.values().stream().anyMatch(gain -> gain.after() < GAIN * gain.before());
+        this.isGained = heldOut.isEmpty() || isGained;
     }
 
     /**

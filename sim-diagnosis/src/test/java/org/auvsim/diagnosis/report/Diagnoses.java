@@ -193,7 +193,7 @@ final class Diagnoses {
                         Channel.ORIENTATION, new Gain(0.0041, 0.00405, TURN_NOISE));
         return diagnosis(
                 Verdict.EXPLAINED,
-                new Sentence(heldOut, false).explained(found, 0.991, alternatives),
+                new Sentence(heldOut, false, true).explained(found, 0.991, alternatives),
                 found,
                 alternatives,
                 heldOut,
@@ -209,7 +209,7 @@ final class Diagnoses {
         Map<Channel, Gain> heldOut = Map.of(Channel.POSITION, new Gain(0.0101, 0.0101, NOISE));
         return diagnosis(
                 Verdict.NONE,
-                new Sentence(heldOut, false).none(),
+                new Sentence(heldOut, false, true).none(),
                 List.of(),
                 List.of(),
                 heldOut,
@@ -234,7 +234,7 @@ final class Diagnoses {
                         0.41);
         return diagnosis(
                 Verdict.UNEXPLAINED,
-                new Sentence(heldOut, false).unexplained(Optional.of(seen)),
+                new Sentence(heldOut, false, true).unexplained(Optional.of(seen)),
                 List.of(),
                 List.of(),
                 heldOut,

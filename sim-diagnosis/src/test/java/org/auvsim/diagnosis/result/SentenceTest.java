@@ -30,7 +30,8 @@ class SentenceTest {
                     Map.of(
                             Channel.POSITION, new Gain(0.83, 0.0112, 0.01),
                             Channel.ORIENTATION, new Gain(0.1, 0.1, 0.1)),
-                    false);
+                    false,
+                    true);
 
     private static Finding found(String cause, List<Quantity> quantities, List<Double> deviations) {
         return new Finding(cause, Optional.empty(), quantities, deviations, 0.99, true);
@@ -66,7 +67,7 @@ class SentenceTest {
     @Test
     void aCauseThatMattersToNoHeldOutRun() {
         Sentence same =
-                new Sentence(Map.of(Channel.POSITION, new Gain(0.01001, 0.01, 0.01)), false);
+                new Sentence(Map.of(Channel.POSITION, new Gain(0.01001, 0.01, 0.01)), false, false);
         assertThat(same.explained(List.of(DRAG), 0.991, List.of()))
                 .endsWith(
                         "; held-out position error 0.010 m -> 0.010 m, noise is 0.010 m; but they"
@@ -182,7 +183,10 @@ class SentenceTest {
     @Test
     void nothing() {
         assertThat(
-                        new Sentence(Map.of(Channel.POSITION, new Gain(0.011, 0.011, 0.01)), false)
+                        new Sentence(
+                                        Map.of(Channel.POSITION, new Gain(0.011, 0.011, 0.01)),
+                                        false,
+                                        false)
                                 .none())
                 .isEqualTo(
                         "Nothing is missing that this data could show; held-out position error"
@@ -203,7 +207,8 @@ class SentenceTest {
 
     @Test
     void whatPredictsHeldOutRunsWorseIsToldSo() {
-        Sentence worse = new Sentence(Map.of(Channel.POSITION, new Gain(0.83, 2.1, 0.01)), false);
+        Sentence worse =
+                new Sentence(Map.of(Channel.POSITION, new Gain(0.83, 2.1, 0.01)), false, false);
 
         assertThat(worse.unexplained(Optional.empty()))
                 .endsWith("error 0.83 m -> 2.1 m, noise is 0.010 m, so they make it worse");
@@ -230,12 +235,12 @@ class SentenceTest {
 
     @Test
     void otherChannelsAndRunsLeftOut() {
-        Sentence depth = new Sentence(Map.of(Channel.VELOCITY, new Gain(2, 1, 0.5)), true);
+        Sentence depth = new Sentence(Map.of(Channel.VELOCITY, new Gain(2, 1, 0.5)), true, true);
         assertThat(depth.unexplained(Optional.empty()))
                 .isEqualTo(
                         "Something is missing that no known cause explains; left-out velocity error"
                                 + " 2.0 m/s -> 1.0 m/s, noise is 0.50 m/s");
-        assertThat(new Sentence(Map.of(), false).none())
+        assertThat(new Sentence(Map.of(), false, false).none())
                 .isEqualTo("Nothing is missing that this data could show");
     }
 

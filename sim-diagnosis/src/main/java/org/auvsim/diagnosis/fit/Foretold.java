@@ -1,0 +1,61 @@
+package org.auvsim.diagnosis.fit;
+
+import org.auvsim.diagnosis.fit.Outcome.Squares;
+import org.auvsim.diagnosis.result.Gain;
+import org.auvsim.diagnosis.run.Channel;
+
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * How well runs are foretold that had no part in the fit.
+ *
+ * @param gains root mean square errors by channel, in its unit, without and with what was found
+ * @param isBetter whether they are foretold better with it than chance alone would have it
+ */
+record Foretold(Map<Channel, Gain> gains, boolean isBetter) {
+    /** Twice the logarithm of the likelihood grows by more for a number two deviations off. */
+    private static final double CHANCE = 4;
+
+    /** Held-out runs. */
+    static Foretold of(Judged before, Judged after, Noise noise) {
+        return of(List.of(before), List.of(after), noise);
+    }
+
+    /** Each run by the others, where all were searched with. */
+    static Foretold byTurns(LeaveOneOut before, LeaveOneOut after, Noise noise) {
+        return of(before.predictions(), after.predictions(), noise);
+    }
+
+    private static Foretold of(List<Judged> before, List<Judged> after, Noise noise) {
+        Map<Channel, Gain> gains = new EnumMap<>(Channel.class);
+        for (Channel channel : noise.byChannel().keySet()) {
+            if (isTold(after, channel)) {
+                gains.put(
+                        channel,
+                        new Gain(error(before, channel), error(after, channel), noise.of(channel)));
+            }
+        }
+        return new Foretold(gains, deviance(before) - deviance(after) > CHANCE);
+    }
+
+    private static boolean isTold(List<Judged> runs, Channel channel) {
+        return runs.stream().anyMatch(run -> run.fit().errors().containsKey(channel));
+    }
+
+    private static double error(List<Judged> runs, Channel channel) {
+        double sum = 0;
+        int count = 0;
+        for (Judged run : runs) {
+            Squares errors = run.fit().errors().getOrDefault(channel, Outcome.NOTHING);
+            sum += errors.sum();
+            count += errors.count();
+        }
+        return Math.sqrt(sum / count);
+    }
+
+    private static double deviance(List<Judged> runs) {
+        return runs.stream().mapToDouble(run -> run.outcome().deviance()).sum();
+    }
+}

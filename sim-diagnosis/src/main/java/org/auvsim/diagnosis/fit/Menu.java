@@ -138,18 +138,22 @@ final class Menu {
                         new Told(
                                 new NextExperiment(
                                         dish.id(),
-                                        dish.description(),
+                                        "%s, for %.3g s".formatted(dish.description(), duration),
                                         List.copyOf(separates),
                                         least),
                                 told));
     }
 
-    /** Half of what a hypothesis misses of it, from the start that suits it; 0 if it gets lost. */
+    /**
+     * Half of what a hypothesis misses of it, from the start that suits it after a few steps, which
+     * one would not find where drag is quadratic; 0 if it gets lost.
+     */
     private double evidence(MeasuredRun run, RigidMotion start, Hypothesis of) {
         List<Window> whole = List.of(new Window(0, run.size() - 1, start));
         List<Misses> data = List.of(new Misses(run, noise));
         Fit fit = new Fit(stepping, data, of.settled(), List.of(whole), Knowledge.NONE);
-        return Refinement.least(fit).orElse(0) / 2;
+        double missed = Refinement.approach(fit, 1).cost();
+        return Double.isFinite(missed) ? missed / 2 : 0;
     }
 
     /** As the sensors would tell it, without noise, if this were true. */

@@ -1,7 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
 import java.util.Optional;
-import java.util.OptionalDouble;
 
 /**
  * Brings the parameters of a hypothesis, and the starts of its runs, to where the model fits best:
@@ -18,17 +17,6 @@ final class Refinement {
     private static final double LEADING_ON = 0.25;
 
     private Refinement() {}
-
-    /**
-     * What a fit would still miss, to first order, after the change of starts and parameters that
-     * suits it best; empty if the motion gets lost.
-     */
-    static OptionalDouble least(Fit fit) {
-        return Step.of(fit, Tangents.of(Simulated.of(fit)), 1)
-                .map(Step::least)
-                .map(OptionalDouble::of)
-                .orElse(OptionalDouble.empty());
-    }
 
     /**
      * From blocks of so many windows up to whole runs, a few steps there, and the best in one go of

@@ -38,6 +38,9 @@ final class Traces {
     /** A cause a hundred times its telling size that stays below noise leaves no trace. */
     private static final double UNSEEN = 0.01;
 
+    /** What would have to be so many times its telling size hardly shows. */
+    private static final double MOST_SCALES = 100;
+
     /** Noise takes so many standard deviations from a trace in 3 of 100 measurements. */
     private static final double NOISE = 2;
 
@@ -103,7 +106,7 @@ final class Traces {
                 Parameter of = seed.parameters().get(c);
                 double norm = Math.sqrt(besideOwn(seed.columns()[c]));
                 double size = trace / norm;
-                boolean isSeen = norm * of.scale() > UNSEEN;
+                boolean isSeen = size < MOST_SCALES * of.scale();
                 if (isSeen && size < Math.max(of.highest(), -of.lowest())) {
                     smallest.merge(
                             List.of(cause.name(), of.name()),

@@ -18,6 +18,9 @@ final class Cells {
     private static final String MENDING =
             "correct it, or leave the cell empty if nothing was measured";
 
+    /** What stands in numbers of Java alone: 1.5f, 3d, 0x1p3. */
+    private static final Pattern OF_JAVA = Pattern.compile("[dDfFxX]");
+
     private final CsvTable table;
 
     Cells(CsvTable table) {
@@ -46,7 +49,7 @@ final class Cells {
     private double finite(CsvRecord row, BoundColumn column, String text) throws DocumentException {
         try {
             double number = Double.parseDouble(text);
-            if (Double.isFinite(number)) {
+            if (Double.isFinite(number) && !OF_JAVA.matcher(text).find()) {
                 return number;
             }
         } catch (NumberFormatException _) {

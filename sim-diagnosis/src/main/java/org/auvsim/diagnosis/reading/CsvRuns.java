@@ -145,7 +145,7 @@ final class CsvRuns {
     private void tellAngles(RowReader rows) {
         if (rows.largestAngle() > SEVERAL_TURNS && !mapping.degrees()) {
             doubt(
-                    "%s:%d: column '%s': angles go up to %s rad: are they in degrees (--degrees)?"
+                    "%s:%d: column '%s': angles go up to %s rad: are they in degrees (--degrees)? Of a heading that counts its turns, take whole turns away"
                             .formatted(
                                     file,
                                     rows.angleRow(),

@@ -23,11 +23,15 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 
 /** A table in a file, read row by row: a long one needs no more memory than a short one. */
 final class CsvTable implements Closeable {
     /** No column has a longer name. */
     private static final int LONGEST_NAME = 200;
+
+    private static final Pattern NUMBER = Pattern.compile("[+-]?\\d*\\.?\\d+([eE][+-]?\\d+)?");
+    private static final Pattern SEPARATED_OTHERWISE = Pattern.compile("^#|[\\s|]");
 
     private final Path file;
     private final CloseableIterator<CsvRecord> rows;
@@ -125,6 +129,17 @@ final class CsvTable implements Closeable {
                     file
                             + ":1: is no CSV: expected a header line with the columns' names, with"
                             + " commas between them; give the file with the run's rows");
+        }
+        if (names.stream().allMatch(name -> NUMBER.matcher(name).matches())) {
+            throw new DocumentException(
+                    file
+                            + ":1: has numbers where a header line was expected: write one with the"
+                            + " columns' names above the rows, as t,x,y,z");
+        }
+        if (names.size() == 1 && SEPARATED_OTHERWISE.matcher(names.getFirst()).find()) {
+            throw new DocumentException(
+                    "%s:1: is one column, '%s': expected a header line with commas, semicolons or tabs between the columns' names; separate all rows so, and take comments out"
+                            .formatted(file, names.getFirst()));
         }
         Set<String> seen = new HashSet<>();
         for (String name : names) {

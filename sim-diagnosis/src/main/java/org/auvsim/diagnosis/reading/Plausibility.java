@@ -135,7 +135,7 @@ final class Plausibility {
         boolean isTooFar = seen.factor() < 1;
         return source.says(
                 positions(seen.axes()),
-                "the model moves as this does, but 1000 times %s: are these positions in %s? If so, map them with a scale of %s (--mapping)"
+                "the model moves as this does, but 1000 times %s: are these positions in %s? If so, map them with a scale of %s (--mapping, which is for all runs; if it is this one alone, in its file)"
                         .formatted(
                                 isTooFar ? "less far" : "as far",
                                 isTooFar ? "mm" : "km",

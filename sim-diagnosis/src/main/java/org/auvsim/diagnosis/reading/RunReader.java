@@ -173,14 +173,18 @@ public final class RunReader {
             List<String> doubts,
             boolean isDoubtful)
             throws DocumentException {
+        List<MeasuredRun> sound = new ArrayList<>();
         for (int i = 0; i < runs.size(); i++) {
-            doubts.addAll(new Plausibility(model, runs.get(i), sources.get(i)).notices());
+            Spikes spikes = new Spikes(sources.get(i), runs.get(i));
+            notices.addAll(spikes.notices());
+            sound.add(spikes.without());
+            doubts.addAll(new Plausibility(model, sound.get(i), sources.get(i)).notices());
         }
-        doubts.addAll(new StatedPlausibility(beside(file), document, runs, sources).notices());
+        doubts.addAll(new StatedPlausibility(beside(file), document, sound, sources).notices());
         notices.addAll(doubts);
         return new RunFile(
                 file,
-                stretch.of(runs, sources),
+                stretch.of(sound, sources),
                 sources,
                 document.role(),
                 notices,

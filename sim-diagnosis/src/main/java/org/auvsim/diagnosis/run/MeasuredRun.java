@@ -10,6 +10,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.IntStream;
 
 /**
@@ -204,6 +205,11 @@ public final class MeasuredRun {
     /** The same, of whose start this is known. */
     public MeasuredRun startingAt(KnownStart known) {
         return MeasuredRunBuilder.startingAt(this, known);
+    }
+
+    /** The same, as if some of its numbers had not been measured. */
+    public MeasuredRun without(Set<Reading> some) {
+        return MeasuredRunBuilder.without(this, some);
     }
 
     /** What was known to be different in this run. */

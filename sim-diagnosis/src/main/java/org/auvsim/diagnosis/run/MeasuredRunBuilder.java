@@ -11,7 +11,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Predicate;
 
 /** Takes a run sample by sample: {@link #at} begins one, the rest fills it. */
 public final class MeasuredRunBuilder {
@@ -213,7 +215,28 @@ public final class MeasuredRunBuilder {
         return copy(run, run.name(), 0, run.size() - 1).start(known).build();
     }
 
+    static MeasuredRun without(MeasuredRun run, Set<Reading> some) {
+        MeasuredRunBuilder copy =
+                copy(run, run.name(), 0, run.size() - 1, reading -> !some.contains(reading));
+        if (run.whole().equals(run)) {
+            copy.whole = Optional.empty();
+        }
+        return copy.build();
+    }
+
     private static MeasuredRunBuilder copy(MeasuredRun run, String name, int from, int to) {
+        return copy(run, name, from, to, _ -> true);
+    }
+
+    private static double value(
+            MeasuredRun run, Channel channel, int sample, int axis, Predicate<Reading> isKept) {
+        return isKept.test(new Reading(channel, sample, axis))
+                ? run.value(channel, sample, axis)
+                : Double.NaN;
+    }
+
+    private static MeasuredRunBuilder copy(
+            MeasuredRun run, String name, int from, int to, Predicate<Reading> isKept) {
         MeasuredRunBuilder part =
                 new MeasuredRunBuilder(name)
                         .commands(run.commands().stream().map(Command::name).toList());
@@ -222,9 +245,9 @@ public final class MeasuredRunBuilder {
             for (Channel channel : Channel.values()) {
                 part.measured(
                         channel,
-                        run.value(channel, k, 0),
-                        run.value(channel, k, 1),
-                        run.value(channel, k, 2));
+                        value(run, channel, k, 0, isKept),
+                        value(run, channel, k, 1, isKept),
+                        value(run, channel, k, 2, isKept));
                 part.deviation(
                         channel,
                         run.deviation(channel, k, 0),

@@ -56,6 +56,23 @@ class BadRunsTest {
     }
 
     @Test
+    void aHeaderHasNames() {
+        refused(
+                "0.0,1,0\n0.1,2,0\n",
+                ":1: has numbers where a header line was expected: write one with the columns'"
+                        + " names above the rows, as t,x,y,z");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"t|x|y", "t x y", "# a dive"})
+    void columnsAreSeparatedByCommas(String header) {
+        refused(
+                header + "\n0.0,1,0\n",
+                ":1: is one column, '%s': expected a header line with commas, semicolons or tabs between the columns' names; separate all rows so, and take comments out"
+                        .formatted(header));
+    }
+
+    @Test
     void theDocumentOfARunIsNoRun() {
         refused(
                 "<?xml version=\"1.0\"?>\n<run role=\"FIT\"/>\n",
@@ -225,7 +242,7 @@ class BadRunsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"far,far", "1e999,1e999", "inf,inf"})
+    @CsvSource({"far,far", "1e999,1e999", "inf,inf", "1.5f,1.5f", "3d,3d", "0x1p3,0x1p3"})
     void aNumberIsFinite(String cell, String told) {
         String text = moving("y", "0").replace("0.3,3,0", "0.3,3," + cell);
         refused(text, ":5: column 'y': expected a number, but found '" + told + "'" + MENDING);

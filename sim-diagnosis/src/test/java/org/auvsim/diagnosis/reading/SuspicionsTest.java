@@ -171,7 +171,8 @@ class SuspicionsTest {
                                 .notices())
                 .contains(
                         at(":21: column 'yaw': ")
-                                + "angles go up to 171 rad: are they in degrees (--degrees)?",
+                                + "angles go up to 171 rad: are they in degrees (--degrees)? Of a"
+                                + " heading that counts its turns, take whole turns away",
                         at(":2: column 'r': ")
                                 + "p, q, r differ by up to 57 rad/s: are they in degrees"
                                 + " (--degrees)?");

@@ -1,0 +1,137 @@
+package org.auvsim.diagnosis.reading;
+
+import org.auvsim.core.entity.Frame;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.Reading;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.IntStream;
+
+/**
+ * Numbers that no motion has: for a row or a few they are far from all others, and the next one is
+ * among these again. They are marks of what was not measured (-9999), or faults of a sensor or of
+ * what wrote the file. No model could follow them.
+ */
+final class Spikes {
+    private static final int FEWEST = 20;
+
+    /** So many rows in a row at most. */
+    private static final int MOST_ROWS = 3;
+
+    /** So many times the range of the middle half of all numbers they are beside it at least. */
+    private static final double FAR = 30;
+
+    private static final int AXES = 3;
+
+    private final Source source;
+    private final MeasuredRun run;
+    private final Set<Reading> all = new HashSet<>();
+    private final List<String> notices = new ArrayList<>();
+
+    Spikes(Source source, MeasuredRun run) {
+        this.source = source;
+        this.run = run;
+        for (Channel channel :
+                List.of(Channel.POSITION, Channel.VELOCITY, Channel.ANGULAR_VELOCITY)) {
+            for (int axis = 0; axis < AXES; axis++) {
+                find(channel, axis);
+            }
+        }
+    }
+
+    /** The run without them; itself, if there are none. */
+    MeasuredRun without() {
+        return all.isEmpty() ? run : run.without(all);
+    }
+
+    /** What is told of them. */
+    List<String> notices() {
+        return notices;
+    }
+
+    private void find(Channel channel, int axis) {
+        int[] samples =
+                IntStream.range(0, run.size())
+                        .filter(k -> !Double.isNaN(run.value(channel, k, axis)))
+                        .toArray();
+        if (samples.length < FEWEST) {
+            return;
+        }
+        double[] values =
+                Arrays.stream(samples).mapToDouble(k -> run.value(channel, k, axis)).toArray();
+        double[] sorted = values.clone();
+        Arrays.sort(sorted);
+        double low = sorted[sorted.length / 4];
+        double high = sorted[sorted.length - 1 - sorted.length / 4];
+        double range = high - low;
+        if (range <= 0) {
+            return;
+        }
+        List<Integer> found = new ArrayList<>();
+        int begin = -1;
+        for (int i = 0; i < values.length; i++) {
+            boolean isFar = isBeside(values[i], low, high, FAR * range);
+            if (isFar && begin < 0) {
+                begin = i;
+            } else if (!isFar && begin >= 0) {
+                boolean isAlone =
+                        begin > 0
+                                && i - begin <= MOST_ROWS
+                                && !isBeside(values[begin - 1], low, high, 2 * range)
+                                && !isBeside(values[i], low, high, 2 * range);
+                if (isAlone) {
+                    IntStream.range(begin, i).forEach(found::add);
+                }
+                begin = -1;
+            }
+        }
+        if (!found.isEmpty()) {
+            found.forEach(i -> all.add(new Reading(channel, samples[i], axis)));
+            tell(channel, axis, samples, values, found);
+        }
+    }
+
+    private static boolean isBeside(double value, double low, double high, double by) {
+        return value < low - by || value > high + by;
+    }
+
+    private List<String> columns(Channel channel, int axis) {
+        return channel != Channel.POSITION && run.frame(channel) == Frame.BODY
+                ? source.columns(channel)
+                : List.of(source.column(channel, axis));
+    }
+
+    private void tell(
+            Channel channel, int axis, int[] samples, double[] values, List<Integer> found) {
+        double[] others =
+                IntStream.range(0, values.length)
+                        .filter(i -> !found.contains(i))
+                        .mapToDouble(i -> values[i])
+                        .toArray();
+        int first = found.getFirst();
+        notices.add(
+                source.says(
+                        columns(channel, axis),
+                        "%s, which no motion has: the others are from %s to %s; counted as not measured; if so, empty such cells"
+                                .formatted(
+                                        found.size() == 1
+                                                ? "at %s s it is %s"
+                                                        .formatted(
+                                                                Figures.shown(
+                                                                        run.time(samples[first])),
+                                                                Figures.shown(values[first]))
+                                                : "%d numbers are as the %s at %s s"
+                                                        .formatted(
+                                                                found.size(),
+                                                                Figures.shown(values[first]),
+                                                                Figures.shown(
+                                                                        run.time(samples[first]))),
+                                        Figures.shown(Arrays.stream(others).min().orElseThrow()),
+                                        Figures.shown(Arrays.stream(others).max().orElseThrow()))));
+    }
+}

@@ -1,0 +1,84 @@
+package org.auvsim.diagnosis.reading;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import java.nio.file.Path;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
+
+/** Numbers that no motion has are told, and count as not measured. */
+class SpikesTest {
+    private static final int ROWS = 200;
+
+    @TempDir private Path folder;
+
+    private RunFile read(IntToDoubleFunction x) throws Exception {
+        String text = Rov.rows("x,y,main,rudder", ROWS, i -> x.applyAsDouble(i) + ",0.1,0,0");
+        return Rov.read(folder, ColumnMapping.USUAL, text);
+    }
+
+    private static long unmeasured(RunFile file) {
+        MeasuredRun run = file.runs().getFirst();
+        return IntStream.range(0, run.size())
+                .filter(k -> Double.isNaN(run.value(Channel.POSITION, k, 0)))
+                .count();
+    }
+
+    private static double way(int row) {
+        return 3 * Math.sin(0.05 * row);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1000, -9999, 1e6, 1e9, 1e300})
+    void oneOfThem(double value) throws Exception {
+        RunFile file = read(i -> i == 12 ? value : way(i));
+
+        assertThat(unmeasured(file)).isEqualTo(1);
+        assertThat(file.notices())
+                .filteredOn(notice -> notice.contains("no motion has"))
+                .singleElement()
+                .asString()
+                .startsWith(folder.resolve("run.csv") + ":2: column 'x': at 1.2 s it is ")
+                .endsWith(
+                        "the others are from -3 to 3; counted as not measured; if so, empty such"
+                                + " cells");
+        assertThat(file.isDoubtful()).isFalse();
+    }
+
+    @Test
+    void aMarkOfWhatWasNotMeasured() throws Exception {
+        RunFile file = read(i -> i % 10 == 5 ? -9999 : way(i));
+
+        assertThat(unmeasured(file)).isEqualTo(ROWS / 10);
+        assertThat(file.notices())
+                .anyMatch(notice -> notice.contains("20 numbers are as the -9999 at 0.5 s"));
+    }
+
+    /** At rest nearly all the time, it goes far and comes back within a second. */
+    @Test
+    void aMotionIsNone() throws Exception {
+        RunFile file =
+                read(
+                        i ->
+                                0.001 * (i % 7)
+                                        + (i > 150 ? 5 * Math.exp(-Math.pow(i - 160, 2) / 8) : 0));
+
+        assertThat(unmeasured(file)).isZero();
+    }
+
+    /** It does not come back: something moved it. */
+    @Test
+    void aJumpIsNone() throws Exception {
+        RunFile file = read(i -> i > 150 ? 1000 + way(i) : way(i));
+
+        assertThat(unmeasured(file)).isZero();
+    }
+}

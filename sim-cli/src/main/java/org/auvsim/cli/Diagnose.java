@@ -191,6 +191,10 @@ final class Diagnose implements Callable<Integer> {
             prepareFolder();
             Diagnosis diagnosis = diagnosis(model, runs, interruption);
             interruption.endIsInSight();
+            diagnosis.notices().stream()
+                    .filter(notice -> !runs.notices().contains(notice))
+                    .forEach(notice -> err().println("notice: " + notice));
+            err().flush();
             tell(diagnosis);
             boolean isWrong = diagnosis.verdict() != Verdict.NONE;
             return failOnDiscrepancy && isWrong ? DISCREPANCY : ExitCode.OK;

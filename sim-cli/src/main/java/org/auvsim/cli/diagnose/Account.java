@@ -12,7 +12,7 @@ import java.util.Locale;
 /** What a diagnosis comes to, in lines for people. */
 public final class Account {
     private static final int MOST_RANKED = 5;
-    private static final int WIDEST = 48;
+    private static final int WIDEST = 80;
 
     private Account() {}
 
@@ -55,12 +55,13 @@ public final class Account {
         lines.add(row.formatted("causes", "log evidence", "probability"));
         double best = ranked.getFirst().logEvidence();
         for (Ranked each : ranked) {
+            double less = each.logEvidence() - best;
             lines.add(
                     String.format(
                             Locale.ROOT,
                             row,
                             each.name(),
-                            String.format(Locale.ROOT, "%.1f", each.logEvidence() - best),
+                            String.format(Locale.ROOT, "%.1f", Math.abs(less) < 0.05 ? 0 : less),
                             Numbers.probability(each.probability())));
         }
     }

@@ -217,8 +217,9 @@ final class Diagnose implements Callable<Integer> {
     private void tellOfGivingUp() {
         tellNow(
                 ("given up: the best so far could not be judged within %s s, and there is no"
-                                + " report; to judge it sooner cut the runs (--from, --until), or"
-                                + " state a longer time step in the scenario")
+                                + " report; look at the notices first, as numbers in a wrong unit"
+                                + " take long; else cut the runs (--from, --until), or state a"
+                                + " longer time step in the scenario")
                         .formatted(PATIENCE.toSeconds()));
     }
 

@@ -9,6 +9,7 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.plot.page.Block;
 import org.auvsim.plot.page.Block.Chart;
+import org.auvsim.plot.page.Block.Text;
 import org.auvsim.plot.page.Curve;
 import org.auvsim.plot.page.Curve.Mark;
 import org.auvsim.plot.page.Curve.Point;
@@ -29,6 +30,10 @@ final class RunCharts {
     private static final int MOST_POINTS = 500;
     private static final String AXES = "xyz";
     private static final String TIME = "time (s)";
+
+    private static final String BEGINS_ELSEWHERE =
+            "Each model begins where it fits all of the run best. One that is wrong may begin far"
+                    + " from where the run did.";
 
     private final MeasuredRun run;
     private final List<ForceResidual> forces;
@@ -68,6 +73,9 @@ final class RunCharts {
                             "z (m)",
                             k -> run.value(Channel.POSITION, k, 2),
                             motion -> motion.position().z()));
+        }
+        if (!blocks.isEmpty()) {
+            blocks.addFirst(new Text(BEGINS_ELSEWHERE));
         }
         return blocks;
     }

@@ -133,7 +133,7 @@ class UnitsTest {
             throws Exception {
         assertThat(suspicions("t,x,y,z,main,lift", dive(new Told(x, y, z, 1, 1), false)))
                 .containsExactly(
-                        "run.csv:2: %s: the model moves as this does, but 1000 times %s: are these positions in %s? If so, map them with a scale of %s (--mapping)"
+                        "run.csv:2: %s: the model moves as this does, but 1000 times %s: are these positions in %s? If so, map them with a scale of %s (--mapping, which is for all runs; if it is this one alone, in its file)"
                                 .formatted(columns, far, unit, scale));
     }
 

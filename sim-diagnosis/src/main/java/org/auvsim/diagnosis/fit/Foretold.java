@@ -29,30 +29,32 @@ record Foretold(Map<Channel, Gain> gains, boolean isBetter) {
     }
 
     private static Foretold of(List<Judged> before, List<Judged> after, Noise noise) {
+        Map<Channel, Squares> without = errors(before);
+        Map<Channel, Squares> with = errors(after);
         Map<Channel, Gain> gains = new EnumMap<>(Channel.class);
-        for (Channel channel : noise.byChannel().keySet()) {
-            if (isTold(after, channel)) {
-                gains.put(
-                        channel,
-                        new Gain(error(before, channel), error(after, channel), noise.of(channel)));
-            }
+        for (Channel channel : with.keySet()) {
+            gains.put(
+                    channel,
+                    new Gain(
+                            rootMeanSquare(without, channel),
+                            rootMeanSquare(with, channel),
+                            noise.of(channel)));
         }
         return new Foretold(gains, deviance(before) - deviance(after) > CHANCE);
     }
 
-    private static boolean isTold(List<Judged> runs, Channel channel) {
-        return runs.stream().anyMatch(run -> run.fit().errors().containsKey(channel));
+    /** Of all runs together. */
+    private static Map<Channel, Squares> errors(List<Judged> runs) {
+        Map<Channel, Squares> all = new EnumMap<>(Channel.class);
+        for (Judged run : runs) {
+            run.fit().errors().forEach((channel, of) -> all.merge(channel, of, Squares::plus));
+        }
+        return all;
     }
 
-    private static double error(List<Judged> runs, Channel channel) {
-        double sum = 0;
-        int count = 0;
-        for (Judged run : runs) {
-            Squares errors = run.fit().errors().getOrDefault(channel, Outcome.NOTHING);
-            sum += errors.sum();
-            count += errors.count();
-        }
-        return Math.sqrt(sum / count);
+    private static double rootMeanSquare(Map<Channel, Squares> errors, Channel channel) {
+        Squares of = errors.getOrDefault(channel, Outcome.NOTHING);
+        return Math.sqrt(of.sum() / of.count());
     }
 
     private static double deviance(List<Judged> runs) {

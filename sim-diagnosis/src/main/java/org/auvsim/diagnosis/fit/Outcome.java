@@ -32,6 +32,10 @@ record Outcome(
 
     /** A sum of squares, and of how many numbers. */
     record Squares(double sum, int count) {
+        Squares plus(Squares other) {
+            return new Squares(sum + other.sum, count + other.count);
+        }
+
         private Squares plus(double miss) {
             return new Squares(sum + miss * miss, count + 1);
         }

@@ -7,6 +7,7 @@ import org.auvsim.diagnosis.run.Reading;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -25,6 +26,9 @@ final class Spikes {
 
     /** So many times the range of the middle half of all numbers they are beside it at least. */
     private static final double FAR = 30;
+
+    /** Before and after it others are beside that by less. */
+    private static final double NEAR = 2;
 
     private static final int AXES = 3;
 
@@ -73,26 +77,33 @@ final class Spikes {
             return;
         }
         List<Integer> found = new ArrayList<>();
-        int begin = -1;
+        List<Double> others = new ArrayList<>();
+        int begin = 0;
         for (int i = 0; i < values.length; i++) {
-            boolean isFar = isBeside(values[i], low, high, FAR * range);
-            if (isFar && begin < 0) {
-                begin = i;
-            } else if (!isFar && begin >= 0) {
-                boolean isAlone =
-                        begin > 0
-                                && i - begin <= MOST_ROWS
-                                && !isBeside(values[begin - 1], low, high, 2 * range)
-                                && !isBeside(values[i], low, high, 2 * range);
-                if (isAlone) {
-                    IntStream.range(begin, i).forEach(found::add);
-                }
-                begin = -1;
+            if (isBeside(values[i], low, high, FAR * range)) {
+                continue;
             }
+            boolean isBack =
+                    begin > 0
+                            && i - begin <= MOST_ROWS
+                            && !isBeside(values[begin - 1], low, high, NEAR * range)
+                            && !isBeside(values[i], low, high, NEAR * range);
+            for (int far = begin; far < i; far++) {
+                if (isBack) {
+                    found.add(samples[far]);
+                } else {
+                    others.add(values[far]);
+                }
+            }
+            others.add(values[i]);
+            begin = i + 1;
+        }
+        for (int far = begin; far < values.length; far++) {
+            others.add(values[far]);
         }
         if (!found.isEmpty()) {
-            found.forEach(i -> all.add(new Reading(channel, samples[i], axis)));
-            tell(channel, axis, samples, values, found);
+            found.forEach(sample -> all.add(new Reading(channel, sample, axis)));
+            tell(channel, axis, found, others);
         }
     }
 
@@ -106,32 +117,28 @@ final class Spikes {
                 : List.of(source.column(channel, axis));
     }
 
-    private void tell(
-            Channel channel, int axis, int[] samples, double[] values, List<Integer> found) {
-        double[] others =
-                IntStream.range(0, values.length)
-                        .filter(i -> !found.contains(i))
-                        .mapToDouble(i -> values[i])
-                        .toArray();
+    private void tell(Channel channel, int axis, List<Integer> found, List<Double> others) {
         int first = found.getFirst();
+        String value = Figures.shown(run.value(channel, first, axis));
+        String time = Figures.shown(run.time(first));
+        String what =
+                found.size() == 1
+                        ? "at %s s it is %s".formatted(time, value)
+                        : "%d numbers are as the %s at %s s".formatted(found.size(), value, time);
         notices.add(
                 source.says(
+                        row(first),
                         columns(channel, axis),
                         "%s, which no motion has: the others are from %s to %s; counted as not measured; if so, empty such cells"
                                 .formatted(
-                                        found.size() == 1
-                                                ? "at %s s it is %s"
-                                                        .formatted(
-                                                                Figures.shown(
-                                                                        run.time(samples[first])),
-                                                                Figures.shown(values[first]))
-                                                : "%d numbers are as the %s at %s s"
-                                                        .formatted(
-                                                                found.size(),
-                                                                Figures.shown(values[first]),
-                                                                Figures.shown(
-                                                                        run.time(samples[first]))),
-                                        Figures.shown(Arrays.stream(others).min().orElseThrow()),
-                                        Figures.shown(Arrays.stream(others).max().orElseThrow()))));
+                                        what,
+                                        Figures.shown(Collections.min(others)),
+                                        Figures.shown(Collections.max(others)))));
+    }
+
+    /** That of a sample, where each row is one; else the first. */
+    private long row(int sample) {
+        boolean isEachRow = source.last() - source.first() + 1 == run.size();
+        return isEachRow ? source.first() + sample : source.first();
     }
 }

@@ -46,7 +46,7 @@ class SpikesTest {
                 .filteredOn(notice -> notice.contains("no motion has"))
                 .singleElement()
                 .asString()
-                .startsWith(folder.resolve("run.csv") + ":2: column 'x': at 1.2 s it is ")
+                .startsWith(folder.resolve("run.csv") + ":14: column 'x': at 1.2 s it is ")
                 .endsWith(
                         "the others are from -3 to 3; counted as not measured; if so, empty such"
                                 + " cells");

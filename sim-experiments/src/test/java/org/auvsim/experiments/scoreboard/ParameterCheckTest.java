@@ -17,20 +17,22 @@ class ParameterCheckTest {
         return new Finding(cause, Optional.empty(), quantities, List.of(deviations), 1, true);
     }
 
+    private static Finding current(double x, double y, double z, double deviation) {
+        return found(
+                "current_constant",
+                List.of(
+                        new Quantity("u.x", "m/s", x),
+                        new Quantity("u.y", "m/s", y),
+                        new Quantity("u.z", "m/s", z)),
+                deviation,
+                deviation,
+                deviation);
+    }
+
     @Test
     void aVectorCountsByItsLength() {
         ParameterCheck check =
-                ParameterCheck.of(
-                        Map.of("u", List.of(0.3, 0.4, 0.0)),
-                        found(
-                                "current_constant",
-                                List.of(
-                                        new Quantity("u.x", "m/s", 0.3),
-                                        new Quantity("u.y", "m/s", 0.45),
-                                        new Quantity("u.z", "m/s", 0.0)),
-                                0.01,
-                                0.01,
-                                0.01));
+                ParameterCheck.of(Map.of("u", List.of(0.3, 0.4, 0.0)), current(0.3, 0.45, 0, 0.01));
 
         assertThat(check.errors()).singleElement().satisfies(e -> close(e, 0.1));
         assertThat(check.stated()).isEqualTo(3);
@@ -70,17 +72,7 @@ class ParameterCheckTest {
                         Map.of("k", List.of(2.0)),
                         found("quadratic_drag", List.of(new Quantity("k", "kg/m", 2)), 0.1));
         ParameterCheck three =
-                ParameterCheck.of(
-                        Map.of("u", List.of(0.0, 2.0, 0.0)),
-                        found(
-                                "current_constant",
-                                List.of(
-                                        new Quantity("u.x", "m/s", 0),
-                                        new Quantity("u.y", "m/s", 2),
-                                        new Quantity("u.z", "m/s", 0)),
-                                0.1,
-                                0.1,
-                                0.1));
+                ParameterCheck.of(Map.of("u", List.of(0.0, 2.0, 0.0)), current(0, 2, 0, 0.1));
 
         assertThat(one.expected())
                 .singleElement()

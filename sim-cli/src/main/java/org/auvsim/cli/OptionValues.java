@@ -4,7 +4,9 @@ import org.auvsim.auvsml.mapping.Names;
 
 import picocli.CommandLine;
 import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.MissingParameterException;
 import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.TypeConversionException;
@@ -12,7 +14,6 @@ import picocli.CommandLine.TypeConversionException;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -52,20 +53,13 @@ final class OptionValues {
     }
 
     /**
-     * The sentence on a value that an option or a choice does not take; empty if that is not the
-     * fault.
+     * The sentence on an option that is not known, or on a value that an option or a choice does
+     * not take; empty if neither is the fault.
      */
     static Optional<String> refusal(ParameterException e) {
-        Matcher unknown = NO_VALUE.matcher(String.valueOf(e.getMessage()));
-        if (unknown.matches()) {
-            Set<String> known = e.getCommandLine().getCommandSpec().optionsMap().keySet();
-            return Optional.of(
-                    Names.meant(Names.near(unknown.group(1), known))
-                            .map(
-                                    meant ->
-                                            "Unknown option: %s; %s"
-                                                    .formatted(quoted(unknown), meant))
-                            .orElse("Unknown option: %s.".formatted(quoted(unknown))));
+        Optional<String> unknown = unknown(e);
+        if (unknown.isPresent()) {
+            return unknown.map(option -> unknown(option, e.getCommandLine().getCommandSpec()));
         }
         ArgSpec argument = e.getArgSpec();
         if (argument != null && String.valueOf(e.getMessage()).startsWith("Value for option ")) {
@@ -88,8 +82,23 @@ final class OptionValues {
         return Optional.of("%s: %s.".formatted(shown(argument), problem));
     }
 
-    private static String quoted(Matcher unknown) {
-        return "'" + unknown.group(1) + "'";
+    /** One that stands where a value is expected, or beside which others are missing. */
+    private static Optional<String> unknown(ParameterException e) {
+        Matcher noValue = NO_VALUE.matcher(String.valueOf(e.getMessage()));
+        if (noValue.matches()) {
+            return Optional.of(noValue.group(1));
+        }
+        return e instanceof MissingParameterException
+                ? e.getCommandLine().getUnmatchedArguments().stream()
+                        .filter(argument -> argument.startsWith("-"))
+                        .findFirst()
+                : Optional.empty();
+    }
+
+    private static String unknown(String option, CommandSpec of) {
+        return Names.meant(Names.near(option, of.optionsMap().keySet()))
+                .map(meant -> "Unknown option: '%s'; %s".formatted(option, meant))
+                .orElse("Unknown option: '%s'.".formatted(option));
     }
 
     private static String shown(ArgSpec argument) {

@@ -161,6 +161,15 @@ class DiagnoseTest {
                 .startsWith("Unknown option: '--holdot'; did you mean '--holdout'?");
     }
 
+    /** Though what it would have said is missing, too. */
+    @Test
+    void aMisspeltOptionIsToldBeforeTheMissingOne() throws IOException {
+        int code = auvsim.run("diagnose", "--scenario", BALL, "--ft", fall("one.csv", 0));
+
+        assertThat(code).isEqualTo(2);
+        assertThat(auvsim.err()).startsWith("Unknown option: '--ft'; did you mean '--fit'?");
+    }
+
     /** 2 s of a ball in vacuum that is thrown by lot, seen with 5 mm of noise. */
     private Path fall(String name, long seed) throws IOException {
         return fall(name, seed, 0);

@@ -19,6 +19,9 @@ final class Selection {
 
     private static final double FALSE_ALARMS = 0.01;
 
+    /** What promises less than this share of a gain, to first order, does not gain more. */
+    private static final double PROMISING = 0.5;
+
     private final Fit base;
     private final Judged none;
     private final List<Cause> library;
@@ -184,14 +187,23 @@ final class Selection {
         return best;
     }
 
-    /** One cause that can imitate others, where it says as much as several specific ones do. */
+    /**
+     * One cause that can imitate others, where it says as much as several specific ones do, or may
+     * say more than a single one or none.
+     */
     private Judged plainer(Judged best) {
         Hypothesis of = best.fit().hypothesis();
         List<Cause> generic = library.stream().filter(Cause::isGeneric).toList();
-        if (of.causes().size() < 2 || of.isGeneric() || generic.isEmpty() || !course.goesOn()) {
+        boolean wereTried = of.isGeneric() || (of.causes().size() < 2 && !best.isWhite());
+        if (wereTried || generic.isEmpty() || !course.goesOn()) {
             return best;
         }
-        return tried.tournament(screening.of(generic).starts(1, cause -> true), best, 0.8, 0.85);
+        double enough = of.causes().size() < 2 ? PROMISING * (none.score() - best.score()) : 0;
+        List<Screen.Start> starts =
+                screening.of(generic).starts(1, cause -> true).stream()
+                        .filter(start -> start.promise() >= enough)
+                        .toList();
+        return starts.isEmpty() ? best : tried.tournament(starts, best, 0.8, 0.85);
     }
 
     private List<Screen.Start> competing(Arena.Contest models, List<Cause> causes) {

@@ -63,8 +63,9 @@ final class CurrentCauses {
                         (v, t) ->
                                 swinging(
                                         s,
-                                        swinging(s, v, vector(t, 0), t[Oscillation.OMEGA], 0),
-                                        vector(t, 3),
+                                        swinging(
+                                                s, v, oscillation.sine(t), t[Oscillation.OMEGA], 0),
+                                        oscillation.cosine(t),
                                         t[Oscillation.OMEGA],
                                         Math.PI / 2))
                 .from(oscillation.guesses())

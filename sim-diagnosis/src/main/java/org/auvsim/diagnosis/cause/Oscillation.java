@@ -7,8 +7,9 @@ import java.util.List;
 
 /**
  * A vector that swings: theta is its sine (3), its cosine (3) and its angular frequency, of which
- * the first six are linear. It is told as the vector at the swing's end, frequency and phase; of an
- * ellipse, as its longer axis.
+ * the first six are linear. Sine and cosine count from where the runs begin: so their phase hardly
+ * changes with the frequency, whatever the clock shows. It is told as the vector at the swing's
+ * end, frequency and phase by the world's time; of an ellipse, as its longer axis.
  */
 final class Oscillation {
     /** Where the angular frequency is. */
@@ -18,12 +19,14 @@ final class Oscillation {
     private final String unit;
     private final List<Parameter> parameters;
     private final double[] frequencies;
+    private final double begin;
 
     /** With this name for people; {@code scale} in its unit, begun at these frequencies (rad/s). */
     Oscillation(Setting s, String name, String unit, double scale, double[] frequencies) {
         this.name = name;
         this.unit = unit;
         this.frequencies = frequencies;
+        begin = s.path().begin();
         parameters = new ArrayList<>(Parameter.vector("sine", unit, scale));
         parameters.addAll(Parameter.vector("cosine", unit, scale));
         parameters.add(new Frequencies(s).parameter());
@@ -44,10 +47,30 @@ final class Oscillation {
         return guesses;
     }
 
+    /** What stands before sin(omega t), t being the world's time. */
+    Vec3 sine(double[] theta) {
+        double phase = theta[OMEGA] * begin;
+        return vector(theta, 0)
+                .times(StrictMath.cos(phase))
+                .plus(vector(theta, 3).times(StrictMath.sin(phase)));
+    }
+
+    /** What stands before cos(omega t). */
+    Vec3 cosine(double[] theta) {
+        double phase = theta[OMEGA] * begin;
+        return vector(theta, 3)
+                .times(StrictMath.cos(phase))
+                .minus(vector(theta, 0).times(StrictMath.sin(phase)));
+    }
+
+    private static Vec3 vector(double[] theta, int from) {
+        return new Vec3(theta[from], theta[from + 1], theta[from + 2]);
+    }
+
     /** vector sin(omega t + phase), its largest component above 0. */
     List<Quantity> quantities(double[] theta) {
-        Vec3 sine = new Vec3(theta[0], theta[1], theta[2]);
-        Vec3 cosine = new Vec3(theta[3], theta[4], theta[5]);
+        Vec3 sine = sine(theta);
+        Vec3 cosine = cosine(theta);
         double phase =
                 0.5 * StrictMath.atan2(2 * sine.dot(cosine), sine.dot(sine) - cosine.dot(cosine));
         Vec3 end = sine.times(StrictMath.cos(phase)).plus(cosine.times(StrictMath.sin(phase)));

@@ -7,9 +7,11 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 
 /**
  * Where bodies went in runs.
@@ -21,6 +23,7 @@ import java.util.function.ToDoubleFunction;
  * @param begin of the first run (s)
  * @param end of the last run (s)
  * @param duration of the longest run (s)
+ * @param spans in which there were any, in order, none into another
  */
 record Path(
         List<Vec3> places,
@@ -29,7 +32,8 @@ record Path(
         double speed,
         double begin,
         double end,
-        double duration) {
+        double duration,
+        List<Span> spans) {
     private static final int LOOKS = 200;
     private static final double SLOWEST = 1e-3;
     private static final double SHORTEST = 1e-2;
@@ -55,7 +59,31 @@ record Path(
                 Math.max(SLOWEST, speed),
                 begin,
                 end,
-                duration);
+                duration,
+                spans(runs));
+    }
+
+    /** From a time until another (s). */
+    record Span(double from, double until) {}
+
+    private static List<Span> spans(List<MeasuredRun> runs) {
+        List<Span> spans = new ArrayList<>();
+        runs.stream()
+                .map(run -> new Span(run.time(0), run.time(0) + run.duration()))
+                .sorted(Comparator.comparingDouble(Span::from))
+                .forEach(
+                        span -> {
+                            Span last = spans.isEmpty() ? span : spans.removeLast();
+                            if (span.from() > last.until()) {
+                                spans.add(last);
+                                spans.add(span);
+                            } else {
+                                spans.add(
+                                        new Span(
+                                                last.from(), Math.max(last.until(), span.until())));
+                            }
+                        });
+        return List.copyOf(spans);
     }
 
     /** Sums squares of speeds, and counts them: over long ways, as noise hides short ones. */
@@ -63,7 +91,11 @@ record Path(
             MeasuredRun run, WorldObjectDefinition body, List<Vec3> places, double[] speeds) {
         int stride = Math.max(1, run.size() / LOOKS);
         for (int k = 0; k < run.size(); k += stride) {
-            place(run, k, body).ifPresent(places::add);
+            IntStream.range(k, Math.min(run.size(), k + stride))
+                    .mapToObj(i -> place(run, i, body))
+                    .flatMap(Optional::stream)
+                    .findFirst()
+                    .ifPresent(places::add);
             double speed = speed(run, k, Math.min(run.size() - 1, k + 5 * stride));
             if (Double.isFinite(speed)) {
                 speeds[0] += speed * speed;
@@ -88,15 +120,39 @@ record Path(
 
     private static double speed(MeasuredRun run, int from, int to) {
         if (run.measures(Channel.VELOCITY)) {
-            return run.norm(Channel.VELOCITY, from);
+            return IntStream.rangeClosed(from, to)
+                    .mapToDouble(k -> run.norm(Channel.VELOCITY, k))
+                    .filter(Double::isFinite)
+                    .findFirst()
+                    .orElse(Double.NaN);
         }
-        double square = 0;
+        double square = Double.NaN;
         for (int axis = 0; axis < 3; axis++) {
-            double way =
-                    run.value(Channel.POSITION, to, axis) - run.value(Channel.POSITION, from, axis);
-            square += Double.isNaN(way) ? 0 : way * way;
+            double along = along(run, axis, from, to);
+            if (!Double.isNaN(along)) {
+                square = (Double.isNaN(square) ? 0 : square) + along * along;
+            }
         }
-        return Math.sqrt(square) / (run.time(to) - run.time(from));
+        return Math.sqrt(square);
+    }
+
+    /** From the first number that was measured from a sample on to that from another one on. */
+    private static double along(MeasuredRun run, int axis, int from, int to) {
+        int first = measured(run, axis, from);
+        int last = measured(run, axis, to);
+        return first < last && last < run.size()
+                ? (run.value(Channel.POSITION, last, axis)
+                                - run.value(Channel.POSITION, first, axis))
+                        / (run.time(last) - run.time(first))
+                : Double.NaN;
+    }
+
+    private static int measured(MeasuredRun run, int axis, int from) {
+        int k = from;
+        while (k < run.size() && Double.isNaN(run.value(Channel.POSITION, k, axis))) {
+            k++;
+        }
+        return k;
     }
 
     private interface Choice {
@@ -146,10 +202,24 @@ record Path(
         return distances[(int) Math.min(distances.length - 1, share * distances.length)];
     }
 
-    /** Times spread evenly inside of it (s). */
+    /** Times at which there were runs, spread evenly (s). */
     double[] times(int count) {
+        double all = spans.stream().mapToDouble(span -> span.until() - span.from()).sum();
         double[] times = new double[count];
-        Arrays.setAll(times, i -> begin + (end - begin) * (i + 0.5) / count);
+        Arrays.setAll(times, i -> after(all * (i + 0.5) / count));
         return times;
+    }
+
+    /** The time until which there were runs for so long (s). */
+    private double after(double duration) {
+        double left = duration;
+        for (Span span : spans) {
+            double length = span.until() - span.from();
+            if (left <= length) {
+                return span.from() + left;
+            }
+            left -= length;
+        }
+        return end;
     }
 }

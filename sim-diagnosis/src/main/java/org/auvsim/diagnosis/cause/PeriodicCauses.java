@@ -38,8 +38,8 @@ final class PeriodicCauses {
                                         b ->
                                                 b.effect(
                                                         new PeriodicForce(
-                                                                new Vec3(t[0], t[1], t[2]),
-                                                                new Vec3(t[3], t[4], t[5]),
+                                                                oscillation.sine(t),
+                                                                oscillation.cosine(t),
                                                                 t[Oscillation.OMEGA]))))
                 .from(oscillation.guesses())
                 .told(oscillation::quantities)
@@ -73,9 +73,13 @@ final class PeriodicCauses {
                         Change.guess(parameters, new double[] {0, 0, direction, omega, 0}, 0, 1));
             }
         }
-        return Change.of("wave_forcing", parameters, (v, t) -> v.with(b -> b.effect(force(t))))
+        double begin = s.path().begin();
+        return Change.of(
+                        "wave_forcing",
+                        parameters,
+                        (v, t) -> v.with(b -> b.effect(force(t, begin))))
                 .from(guesses)
-                .told(PeriodicCauses::quantities);
+                .told(t -> quantities(t, begin));
     }
 
     /**
@@ -98,10 +102,11 @@ final class PeriodicCauses {
         for (double omega : frequencies.all()) {
             guesses.add(Change.guess(parameters, new double[] {0, 0, omega, 0}, 0, 1));
         }
+        double begin = s.path().begin();
         return Change.of(
                         "wave_forcing",
                         parameters,
-                        (v, t) -> v.with(b -> b.effect(forceAlong(direction, t))))
+                        (v, t) -> v.with(b -> b.effect(forceAlong(direction, t, begin))))
                 .from(guesses)
                 .told(
                         t ->
@@ -109,30 +114,39 @@ final class PeriodicCauses {
                                         new Quantity(
                                                 "amplitude", "N", StrictMath.hypot(t[0], t[1])),
                                         new Quantity("omega", "rad/s", t[2]),
-                                        new Quantity("phase", "rad", StrictMath.atan2(t[1], t[0])),
+                                        new Quantity("phase", "rad", phase(t, t[2], begin)),
                                         new Quantity(
                                                 "wave_number",
                                                 "rad/m",
                                                 t[3] * t[2] * t[2] / Earth.GRAVITY)));
     }
 
-    private static WaveForce forceAlong(double direction, double[] theta) {
+    /**
+     * By the world's time; sine and cosine count from where the runs begin, so that their phase
+     * hardly changes with the frequency, whatever the clock shows.
+     */
+    private static double phase(double[] theta, double omega, double begin) {
+        return StrictMath.IEEEremainder(
+                StrictMath.atan2(theta[1], theta[0]) - omega * begin, 2 * Math.PI);
+    }
+
+    private static WaveForce forceAlong(double direction, double[] theta, double begin) {
         double against = theta[3] < 0 ? Math.PI : 0;
         return new WaveForce(
                 StrictMath.hypot(theta[0], theta[1]),
                 direction + against,
                 theta[2],
-                StrictMath.atan2(theta[1], theta[0]) + against,
+                phase(theta, theta[2], begin) + against,
                 Math.abs(theta[3]) * theta[2] * theta[2] / Earth.GRAVITY);
     }
 
-    private static WaveForce force(double[] theta) {
+    private static WaveForce force(double[] theta, double begin) {
         double omega = theta[3];
         return new WaveForce(
                 StrictMath.hypot(theta[0], theta[1]),
                 theta[2],
                 omega,
-                StrictMath.atan2(theta[1], theta[0]),
+                phase(theta, omega, begin),
                 theta[4] * omega * omega / Earth.GRAVITY);
     }
 
@@ -150,8 +164,8 @@ final class PeriodicCauses {
                 force.waveNumber());
     }
 
-    private static List<Quantity> quantities(double[] theta) {
-        WaveForce force = told(force(theta));
+    private static List<Quantity> quantities(double[] theta, double begin) {
+        WaveForce force = told(force(theta, begin));
         return List.of(
                 new Quantity("amplitude", "N", force.amplitude()),
                 new Quantity("direction", "rad", force.direction()),

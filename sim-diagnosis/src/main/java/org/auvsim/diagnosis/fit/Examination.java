@@ -29,6 +29,9 @@ public final class Examination {
     /** Share of the work that is done once all runs have been searched, where that is needed. */
     private static final double ALL_SEARCHED = 0.98;
 
+    /** So many times as long as parts of runs that were fitted is too far ahead for the model. */
+    private static final double FAR_LONGER = 1.5;
+
     /** Errors that are such a share of those before are worth a model that explains nothing. */
     private static final double NEARER = 0.5;
 
@@ -82,15 +85,19 @@ public final class Examination {
 
     /**
      * Whether all runs can be searched together. They cannot where those of the fit were cut into
-     * parts and the held-out ones were not: so far ahead the model was not to predict.
+     * parts and the held-out ones are far longer: so far ahead the model was not to predict.
      */
     static boolean areAsLong(List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
         return fit.stream().noneMatch(Examination::isPart)
-                || heldOut.stream().allMatch(Examination::isPart);
+                || longest(heldOut) <= FAR_LONGER * longest(fit);
     }
 
     private static boolean isPart(MeasuredRun run) {
         return run.whole().size() > run.size();
+    }
+
+    private static double longest(List<MeasuredRun> runs) {
+        return runs.stream().mapToDouble(MeasuredRun::duration).max().orElse(0);
     }
 
     /**

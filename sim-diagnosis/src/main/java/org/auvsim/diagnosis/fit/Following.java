@@ -102,13 +102,17 @@ final class Following {
         private final RigidMotion[] motion;
         private final double[] misses;
 
+        /** How many numbers were measured in it. */
+        private final int measured;
+
         /** Chi squared of its samples and of what was known of its start. */
         private final double cost;
 
-        Fitted(Window window, RigidMotion[] motion, double[] misses, double cost) {
+        Fitted(Window window, RigidMotion[] motion, double[] misses, int measured, double cost) {
             this.window = window;
             this.motion = motion;
             this.misses = misses;
+            this.measured = measured;
             this.cost = cost;
         }
 
@@ -127,7 +131,7 @@ final class Following {
 
         /** Whether it misses far more than noise. */
         boolean isFarOff() {
-            return !(Outcome.squares(misses) < FAR_OFF * misses.length);
+            return !(Outcome.squares(misses) < FAR_OFF * measured);
         }
     }
 
@@ -279,7 +283,17 @@ final class Following {
         double[] misses = shooting.misses(window, motion);
         double cost = Outcome.squares(misses) + Outcome.squares(known, window.start());
         return new Fitted(
-                window, motion, misses, Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost);
+                window,
+                motion,
+                misses,
+                measured(window, misses.length),
+                Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost);
+    }
+
+    /** How many of the numbers of a window were measured. */
+    private int measured(Window window, int numbers) {
+        int first = window.from() * data.rows().size();
+        return (int) IntStream.range(first, first + numbers).filter(data::isMeasured).count();
     }
 
     private boolean follows(List<Fitted> fitted) {
@@ -291,7 +305,7 @@ final class Following {
                                     SHARE_OF_NOISE * noise.of(channel))
                             : Math.max(TURN, SHARE_OF_NOISE * noise.of(channel));
             for (Fitted window : fitted) {
-                if (systematic(window, channel) > allowed) {
+                if (window.isLost() || systematic(window, channel) > allowed) {
                     return false;
                 }
             }
@@ -306,7 +320,8 @@ final class Following {
         double sum = 0;
         int count = 0;
         for (int i = 0; i < window.misses.length; i++) {
-            if (rows.get(i % rows.size()).channel() == channel) {
+            boolean isOfChannel = rows.get(i % rows.size()).channel() == channel;
+            if (isOfChannel && data.isMeasured(first + i)) {
                 double noise = data.deviation(first + i);
                 sum += (window.misses[i] * window.misses[i] - 1) * noise * noise;
                 count++;

@@ -1,6 +1,5 @@
 package org.auvsim.diagnosis.fit;
 
-import org.auvsim.core.math.Quat;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
@@ -9,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.StringJoiner;
+import java.util.stream.IntStream;
 
 /**
  * Takes their power from outliers: where a channel has more numbers far off than a normal
@@ -27,10 +27,11 @@ final class HeavyTails {
     /** This far off no normally distributed number is. */
     private static final double ASTRAY = 6;
 
-    /** Of fourth differences (1, 4, 6, 4, 1), the middle one taken once. */
-    private static final double[] CUBIC = {1 / 6.0, -4 / 6.0, 1, -4 / 6.0, 1 / 6.0};
+    /** Numbers that a cubic is taken of: each, and two to either side. */
+    private static final int CUBIC = 5;
 
-    private static final double SPREAD = Math.sqrt(70) / 6;
+    /** Of fourth differences (1, 4, 6, 4, 1), in standard deviations of one number. */
+    private static final double SPREAD = Math.sqrt(70);
 
     private HeavyTails() {}
 
@@ -40,12 +41,11 @@ final class HeavyTails {
         double[] factors = new double[of.run().size() * rows];
         Arrays.fill(factors, 1);
         for (int row = 0; row < rows; row++) {
-            Misses.Row which = of.rows().get(row);
-            double scale = noise.of(which.channel(), which.axis()) * SPREAD;
-            if (hasOutliers(of.run(), which, scale)) {
-                for (int k = 2; k + 2 < of.run().size(); k++) {
-                    double z = off(of.run(), which, k) / scale;
-                    factors[k * rows + row] = factor(z);
+            Series series = series(of.run(), of.rows().get(row));
+            double[] off = off(series, of.rows().get(row), noise);
+            if (hasOutliers(off)) {
+                for (int i = 0; i < off.length; i++) {
+                    factors[series.sample(i + CUBIC / 2) * rows + row] = factor(off[i]);
                 }
             }
         }
@@ -56,12 +56,12 @@ final class HeavyTails {
     static Optional<String> notice(MeasuredRun run, List<Misses.Row> rows, Noise noise) {
         StringJoiner of = new StringJoiner(", ");
         for (Misses.Row row : rows) {
-            double scale = noise.of(row.channel(), row.axis()) * SPREAD;
-            if (hasOutliers(run, row, scale)) {
+            double[] off = off(series(run, row), row, noise);
+            if (hasOutliers(off)) {
                 of.add(
                         "%d of %s %s"
                                 .formatted(
-                                        beyond(FAR * scale, run, row),
+                                        beyond(FAR, off),
                                         name(row.channel()),
                                         "xyz".charAt(row.axis())));
             }
@@ -78,42 +78,44 @@ final class HeavyTails {
         return channel.name().toLowerCase(Locale.ROOT).replace('_', ' ');
     }
 
-    private static boolean hasOutliers(MeasuredRun run, Misses.Row row, double scale) {
-        int far = beyond(FAR * scale, run, row);
-        return far > Math.max(MOST_BY_CHANCE, MOST_FAR * run.size())
-                || beyond(ASTRAY * scale, run, row) > 0;
+    private static Series series(MeasuredRun run, Misses.Row row) {
+        return Series.of(run, row.channel(), row.axis());
     }
 
-    private static int beyond(double limit, MeasuredRun run, Misses.Row row) {
-        int count = 0;
-        for (int k = 2; k + 2 < run.size(); k++) {
-            count += Math.abs(off(run, row, k)) > limit ? 1 : 0;
-        }
-        return count;
+    /** By how many standard deviations numbers are off, but for the first two and the last. */
+    private static double[] off(Series series, Misses.Row row, Noise noise) {
+        double scale = noise.of(row.channel(), row.axis()) * SPREAD;
+        return IntStream.range(0, Math.max(0, series.size() - CUBIC + 1))
+                .mapToDouble(i -> series.difference(i, CUBIC) / scale)
+                .toArray();
+    }
+
+    private static boolean hasOutliers(double[] off) {
+        return beyond(FAR, off) > Math.max(MOST_BY_CHANCE, MOST_FAR * off.length)
+                || beyond(ASTRAY, off) > 0;
+    }
+
+    private static int beyond(double limit, double[] off) {
+        return (int)
+                IntStream.range(0, off.length)
+                        .filter(i -> Math.abs(off[i]) > limit && isAlone(i, off))
+                        .count();
+    }
+
+    /**
+     * Whether it is off and not those beside it: then these are off to the other side, by less. A
+     * motion that bends more than a cubic leaves several off to the same.
+     */
+    private static boolean isAlone(int i, double[] off) {
+        return (i == 0 || isLess(off[i - 1], off[i]))
+                && (i + 1 == off.length || isLess(off[i + 1], off[i]));
+    }
+
+    private static boolean isLess(double beside, double off) {
+        return beside * off <= 0 && Math.abs(beside) <= Math.abs(off);
     }
 
     private static double factor(double z) {
-        return Double.isNaN(z) ? 1 : Math.sqrt((FREEDOM + 1) / (FREEDOM + z * z));
-    }
-
-    private static double off(MeasuredRun run, Misses.Row row, int k) {
-        double sum = 0;
-        for (int j = 0; j < CUBIC.length; j++) {
-            int neighbour = k - 2 + j;
-            sum +=
-                    CUBIC[j]
-                            * (row.channel() == Channel.ORIENTATION
-                                    ? turn(run, row.axis(), k, neighbour)
-                                    : run.value(row.channel(), neighbour, row.axis()));
-        }
-        return sum;
-    }
-
-    private static double turn(MeasuredRun run, int axis, int from, int to) {
-        Optional<Quat> one = run.orientation(from);
-        Optional<Quat> other = run.orientation(to);
-        return one.isPresent() && other.isPresent()
-                ? Misses.axis(Misses.turn(one.get(), other.get()), axis)
-                : Double.NaN;
+        return Math.sqrt((FREEDOM + 1) / (FREEDOM + z * z));
     }
 }

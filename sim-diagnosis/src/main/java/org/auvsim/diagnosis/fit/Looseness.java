@@ -9,7 +9,7 @@ import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * How far the start of a window may be from a guess: as much as the whole run moves, no more. A
@@ -73,15 +73,15 @@ final class Looseness {
     /** The rate that a channel hardly exceeds, seen over a while. */
     private static double rate(MeasuredRun run, Channel channel, double unknown, double least) {
         ResizableDoubleArray rates = new ResizableDoubleArray();
-        int before = 0;
-        for (int k = 1; k < run.size() && run.measures(channel); k++) {
-            double duration = run.time(k) - run.time(before);
-            if (duration >= WHILE) {
-                double way = way(run, channel, before, k);
-                if (!Double.isNaN(way)) {
-                    rates.addElement(way / duration);
-                }
-                before = k;
+        Latest before = new Latest(run, channel);
+        Latest now = new Latest(run, channel);
+        for (int k = 0; k < run.size() && run.measures(channel); k++) {
+            now.take(k);
+            if (before.isMissing()) {
+                before.take(k);
+            } else if (now.isAfter(before)) {
+                rates.addElement(now.rateSince(before));
+                before.takeAll(now);
             }
         }
         if (rates.getNumElements() == 0) {
@@ -90,20 +90,67 @@ final class Looseness {
         return Math.max(least, LARGER * new Percentile(MOST).evaluate(rates.getElements()));
     }
 
-    private static double way(MeasuredRun run, Channel channel, int from, int to) {
-        if (channel == Channel.ORIENTATION) {
-            Optional<Quat> before = run.orientation(from);
-            Optional<Quat> after = run.orientation(to);
-            return before.isPresent() && after.isPresent()
-                    ? Misses.turn(before.get(), after.get()).norm()
-                    : Double.NaN;
+    /** The latest number of each axis of a channel, as they need not be measured together. */
+    private static final class Latest {
+        private static final int NEVER = -1;
+
+        private final MeasuredRun run;
+        private final Channel channel;
+        private final int[] samples = {NEVER, NEVER, NEVER};
+
+        Latest(MeasuredRun run, Channel channel) {
+            this.run = run;
+            this.channel = channel;
         }
-        double squares = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            double way = run.value(channel, to, axis) - run.value(channel, from, axis);
-            squares += run.measures(channel, axis) ? way * way : 0;
+
+        void take(int k) {
+            for (int axis = 0; axis < 3; axis++) {
+                if (!Double.isNaN(run.value(channel, k, axis))) {
+                    samples[axis] = k;
+                }
+            }
         }
-        return Math.sqrt(squares);
+
+        void takeAll(Latest other) {
+            System.arraycopy(other.samples, 0, samples, 0, samples.length);
+        }
+
+        /** Whether an axis that is measured at all was not measured yet. */
+        boolean isMissing() {
+            return measured().anyMatch(axis -> samples[axis] == NEVER);
+        }
+
+        private IntStream measured() {
+            return IntStream.range(0, 3).filter(axis -> run.measures(channel, axis));
+        }
+
+        /** Whether each axis was measured a while later. */
+        boolean isAfter(Latest before) {
+            return measured().allMatch(axis -> duration(before, axis) >= WHILE);
+        }
+
+        private double duration(Latest before, int axis) {
+            return run.time(samples[axis]) - run.time(before.samples[axis]);
+        }
+
+        double rateSince(Latest before) {
+            if (channel == Channel.ORIENTATION) {
+                int axis = measured().findFirst().orElseThrow();
+                Quat from = run.orientation(before.samples[axis]).orElseThrow();
+                Quat to = run.orientation(samples[axis]).orElseThrow();
+                return Misses.turn(from, to).norm() / duration(before, axis);
+            }
+            double squares =
+                    measured().mapToDouble(axis -> along(before, axis)).map(v -> v * v).sum();
+            return Math.sqrt(squares);
+        }
+
+        private double along(Latest before, int axis) {
+            double way =
+                    run.value(channel, samples[axis], axis)
+                            - run.value(channel, before.samples[axis], axis);
+            return way / duration(before, axis);
+        }
     }
 
     /** The largest extent of the motion along an axis (m). */

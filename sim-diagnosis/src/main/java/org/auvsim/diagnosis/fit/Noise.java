@@ -2,8 +2,6 @@ package org.auvsim.diagnosis.fit;
 
 import org.apache.commons.math3.stat.descriptive.rank.Median;
 import org.apache.commons.math3.util.ResizableDoubleArray;
-import org.auvsim.core.math.Quat;
-import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
@@ -11,13 +9,12 @@ import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
 /**
- * How much noise a measurement has, from the measurement alone: third differences of values, and
- * second differences of increments of rotation, hardly contain motion. Both have the variance of
- * the noise times 20 (1, 3, 3, 1 squared); the median absolute deviation is not misled by outliers.
- * A sensor that counts in steps has the noise of that at least.
+ * How much noise a measurement has, from the measurement alone: third differences of the numbers
+ * that were measured, and second differences of increments of rotation, hardly contain motion. Both
+ * have the variance of the noise times 20 (1, 3, 3, 1 squared); the median absolute deviation is
+ * not misled by outliers. A sensor that counts in steps has the noise of that at least.
  */
 public final class Noise {
     /** Of a normal distribution: the median absolute deviation in standard deviations. */
@@ -64,17 +61,22 @@ public final class Noise {
     /** What a run tells of each axis. */
     private static Axis[] axes(MeasuredRun run, Channel channel) {
         Axis[] axes = {new Axis(), new Axis(), new Axis()};
-        for (int k = 1; run.measures(channel) && k < run.size(); k++) {
-            addChanges(run, channel, k, axes);
-        }
-        for (int k = 3; run.measures(channel) && k < run.size(); k++) {
-            if (channel == Channel.ORIENTATION) {
-                addTurns(run, k, axes);
-            } else {
-                addThirds(run, channel, k, axes);
+        for (int axis = 0; axis < 3; axis++) {
+            Series series = Series.of(run, channel, axis);
+            for (int i = 1; i < series.size(); i++) {
+                axes[axis].changes.addElement(change(series, channel, i));
+            }
+            for (int i = 0; i + 3 < series.size(); i++) {
+                axes[axis].differences.addElement(Math.abs(series.difference(i, 4)));
             }
         }
         return axes;
+    }
+
+    private static double change(Series series, Channel channel, int i) {
+        double change = series.change(i);
+        boolean isRounding = channel == Channel.ORIENTATION && Math.abs(change) < ROUNDED;
+        return isRounding ? 0 : change;
     }
 
     /** Whether numbers along or about an axis ever change in a run. */
@@ -168,52 +170,6 @@ public final class Noise {
             }
             double noise = Noise.deviation(differences.getElements());
             return Math.max(noise, Resolution.deviation(changes.getElements()));
-        }
-    }
-
-    private static void addThirds(MeasuredRun run, Channel channel, int k, Axis[] to) {
-        for (int axis = 0; axis < 3; axis++) {
-            double third =
-                    run.value(channel, k, axis)
-                            - 3 * run.value(channel, k - 1, axis)
-                            + 3 * run.value(channel, k - 2, axis)
-                            - run.value(channel, k - 3, axis);
-            if (!Double.isNaN(third)) {
-                to[axis].differences.addElement(Math.abs(third));
-            }
-        }
-    }
-
-    private static void addChanges(MeasuredRun run, Channel channel, int k, Axis[] to) {
-        Optional<Quat> before = run.orientation(k - 1);
-        Optional<Quat> after = run.orientation(k);
-        for (int axis = 0; axis < 3; axis++) {
-            double change = run.value(channel, k, axis) - run.value(channel, k - 1, axis);
-            boolean isMeasured = !Double.isNaN(change);
-            if (isMeasured && channel == Channel.ORIENTATION) {
-                change = Misses.axis(Misses.turn(before.orElseThrow(), after.orElseThrow()), axis);
-                to[axis].changes.addElement(Math.abs(change) < ROUNDED ? 0 : change);
-            } else if (isMeasured) {
-                to[axis].changes.addElement(change);
-            }
-        }
-    }
-
-    private static void addTurns(MeasuredRun run, int k, Axis[] to) {
-        Vec3[] turns = new Vec3[3];
-        for (int i = 0; i < 3; i++) {
-            Optional<Quat> before = run.orientation(k - 3 + i);
-            Optional<Quat> after = run.orientation(k - 2 + i);
-            if (before.isEmpty() || after.isEmpty()) {
-                return;
-            }
-            turns[i] = Misses.turn(before.get(), after.get());
-        }
-        Vec3 second = turns[2].minus(turns[1].times(2)).plus(turns[0]);
-        for (int axis = 0; axis < 3; axis++) {
-            if (!Double.isNaN(run.value(Channel.ORIENTATION, k, axis))) {
-                to[axis].differences.addElement(Math.abs(Misses.axis(second, axis)));
-            }
         }
     }
 

@@ -1,5 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
+import java.util.stream.IntStream;
+
 /**
  * Whether residuals are noise: those of a good model have no memory, so that means over blocks of
  * them are as small as chance makes them. Each channel is scaled by its own deviation, so that a
@@ -22,11 +24,11 @@ final class Whiteness {
     static double largest(double[] misses, Misses of) {
         double largest = 0;
         for (int row = 0; row < of.rows().size(); row++) {
-            double[] ofChannel = row(misses, row, of.rows().size());
+            double[] ofChannel = row(misses, row, of);
             double own = deviation(ofChannel);
             double deviation = of.isStated(of.rows().get(row)) ? Math.max(1, own) : own;
             if (own * own < Outcome.EXACT) {
-                continue; // not measured, or without noise
+                continue; // without noise
             }
             for (int length : BLOCKS) {
                 largest = Math.max(largest, deviate(ofChannel, deviation, length));
@@ -35,12 +37,14 @@ final class Whiteness {
         return largest;
     }
 
-    private static double[] row(double[] misses, int row, int rows) {
-        double[] of = new double[misses.length / rows];
-        for (int k = 0; k < of.length; k++) {
-            of[k] = misses[k * rows + row];
-        }
-        return of;
+    /** Those that were measured. */
+    private static double[] row(double[] misses, int row, Misses of) {
+        int rows = of.rows().size();
+        return IntStream.range(0, misses.length / rows)
+                .map(k -> k * rows + row)
+                .filter(of::isMeasured)
+                .mapToDouble(i -> misses[i])
+                .toArray();
     }
 
     private static double deviation(double[] values) {

@@ -79,6 +79,10 @@ public final class Ensemble {
     private final World world;
     private final List<WorldObject> bodies = new ArrayList<>();
     private final double longestStep;
+
+    /** Whether the bodies were told the mean of some rows, and no row's command since. */
+    private boolean areEvened;
+
     private final Commands commands;
     private final Ground ground;
     private long made;
@@ -288,11 +292,13 @@ public final class Ensemble {
     private void advance(int from, int to, boolean areNew) {
         if (commands == Commands.EVENED && inputs.changes(from, to) > 1) {
             inputs.commandMean(from, to, bodies);
+            areEvened = true;
             advance(run.time(to));
             return;
         }
         for (int k = from; k < to; k++) {
-            inputs.command(k, areNew && k == from, bodies);
+            inputs.command(k, areEvened || (areNew && k == from), bodies);
+            areEvened = false;
             if (k + 1 == to || inputs.changeAt(k + 1)) {
                 advance(run.time(k + 1));
             }

@@ -1,7 +1,9 @@
 package org.auvsim.diagnosis.model;
 
+import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
@@ -68,7 +70,7 @@ public record Sensing(
             double time = run.time(from + k);
             RigidMotion then =
                     delay == 0 ? motions[k] : Course.at(motions, run, from, time - delay);
-            told[k] = of(then, time - run.time(0));
+            told[k] = of(then, time - run.time(0), run);
         }
         return told;
     }
@@ -77,16 +79,21 @@ public record Sensing(
         return Double.isNaN(motion.position().x());
     }
 
-    private RigidMotion of(RigidMotion then, double since) {
+    /** Velocities that sensors of the body tell in its axes are what they are, however told. */
+    private RigidMotion of(RigidMotion then, double since, MeasuredRun run) {
         Quat axes = rotation(turn);
-        Quat heading = rotation(new Vec3(0, 0, yaw + yawRate * since));
+        Quat heading = rotation(new Vec3(0, 0, yaw + yawRate * since)).times(axes);
         Vec3 p = then.position();
         Vec3 v = then.velocity();
         return new RigidMotion(
                 axes.rotate(inScale(p)).plus(offset).plus(drift.times(since)),
-                heading.times(axes).times(then.orientation()).normalized(),
-                axes.rotate(inScale(v)).plus(drift),
-                axes.rotate(then.angularVelocity()));
+                heading.times(then.orientation()).normalized(),
+                run.frame(Channel.VELOCITY) == Frame.BODY
+                        ? heading.rotate(v)
+                        : axes.rotate(inScale(v)).plus(drift),
+                run.frame(Channel.ANGULAR_VELOCITY) == Frame.BODY
+                        ? heading.rotate(then.angularVelocity())
+                        : axes.rotate(then.angularVelocity()));
     }
 
     private Vec3 inScale(Vec3 v) {

@@ -49,7 +49,10 @@ final class RowReader {
         }
         line = row.get().getStartingLineNumber();
         isToldOtherwise = false;
-        double runBefore = numbers[Slots.RUN];
+        isOfAnotherRun = isOfAnotherRun(row.get());
+        if (isOfAnotherRun) {
+            Arrays.fill(numbers, Slots.COMMANDS, numbers.length, Double.NaN);
+        }
         for (BoundColumn column : layout.columns()) {
             if (column.slot() >= Slots.COMMANDS) {
                 command(row.get(), column);
@@ -64,8 +67,13 @@ final class RowReader {
         }
         requireUnit(row.get());
         beyond = ends.of(row.get());
-        isOfAnotherRun = !Double.isNaN(runBefore) && numbers[Slots.RUN] != runBefore;
         return Optional.of(numbers);
+    }
+
+    private boolean isOfAnotherRun(CsvRecord row) throws DocumentException {
+        double before = numbers[Slots.RUN];
+        Optional<BoundColumn> run = layout.of(Slots.RUN);
+        return run.isPresent() && !Double.isNaN(before) && cells.number(row, run.get()) != before;
     }
 
     /** Whether the last row told an actuator or force something else than that before. */

@@ -31,6 +31,7 @@ final class RunParts {
     private final RowSample samples;
     private final double longest;
     private final long each;
+    private final Thinning thinning;
     private final boolean keepsCommands;
     private final Consumer<MeasuredRunBuilder> known;
     private final List<String> notices = new ArrayList<>();
@@ -70,6 +71,7 @@ final class RunParts {
         this.known = known;
         longest = Math.max(INTERVALS * extent.interval(), LEAST_GAP);
         each = (extent.rows() + MOST - 1) / MOST;
+        thinning = new Thinning(each);
         keepsCommands = extent.changes() <= MOST;
         tellLeftOut(extent);
     }
@@ -117,7 +119,11 @@ final class RunParts {
         if (hasEnded) {
             return;
         }
-        boolean counts = isMeasured && (row % each == 0 || part.isEmpty());
+        if (part.isEmpty()) {
+            thinning.restart();
+            row = 0;
+        }
+        boolean counts = isMeasured && thinning.takes(row, numbers);
         if (counts || (part.isPresent() && keepsCommands && isToldOtherwise)) {
             MeasuredRunBuilder run = part.orElseGet(() -> begin(time));
             run.at(time);
@@ -125,7 +131,7 @@ final class RunParts {
                 run.command(i, numbers[Slots.COMMANDS + i]);
             }
             if (counts) {
-                samples.addMeasured(numbers, run);
+                samples.addMeasured(thinning.taken(), run);
                 inPart++;
             }
         }

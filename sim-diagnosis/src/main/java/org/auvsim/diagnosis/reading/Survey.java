@@ -28,14 +28,21 @@ final class Survey {
     private long rows;
     private long line = 1;
     private long changes;
-    private double first;
     private double last = Double.NEGATIVE_INFINITY;
     private boolean isWhole = true;
     private long repeats;
     private Optional<DocumentException> repeat = Optional.empty();
     private long stamps;
-    private long ofFirstStamp;
-    private long ofLastStamp;
+
+    /** Of the run that a row is of, and how many rows have the last of them. */
+    private long stampsOfRun;
+
+    private long ofStamp;
+
+    /** Stamps that are neither the first nor the last of their run, and their rows. */
+    private long wholeStamps;
+
+    private long ofWholeStamps;
     private String ofRun = "";
 
     private Survey(CsvTable table, Layout layout) {
@@ -70,11 +77,11 @@ final class Survey {
         if (run.isPresent() && !Cells.text(row, run.get()).equals(ofRun)) {
             ofRun = Cells.text(row, run.get());
             last = Double.NEGATIVE_INFINITY;
+            stampsOfRun = 0;
+            Arrays.fill(told, "");
         }
         isWhole &= Math.abs(now - Math.rint(now)) <= ROUNDING * Math.ulp(now);
-        if (rows == 0) {
-            first = now;
-        } else if (now < last) {
+        if (now < last) {
             throw notLater(row);
         } else if (now == last) {
             repeats++;
@@ -83,12 +90,24 @@ final class Survey {
             requireSeconds(row, now);
             intervals.increment(now - last);
         }
-        stamps += now == last ? 0 : 1;
-        ofLastStamp = now == last ? ofLastStamp + 1 : 1;
-        ofFirstStamp += now == first ? 1 : 0;
+        count(now);
         last = now;
         rows++;
         changes += isToldOtherwise(row) ? 1 : 0;
+    }
+
+    private void count(double now) {
+        if (now == last) {
+            ofStamp++;
+            return;
+        }
+        if (stampsOfRun > 1) {
+            wholeStamps++;
+            ofWholeStamps += ofStamp;
+        }
+        stamps++;
+        stampsOfRun++;
+        ofStamp = 1;
     }
 
     private DocumentException notLater(CsvRecord row) {
@@ -163,9 +182,6 @@ final class Survey {
 
     /** Rows a second, of the seconds that are whole. */
     private double rate() {
-        long inner = stamps - 2;
-        return inner > 0
-                ? (double) (rows - ofFirstStamp - ofLastStamp) / inner
-                : (double) rows / stamps;
+        return wholeStamps > 0 ? (double) ofWholeStamps / wholeStamps : (double) rows / stamps;
     }
 }

@@ -24,6 +24,15 @@ class ExaminationTest {
         assertThat(areAsLong(List.of(FIRST), List.of(SECOND, WHOLE))).isFalse();
     }
 
+    /** Ends that were cut off make a part of a run, too. */
+    @Test
+    void howLongTheyAreDecides() {
+        MeasuredRun most = WHOLE.part("most", 0, 300);
+
+        assertThat(areAsLong(List.of(most), List.of(WHOLE))).isTrue();
+        assertThat(areAsLong(List.of(WHOLE.part("piece", 0, 40)), List.of(most))).isFalse();
+    }
+
     private static boolean areAsLong(List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
         return Examination.areAsLong(fit, heldOut);
     }

@@ -65,6 +65,38 @@ class HeavyTailsTest {
     }
 
     @Test
+    void neighboursOfARowThatLacksAreNoOutliers() {
+        Random random = new Random(3);
+        MeasuredRunBuilder dive = MeasuredRun.named("dive");
+        for (int k = 0; k < SAMPLES; k++) {
+            if (k % 100 != 50) {
+                dive.at(0.1 * k)
+                        .position(
+                                0.2 * k * k + NOISE * random.nextGaussian(),
+                                NOISE * random.nextGaussian(),
+                                Double.NaN);
+            }
+        }
+        MeasuredRun run = dive.build();
+
+        assertThat(HeavyTails.notice(run, List.of(x(), y()), Noise.of(List.of(run)))).isEmpty();
+    }
+
+    /** A fix in some rows only, while the body goes round faster than these can follow. */
+    @Test
+    void aMotionThatBendsIsNoOutlier() {
+        Random random = new Random(9);
+        MeasuredRunBuilder round = MeasuredRun.named("dive");
+        for (int k = 0; k < SAMPLES; k++) {
+            double a = k < SAMPLES / 4 ? 0.7 * k : 0.7 * SAMPLES / 4;
+            round.at(k).position(Math.cos(a) + NOISE * random.nextGaussian(), 0, Double.NaN);
+        }
+        MeasuredRun run = round.build();
+
+        assertThat(HeavyTails.notice(run, List.of(x()), Noise.of(List.of(run)))).isEmpty();
+    }
+
+    @Test
     void noiseHasNoOutliers() {
         MeasuredRun run = run(2 * SAMPLES + 2);
 

@@ -48,6 +48,51 @@ class NoiseTest {
         assertThat(noise.of(Channel.POSITION)).isCloseTo(0.7, within(0.1));
     }
 
+    /** A fix of the position in every tenth row, the depth in each. */
+    @Test
+    void numbersInSomeRowsTellAsMuch() {
+        Random random = new Random(5);
+        MeasuredRunBuilder run = MeasuredRun.named("run");
+        for (int k = 0; k < 10 * SAMPLES; k++) {
+            boolean isFixed = k % 10 == 5;
+            double a = 0.001 * k;
+            run.at(0.1 * k)
+                    .position(
+                            isFixed ? 20 * Math.cos(a) + 0.5 * random.nextGaussian() : Double.NaN,
+                            isFixed ? 20 * Math.sin(a) + 0.5 * random.nextGaussian() : Double.NaN,
+                            -5 + 0.01 * random.nextGaussian());
+        }
+
+        Noise noise = Noise.of(List.of(run.build()));
+
+        assertThat(noise.of(Channel.POSITION, 0)).isCloseTo(0.5, within(0.05));
+        assertThat(noise.of(Channel.POSITION, 1)).isCloseTo(0.5, within(0.05));
+        assertThat(noise.of(Channel.POSITION, 2)).isCloseTo(0.01, within(0.001));
+    }
+
+    /** Which may be far between one and the next while the body goes fast. */
+    @Test
+    void unevenTimesLookLikeNoNoise() {
+        Random random = new Random(6);
+        MeasuredRunBuilder run = MeasuredRun.named("run");
+        for (int k = 0; k < SAMPLES; k++) {
+            double t = 0.1 * k + (k % 2 == 0 ? 0 : 0.05);
+            run.at(t)
+                    .position(
+                            2 * t + 0.01 * random.nextGaussian(),
+                            0.1 * t * t + 0.01 * random.nextGaussian(),
+                            Double.NaN)
+                    .orientation(
+                            Quat.ofAxisAngle(
+                                    new Vec3(0, 0, 1), 0.5 * t + 0.01 * random.nextGaussian()));
+        }
+
+        Noise noise = Noise.of(List.of(run.build()));
+
+        assertThat(noise.of(Channel.POSITION)).isCloseTo(0.01, within(0.001));
+        assertThat(noise.of(Channel.ORIENTATION)).isCloseTo(0.01, within(0.001));
+    }
+
     @Test
     void axesThatHardlyDifferShareTheirs() {
         Noise noise = Noise.of(List.of(run(0.1, 0.1, 0.1, 0.02)));

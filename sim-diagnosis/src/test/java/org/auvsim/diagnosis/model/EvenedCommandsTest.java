@@ -77,6 +77,19 @@ class EvenedCommandsTest {
                 .isCloseTo(5 * 0.01 * (0.1 * 2.5 + 0.2 * 1.5 + 0.3 * 0.5), within(1e-12));
     }
 
+    /** After two changes in the first four rows nothing changes any more. */
+    @Test
+    void whatIsHeldAfterwardsIsWhatWasCommandedLast() throws Exception {
+        IntToDoubleFunction levels = row -> Math.min(1, 0.5 * row);
+
+        RigidMotion[] motion = motion(levels, Commands.EVENED);
+
+        assertThat(motion[2].velocity().x())
+                .isCloseTo(5 * (2.5 * 0.1 + 0.4), within(1e-12))
+                .isCloseTo(
+                        motion(levels, Commands.FROM_ROW_TO_ROW)[2].velocity().x(), within(1e-12));
+    }
+
     @Test
     void oneChangeIsMadeWhereItIs() throws Exception {
         IntToDoubleFunction once = row -> row < 3 ? 0 : 1;

@@ -2,14 +2,18 @@ package org.auvsim.diagnosis.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+
+import java.util.function.Consumer;
 
 class SensingTest {
     private static final Vec3 UP = new Vec3(0, 0, 1);
@@ -27,11 +31,16 @@ class SensingTest {
     }
 
     private static MeasuredRun run() {
-        MeasuredRunBuilder run = MeasuredRun.named("run");
+        return run(Frame.WORLD).build();
+    }
+
+    /** With velocities in axes. */
+    private static MeasuredRunBuilder run(Frame velocities) {
+        MeasuredRunBuilder run = MeasuredRun.named("run").frame(Channel.VELOCITY, velocities);
         for (int k = 0; k < SAMPLES; k++) {
             run.at(5 + 0.1 * k);
         }
-        return run.build();
+        return run;
     }
 
     private static RigidMotion[] told(Sensing sensing, int from) {
@@ -115,6 +124,30 @@ class SensingTest {
         RigidMotion[] told = Sensing.EXACT.delayed(0.1).yawed(0.1, 0).of(lost, run(), 0, 3);
 
         assertThat(told).containsOnly(Ensemble.LOST);
+    }
+
+    /** A compass that is off does not turn what a Doppler log and a gyro tell of the body. */
+    @Test
+    void velocitiesInAxesOfTheBodyAreThoseOfTheBody() {
+        MeasuredRun run = run(Frame.BODY).frame(Channel.ANGULAR_VELOCITY, Frame.BODY).build();
+        Sensing sensing =
+                Sensing.EXACT
+                        .scaled(new Vec3(0.1, 0, 0))
+                        .turned(new Vec3(0.1, 0.2, 0.4))
+                        .yawed(0.3, 0.01)
+                        .drifting(new Vec3(0.03, 0, 0));
+        RigidMotion moved = motion(2.5);
+
+        RigidMotion told = sensing.of(new RigidMotion[] {moved}, run, 25, 1)[0];
+
+        assertThat(told.orientation().rotateInverse(told.velocity()))
+                .satisfies(near(moved.orientation().rotateInverse(moved.velocity())));
+        assertThat(told.orientation().rotateInverse(told.angularVelocity()))
+                .satisfies(near(moved.orientation().rotateInverse(moved.angularVelocity())));
+    }
+
+    private static Consumer<Vec3> near(Vec3 expected) {
+        return actual -> assertThat(actual.distance(expected)).isLessThan(1e-12);
     }
 
     @Test

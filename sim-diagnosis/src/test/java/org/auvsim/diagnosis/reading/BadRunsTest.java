@@ -441,6 +441,18 @@ class BadRunsTest {
                 ":2: column 'main': expected what is commanded at the beginning, but found ''");
     }
 
+    /** What the run before was told last says nothing of it. */
+    @Test
+    void aCommandIsThereFromTheBeginningOfEachRun() {
+        refused(
+                Rov.rows(
+                        "run,x,main",
+                        2 * ENOUGH,
+                        i -> (i < ENOUGH ? 1 : 2) + "," + i + "," + (i == ENOUGH ? "" : "0.5")),
+                ":%d: column 'main': expected what is commanded at the beginning, but found ''"
+                        .formatted(ENOUGH + 2));
+    }
+
     @Test
     void aDeviationIsAboveZero() {
         refused(

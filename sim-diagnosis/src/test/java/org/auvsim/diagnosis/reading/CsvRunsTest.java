@@ -27,6 +27,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 class CsvRunsTest {
     private static final Vec3 AHEAD = new Vec3(1, 0, 0);
@@ -428,12 +429,38 @@ class CsvRunsTest {
                                 + " something anew");
     }
 
+    /** A fix of the position once a second among rows of a fast depth sensor. */
+    @Test
+    void ofManyRowsNoneOfAColumnThatHasFewIsLeftOut() throws Exception {
+        int count = 100_000;
+        StringBuilder text = new StringBuilder("t,x,z,main,rudder\n");
+        for (int i = 0; i < count; i++) {
+            text.append(i / 100.0).append(',');
+            text.append(i % 100 == 3 ? i : "").append(',').append(i).append(",0.25,0\n");
+        }
+
+        MeasuredRun run = Rov.run(folder, ColumnMapping.USUAL, text.toString());
+
+        assertThat(numbers(run, 0)).containsExactlyElementsOf(every(100, 3, count));
+        assertThat(numbers(run, 2)).containsExactlyElementsOf(every(5, 0, count));
+    }
+
+    private static List<Double> every(int each, int from, int count) {
+        return IntStream.iterate(from, i -> i < count, i -> i + each)
+                .mapToObj(i -> (double) i)
+                .toList();
+    }
+
+    private static List<Double> numbers(MeasuredRun run, int axis) {
+        return IntStream.range(0, run.size())
+                .mapToObj(k -> run.value(Channel.POSITION, k, axis))
+                .filter(x -> !Double.isNaN(x))
+                .toList();
+    }
+
     private static List<Double> changes(MeasuredRun run) {
         Command main = command(run, "main");
-        return java.util.stream.IntStream.range(0, run.size())
-                .filter(main::changesAt)
-                .mapToObj(run::time)
-                .toList();
+        return IntStream.range(0, run.size()).filter(main::changesAt).mapToObj(run::time).toList();
     }
 
     private static Command command(MeasuredRun run, String name) {

@@ -46,6 +46,22 @@ class TimeStampsTest {
                                 + " read as a constant rate of 8 Hz");
     }
 
+    /** The seconds in which a run begins or ends may not be whole. */
+    @Test
+    void wholeSecondsOfSeveralRunsAreOfOneRate() throws Exception {
+        StringBuilder text = new StringBuilder("run,t,x\n");
+        for (int run = 1; run <= 3; run++) {
+            for (int i = 0; i < 96; i++) {
+                text.append(run).append(',').append((i + 3) / 8).append(',').append(i).append('\n');
+            }
+        }
+
+        RunFile file = Rov.read(folder, ColumnMapping.USUAL, text.toString());
+
+        assertThat(file.runs()).hasSize(3);
+        assertThat(file.notices()).anyMatch(notice -> notice.endsWith(" rate of 8 Hz"));
+    }
+
     /** The usual interval of these is 0.1 s. */
     static Stream<Arguments> stamps() {
         Random lot = new Random(7);

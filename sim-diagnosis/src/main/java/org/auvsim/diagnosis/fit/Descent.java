@@ -17,7 +17,10 @@ final class Descent {
     /** The same of what is believed. */
     private static final double ENOUGH_AT_LAST = 1e-6;
 
-    /** All that follow one gain no more than so many like it; of fewer, long valleys are missed. */
+    /**
+     * The remaining steps are assumed to gain at most this many times what the last one did; with
+     * fewer, long valleys are missed.
+     */
     private static final int MOST_HOPED = 40;
 
     /** What derivatives foretold less wrong than this (squares of standard deviations) is sure. */

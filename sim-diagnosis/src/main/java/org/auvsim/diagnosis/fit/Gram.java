@@ -212,8 +212,8 @@ final class Gram {
     }
 
     /**
-     * The same where what leaves less than noise, changed by thirty times what is small for it, is
-     * hardly changed: data that tells next to nothing of a number is not to move it anywhere.
+     * Adds a weak prior with a deviation of 30 scales to each parameter, so that data which hardly
+     * determines it does not move it.
      *
      * @param parameters that the first columns are of
      */

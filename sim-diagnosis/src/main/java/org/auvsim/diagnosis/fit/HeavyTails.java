@@ -69,7 +69,7 @@ final class HeavyTails {
         return of.length() == 0
                 ? Optional.empty()
                 : Optional.of(
-                        "of the %d samples of %s these are outliers and count less: %s"
+                        "%d samples of %s: outliers, given less weight: %s"
                                 .formatted(run.size(), run.name(), of));
     }
 

@@ -12,10 +12,10 @@ import java.util.StringJoiner;
 /** What is to be known of runs, and limits what they say. */
 final class Notices {
     private static final String NO_GAIN =
-            "held-out runs are predicted as well without what was found: it matters to runs of the"
-                    + " fit alone; if nothing else was there, their start may not have been found,"
-                    + " as that of a body which nothing rights: shorter parts (--parts SECONDS)"
-                    + " tell";
+            "held-out runs are predicted just as well without what was found: it matters only in"
+                    + " the fitted runs. If nothing else was there, the start of a fitted run may"
+                    + " not have been found, as with a body that nothing rights; try shorter parts"
+                    + " (--parts SECONDS)";
 
     private final BelievedModel model;
     private final List<MeasuredRun> fit;
@@ -46,9 +46,7 @@ final class Notices {
         }
         String still = still(found.noise());
         if (!still.isEmpty()) {
-            notices.add(
-                    "what never changes in any run tells nothing and counts as not measured: "
-                            + still);
+            notices.add("never changes in any run, so treated as not measured: " + still);
         }
         all.forEach(run -> notices.addAll(stuck(run, found.noise())));
         for (Misses of : Misses.of(all, found.noise())) {

@@ -56,21 +56,21 @@ final class Ranking {
         Hypothesis of = other.fit().hypothesis();
         Hypothesis best = chosen.fit().hypothesis();
         if (other.score() > chosen.score()) {
-            return "too little gain for one of so many that were tried";
+            return "its gain is too small, given how many sets were tried";
         }
         if (chosen.isNone()) {
-            return "not borne out by held-out runs, or no more gain than noise alone might have";
+            return "held-out runs do not confirm it, or noise alone could gain as much";
         }
         if (of.isGeneric() && !best.isGeneric()) {
-            return "can imitate others, which what was chosen cannot";
+            return "it can imitate other causes; the chosen set cannot";
         }
         if (Alternatives.areSame(other, chosen)) {
-            return "predicts the very same, and what was chosen is commoner";
+            return "it predicts exactly the same, and the chosen cause is more common";
         }
         if (chosen.isWhite() && !other.isWhite()) {
-            return "leaves more than noise";
+            return "its residuals are more than noise";
         }
-        return "not clearly better, and no runs left out of the fit speak for it";
+        return "not clearly better, and leave-one-out prediction does not favour it";
     }
 
     private static Ranked ranked(Judged judged, double probability, Optional<String> behind) {

@@ -36,7 +36,8 @@ final class Screen {
     private static final int MOST_THOROUGH = 16;
 
     /**
-     * What lacks no more to its price is begun there, too: promises are true to first order only.
+     * Causes whose promise falls short of their price by no more than this are tried too, as
+     * promises are first-order only.
      */
     private static final double LACKING = 30;
 

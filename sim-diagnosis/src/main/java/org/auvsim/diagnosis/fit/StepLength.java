@@ -84,7 +84,7 @@ final class StepLength {
     }
 
     /**
-     * The engine cuts steps that are too long for stiff forces: longer ones may be no less work.
+     * The engine splits steps that are too long for stiff forces, so longer steps may cost as much.
      */
     private static Stepping leastWork(Stepping plain, List<Stepping> longer, Fit following) {
         Stepping best = plain;

@@ -15,7 +15,10 @@ import java.util.stream.IntStream;
  * profile of the likelihood makes of it.
  */
 final class Uncertainty {
-    /** Of numbers that are exactly alike the deviations are so large, by its inverse root. */
+    /**
+     * Regularises the scaled information: two parameters with identical traces get deviations
+     * larger by a factor of about 1/sqrt(2 RIDGE).
+     */
     private static final double RIDGE = 1e-10;
 
     private final Judged fitted;

@@ -85,8 +85,8 @@ public record BelievedModel(Scenario scenario, String body) {
     }
 
     /**
-     * What of a change of its motion its start may differ by: where its mount holds it, it may be
-     * anywhere, but is turned as the scenario has it and does not move.
+     * The part of a change of motion by which a start may differ: any position; but where the mount
+     * holds the body, its orientation and velocities stay as in the scenario.
      *
      * @param change as for {@link #free}
      */

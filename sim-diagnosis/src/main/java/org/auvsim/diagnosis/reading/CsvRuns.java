@@ -105,7 +105,7 @@ final class CsvRuns {
 
     private String lacks(List<Actuator> several) {
         List<String> names = several.stream().map(Actuator::name).toList();
-        return "%s:1: columns '%s': expected what these actuators were told, but the header has none of them: they hold what the scenario says; add the columns, or rename those that have them %s"
+        return "%s:1: columns '%s': no column gives the commands of these actuators, so they keep the scenario's values; add the columns, or rename those that have them %s"
                 .formatted(
                         file,
                         String.join("', '", names),

@@ -82,10 +82,11 @@ final class CsvTable implements Closeable {
         return switch (reason) {
             case NoSuchFileException _ -> new DocumentException(MissingFile.sentence(file), reason);
             case CharacterCodingException _ ->
-                    new DocumentException(file + " is no text in UTF-8, as CSV must be", reason);
+                    new DocumentException(file + " is not UTF-8 text, which CSV must be", reason);
             case AccessDeniedException _ ->
                     new DocumentException(
-                            file + " cannot be read: you may not; change its permissions", reason);
+                            file + " cannot be read: permission denied; change its permissions",
+                            reason);
             default ->
                     new DocumentException(
                             Files.isDirectory(file)
@@ -121,8 +122,8 @@ final class CsvTable implements Closeable {
             throw new DocumentException(
                     file
                             + ":1: is XML, and no run: expected CSV, a header line with the"
-                            + " columns' names and rows below it; the document of a run is read of"
-                            + " itself where its run is given: name that");
+                            + " columns' names and rows below it; a run's document is read"
+                            + " automatically; give the run's CSV file instead");
         }
         if (names.stream().anyMatch(CsvTable::isNoName)) {
             throw new DocumentException(
@@ -147,7 +148,7 @@ final class CsvTable implements Closeable {
                 throw at(
                         first.getStartingLineNumber(),
                         name,
-                        "this name stands in the header twice; name each column otherwise");
+                        "this name is in the header twice; give each column its own name");
             }
         }
         return names;

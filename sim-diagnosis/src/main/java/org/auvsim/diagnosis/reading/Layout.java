@@ -192,12 +192,12 @@ final class Layout {
         return table.at(
                 1,
                 column,
-                "nothing is known by the name '%s'; %s %s, ignore it %s, or name a force or actuator of '%s' so"
+                "unknown name '%s'; %s %s, ignore it %s, or give a force or actuator of '%s' that name"
                         .formatted(
                                 meaning,
                                 Names.meant(near)
                                         .map(asked -> asked + " Rename it")
-                                        .orElse("rename it to what it has"),
+                                        .orElse("rename it to the usual name of its quantity"),
                                 Remedy.renaming(column, usual),
                                 Remedy.ignoring(List.of(column)),
                                 known.body()));
@@ -221,7 +221,7 @@ final class Layout {
             throw table.at(
                     1,
                     rule.name(),
-                    "column '%s' has the same already; ignore one of the two %s"
+                    "column '%s' already provides this quantity; ignore one of the two %s"
                             .formatted(other, Remedy.ignoring(List.of(rule.name()))));
         }
         CellForm form = rule.form();

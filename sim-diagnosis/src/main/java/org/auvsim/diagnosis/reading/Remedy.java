@@ -20,14 +20,15 @@ final class Remedy {
         boolean canBeSaid = canBeSaid(column) && !column.contains("=");
         return canBeSaid
                 ? "(--rename %s)".formatted(word(column + "=" + usual))
-                : "(in a --mapping: its name has what --rename takes for its own)";
+                : "(in a --mapping file: the name contains a character that is special in"
+                        + " --rename)";
     }
 
     /** Ignore them: {@code (--ignore volt,press)}. */
     static String ignoring(List<String> columns) {
         return columns.stream().allMatch(Remedy::canBeSaid)
                 ? "(--ignore %s)".formatted(word(String.join(",", columns)))
-                : "(in a --mapping: a name has what --ignore takes for its own)";
+                : "(in a --mapping file: a name contains a character that is special in --ignore)";
     }
 
     /** Options take what is between commas for a name each. */

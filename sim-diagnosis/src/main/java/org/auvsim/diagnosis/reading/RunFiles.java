@@ -234,7 +234,7 @@ public record RunFiles(
         return new DocumentException(
                 one.says(
                         one.measured(),
-                        "%s the same numbers as %s%s; a copy neither tells nor judges anything: leave one of them out"
+                        "%s the same numbers as %s%s; a copy adds no information and cannot judge: leave one of them out"
                                 .formatted(has, those, other.file())));
     }
 

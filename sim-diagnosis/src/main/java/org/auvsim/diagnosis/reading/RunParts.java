@@ -82,15 +82,14 @@ final class RunParts {
         }
         notices.add(
                 source.says(
-                        "of %d rows each %s is taken, %s"
+                        "every %s of %d rows is used, %s"
                                 .formatted(
-                                        extent.rows(),
                                         each == 2 ? "second" : each == 3 ? "third" : each + "th",
+                                        extent.rows(),
                                         keepsCommands
-                                                ? "and all that command something anew"
-                                                : "its commands included; those between are left"
-                                                        + " out, as"
-                                                        + " there are %d"
+                                                ? "plus all rows in which a command changes"
+                                                : "its commands included; command changes in"
+                                                        + " between are left out, as there are %d"
                                                                 .formatted(extent.changes()))));
     }
 

@@ -14,9 +14,9 @@ import java.util.Set;
 import java.util.stream.IntStream;
 
 /**
- * Numbers that no motion has: for a row or a few they are far from all others, and the next one is
- * among these again. They are marks of what was not measured (-9999), or faults of a sensor or of
- * what wrote the file. No model could follow them.
+ * Numbers that are no possible motion: for a row or a few they are far from all others, and the
+ * next one is among these again. They are marks of what was not measured (-9999), or faults of a
+ * sensor or of what wrote the file. No model could follow them.
  */
 final class Spikes {
     private static final int FEWEST = 20;
@@ -124,12 +124,13 @@ final class Spikes {
         String what =
                 found.size() == 1
                         ? "at %s s it is %s".formatted(time, value)
-                        : "%d numbers are as the %s at %s s".formatted(found.size(), value, time);
+                        : "%d readings are like the %s at %s s"
+                                .formatted(found.size(), value, time);
         notices.add(
                 source.says(
                         row(first),
                         columns(channel, axis),
-                        "%s, which no motion has: the others are from %s to %s; counted as not measured; if so, empty such cells"
+                        "%s, which is no possible motion: all others lie between %s and %s; treated as not measured; if that is right, leave such cells empty"
                                 .formatted(
                                         what,
                                         Figures.shown(Collections.min(others)),

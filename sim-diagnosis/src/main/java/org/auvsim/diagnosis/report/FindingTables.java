@@ -181,8 +181,8 @@ final class FindingTables {
                     + " apart.";
         }
         if (!of.alternatives().isEmpty()) {
-            return "No run is proposed: of those that were thought of, none would tell these causes"
-                    + " apart. It takes other sensors, or what is known otherwise.";
+            return "No run is proposed: none of those considered would tell these causes apart."
+                    + " Other sensors or independent knowledge would be needed.";
         }
         return "Nothing is left open: no other known causes explain these runs about as well, so"
                 + " there is nothing that another run would have to tell apart.";

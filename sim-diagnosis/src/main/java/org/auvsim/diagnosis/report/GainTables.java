@@ -93,7 +93,7 @@ final class GainTables {
                 "ahead (s)",
                 "error (%s)".formatted(Sentence.unit(channel)),
                 curves,
-                "Predicted from eight states along each held-out run, each of them as the model%s fits it; so few errors may lie below the noise."
+                "Predicted from eight states along each held-out run, each estimated by the model%s; with so few predictions an error may fall below the noise."
                         .formatted(models.size() > 1 ? " " + models.getLast() : ""));
     }
 

@@ -37,7 +37,10 @@ final class IdentifiabilityTables {
         for (Alternative alternative : of.alternatives()) {
             List<String> row = new ArrayList<>();
             row.add(String.join(" + ", alternative.causes()));
-            row.add(alternative.isIndistinguishable() ? "no such data can tell" : "nearly as good");
+            row.add(
+                    alternative.isIndistinguishable()
+                            ? "indistinguishable in such data"
+                            : "nearly as good");
             if (isAnyDetermined) {
                 row.add(alternative.determined());
             }
@@ -103,13 +106,11 @@ final class IdentifiabilityTables {
                         new Table(
                                 List.of("cause", "number", "smallest change that would be found"),
                                 rows,
-                                "What was not found is not there, or smaller than this: of a"
-                                        + " change of this size, alone beside what was"
-                                        + " found and to first order, 97 of"
-                                        + " 100 such measurements would tell. Of what acts from"
-                                        + " a place, or from a time on, that holds at"
-                                        + " the one, of those looked at, where it shows best."
-                                        + " Numbers that are not here hardly show in this"
-                                        + " data."));
+                                "A cause that was not found is absent or smaller than this. 97"
+                                        + " of 100 such measurements would reveal a change of this"
+                                        + " size, taken alone beside what was found and to first"
+                                        + " order. For a cause tied to a place or a time, this"
+                                        + " holds where it shows best among those examined. Numbers"
+                                        + " not listed hardly show in this data."));
     }
 }

@@ -8,7 +8,7 @@ import java.util.Optional;
 
 /** The measured speed of a run; where velocities were not measured, the slope of the positions. */
 final class Speed {
-    /** Slopes are taken over this share of a run. */
+    /** Slopes are taken over one part in this many of a run. */
     private static final int SHARE = 60;
 
     private final MeasuredRun run;

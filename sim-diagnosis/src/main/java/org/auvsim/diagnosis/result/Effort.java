@@ -42,7 +42,7 @@ public final class Effort {
                                 .collect(
                                         Collectors.joining(
                                                 "; ",
-                                                "Not chosen in spite of more evidence: ",
+                                                "Not chosen despite higher evidence: ",
                                                 ".")));
     }
 

@@ -22,7 +22,7 @@ public final class Numbers {
     /** So many significant digits, and all those before the point. */
     public static String rounded(double value, int digits) {
         if (!Double.isFinite(value)) {
-            return Double.isNaN(value) ? "unknown" : value > 0 ? "beyond all" : "below all";
+            return Double.isNaN(value) ? "unknown" : value > 0 ? "infinite" : "minus infinity";
         }
         if (value == 0) {
             return "0";

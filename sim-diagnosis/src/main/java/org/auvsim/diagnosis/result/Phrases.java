@@ -13,7 +13,7 @@ public final class Phrases {
     private static final Map<String, Phrase> KNOWN = new HashMap<>();
 
     private static final String ALIKE_EVERYWHERE =
-            "A force to and fro is missing, the same everywhere";
+            "An oscillating force, the same everywhere, is missing";
 
     /** Numbers are within so many of their standard deviations, in 95 of 100 measurements. */
     private static final double LIKELY = 2;
@@ -23,7 +23,8 @@ public final class Phrases {
     /**
      * Words for a cause.
      *
-     * @param words in which {@code %s} stands for what it is about
+     * @param words in which {@code %s} stands for what it is about, in quotation marks as a name,
+     *     and {@code %2$s} for the same without them
      * @param otherwise if its first number is below 0
      */
     private record Phrase(String words, String otherwise) {}
@@ -47,7 +48,7 @@ public final class Phrases {
         put("current_shear", "A current that changes with height is missing");
         put("current_vortex", "A vortex is missing");
         put("buoyancy_weight", "An upward force is missing", "A downward force is missing");
-        put("cob_offset", "The centre of buoyancy is elsewhere");
+        put("cob_offset", "The centre of buoyancy is misplaced");
         put("mass_error", "The mass is wrong");
         put("inertia_error", "The moments of inertia are wrong");
         put("thruster_gain", "The thrust of %s is wrong");
@@ -57,8 +58,11 @@ public final class Phrases {
         put("thruster_loss", "Thrust of %s is lost");
         put("propeller_imbalance", "A propeller is out of balance");
         put("fin_gain", "The lift of %s is wrong");
-        put("fin_race", "The stream about %s is faster", "The stream about %s is slower");
-        put("hull_lift", "Lift of the hull is missing");
+        put(
+                "fin_race",
+                "The flow past %s is faster than modelled",
+                "The flow past %s is slower than modelled");
+        put("hull_lift", "Lift of the hull in %2$s is missing");
         put("magnetic", "A magnetic attraction is missing", "A magnetic repulsion is missing");
         put("magnus", "The Magnus force is missing");
         put("coulomb_friction", "Dry friction is missing");
@@ -68,18 +72,16 @@ public final class Phrases {
         put("tether_spring", "The pull of a tether is missing");
         put("wave_forcing", "The force of waves is missing");
         put("periodic_force", "A periodic force is missing");
-        put("step_force", "A force that sets in is missing");
-        put("impulse", "A blow is missing");
+        put("step_force", "A force that starts during the run is missing");
+        put("impulse", "An impulse is missing");
         put("sensor_bias", "The measured heading is off");
         put("sensor_drift", "The measured heading drifts");
         put("position_drift", "The measured position drifts");
-        put("sensor_offset", "The zero of the measured positions is off");
+        put("sensor_offset", "The measured positions have a constant offset");
         put("sensor_scale", "The scale of the measured positions is wrong");
-        put("sensor_delay", "The measurement is late");
-        put("clock_offset", "The clock of the measurement is off");
-        put("axis_misalignment", "The axes of the sensors are turned");
-        put("outliers", "The measurement has outliers");
-        put("force_field", "A force that depends on the place is missing");
+        put("sensor_delay", "The measurements are delayed");
+        put("clock_offset", "The measurement clock is offset");
+        put("axis_misalignment", "The sensor axes are rotated");
     }
 
     /** Of a finding. */
@@ -137,8 +139,9 @@ public final class Phrases {
                     + subject.map(" of '%s'"::formatted).orElse("")
                     + " is missing";
         }
-        String about = subject.map("'%s'"::formatted).orElse("all thrusters");
-        return (isBelow ? phrase.otherwise() : phrase.words()).formatted(about);
+        String about = subject.orElse("all thrusters");
+        return (isBelow ? phrase.otherwise() : phrase.words())
+                .formatted(subject.map("'%s'"::formatted).orElse(about), about);
     }
 
     private static String capitalised(String words) {

@@ -12,10 +12,15 @@ import java.util.stream.Collectors;
 /** Says a verdict in one sentence for people, in ASCII and without a full stop. */
 public final class Sentence {
     private static final Collector<CharSequence, ?, String> AND = Collectors.joining(" and ");
-    private static final String NOTHING = "Nothing is missing that this data could show";
-    private static final String SOMETHING = "Something is missing that no known cause explains";
-    private static final String BEST = "; the best known causes take ";
-    private static final String NO_GAIN = "; but they are predicted as well without ";
+    private static final String NOTHING = "This data shows nothing missing from the model";
+    private static final String SOMETHING =
+            "The model lacks something that no known cause explains";
+    private static final String BEST = "; the best known causes remove ";
+    private static final String BEST_OF_THESE = "; the best of these remove ";
+    private static final String NO_CAUSE = "; no cause removes enough of it to be believed";
+    private static final String NONE_OF_THESE =
+            "; none of these removes enough of it to be believed";
+    private static final String NO_GAIN = "; but these runs are predicted just as well without ";
 
     private final Optional<Map.Entry<Channel, Gain>> error;
     private final String runs;
@@ -66,7 +71,7 @@ public final class Sentence {
      * @param share of the misfit, 0 to 1
      */
     public static String unsettled(String explained, String otherLaw, double share) {
-        return "%s; the law of the drag is not settled: %s takes %s away"
+        return "%s; the drag law is not settled: %s would remove %s of the misfit"
                 .formatted(explained, otherLaw.replace('_', ' '), Numbers.percent(share));
     }
 
@@ -141,7 +146,7 @@ public final class Sentence {
         return SOMETHING
                 + discrepancy.map(Sentence::known).orElse("")
                 + gain()
-                + (isWorse ? ", so they make it worse" : "");
+                + (isWorse ? "; these causes make the prediction worse" : "");
     }
 
     /**
@@ -153,12 +158,13 @@ public final class Sentence {
                 + Phrases.inside(
                         sentence.replace(
                                         NOTHING,
-                                        "The model as it is, for no cause that was tried gains"
-                                                + " enough")
+                                        "The model as it is; no cause tried so far gains enough")
                                 .replace(
                                         SOMETHING,
-                                        "Something is missing that no cause tried so far explains")
-                                .replace(BEST, "; the best of these take "));
+                                        "The model lacks something that no cause tried so far"
+                                                + " explains")
+                                .replace(BEST, BEST_OF_THESE)
+                                .replace(NO_CAUSE, NONE_OF_THESE));
     }
 
     /** The same where the search was stopped before it had fitted any cause. */
@@ -170,14 +176,14 @@ public final class Sentence {
     public static String ofSome(String sentence) {
         return sentence.replace(
                         SOMETHING,
-                        "Something is missing that none of the causes explains that were to be"
-                                + " looked for")
-                .replace(BEST, "; the best of these take ");
+                        "The model lacks something that none of the requested causes explains")
+                .replace(BEST, BEST_OF_THESE)
+                .replace(NO_CAUSE, NONE_OF_THESE);
     }
 
     /** The same of runs whose numbers may not be what they are taken for. */
     public static String doubted(String sentence) {
-        return sentence + "; but notices doubt the data: look at them first";
+        return sentence + "; but the notices cast doubt on the data: read them first";
     }
 
     private static String known(Discrepancy of) {
@@ -186,10 +192,7 @@ public final class Sentence {
                         ? ", mostly at %s Hz"
                                 .formatted(Numbers.rounded(of.frequency().getAsDouble()))
                         : "";
-        String best =
-                of.share() > 0
-                        ? BEST + Numbers.percent(of.share()) + " of it away"
-                        : "; none of the causes takes enough of it away to be believed";
+        String best = of.share() > 0 ? BEST + Numbers.percent(of.share()) + " of it" : NO_CAUSE;
         return "; it shows most in the %s %s %s, at %s s of %s%s%s"
                 .formatted(
                         words(of.channel()),

@@ -50,7 +50,7 @@ public record Split(List<MeasuredRun> fit, List<MeasuredRun> heldOut, String not
         return new Split(
                 fit,
                 heldOut,
-                "nobody said which runs are held out: %s %s, and %s fitted"
+                "no held-out runs were named, so %s %s held out and %s fitted"
                         .formatted(
                                 names(heldOut),
                                 heldOut.size() == 1 ? "is" : "are",

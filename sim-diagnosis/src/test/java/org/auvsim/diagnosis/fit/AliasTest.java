@@ -62,9 +62,7 @@ class AliasTest {
         Search.Found other = found.nothing();
         assertThat(Ranking.of(other).getFirst().name()).isEqualTo("none");
         assertThat(Ranking.of(other).get(1).behind())
-                .contains(
-                        "not borne out by held-out runs, or no more gain than noise alone might"
-                                + " have");
+                .contains("held-out runs do not confirm it, or noise alone could gain as much");
     }
 
     @Test

@@ -40,7 +40,7 @@ class BallDropsTest {
 
         isDrag(diagnosis);
         assertThat(diagnosis.sentence())
-                .contains("the law of the drag is not settled: quadratic drag takes 9");
+                .contains("the drag law is not settled: quadratic drag would remove 9");
     }
 
     /** Fast enough for a drag that grows with the square of the speed, but who can tell? */

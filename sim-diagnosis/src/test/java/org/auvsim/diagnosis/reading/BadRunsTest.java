@@ -50,9 +50,9 @@ class BadRunsTest {
     void anUnknownColumnHasItsNearestKnownNames() {
         refused(
                 moving("yaww", "0"),
-                ":1: column 'yaww': nothing is known by the name 'yaww'; did you mean 'yaw'?"
-                        + " Rename it (--rename yaww=yaw), ignore it (--ignore yaww), or name a"
-                        + " force or actuator of 'Rov' so");
+                ":1: column 'yaww': unknown name 'yaww'; did you mean 'yaw'?"
+                        + " Rename it (--rename yaww=yaw), ignore it (--ignore yaww), or give a"
+                        + " force or actuator of 'Rov' that name");
     }
 
     @Test
@@ -77,8 +77,8 @@ class BadRunsTest {
         refused(
                 "<?xml version=\"1.0\"?>\n<run role=\"FIT\"/>\n",
                 ":1: is XML, and no run: expected CSV, a header line with the columns' names and"
-                        + " rows below it; the document of a run is read of itself where its run is"
-                        + " given: name that");
+                    + " rows below it; a run's document is read automatically; give the run's CSV"
+                    + " file instead");
     }
 
     @ParameterizedTest
@@ -95,9 +95,9 @@ class BadRunsTest {
     void lettersThatChangedPlacesAreASlip() {
         refused(
                 moving("mian", "0"),
-                ":1: column 'mian': nothing is known by the name 'mian'; did you mean 'main'?"
-                        + " Rename it (--rename mian=main), ignore it (--ignore mian), or name a"
-                        + " force or actuator of 'Rov' so");
+                ":1: column 'mian': unknown name 'mian'; did you mean 'main'?"
+                        + " Rename it (--rename mian=main), ignore it (--ignore mian), or give a"
+                        + " force or actuator of 'Rov' that name");
     }
 
     @Test
@@ -105,9 +105,9 @@ class BadRunsTest {
         refused(
                 ColumnMapping.USUAL.with(List.of(MappedColumn.renamed("pwm 1", "mian"))),
                 moving("pwm 1", "0"),
-                ":1: column 'pwm 1': nothing is known by the name 'mian'; did you mean 'main'?"
+                ":1: column 'pwm 1': unknown name 'mian'; did you mean 'main'?"
                         + " Rename it (--rename \"pwm 1=main\"), ignore it (--ignore \"pwm 1\"),"
-                        + " or name a force or actuator of 'Rov' so");
+                        + " or give a force or actuator of 'Rov' that name");
     }
 
     /** Options take what is between commas for a name each. */
@@ -115,10 +115,11 @@ class BadRunsTest {
     void aNameThatNoOptionCanTellIsToldInAMapping() {
         refused(
                 moving("\"a,b\"", "0"),
-                ":1: column 'a,b': nothing is known by the name 'a,b'; rename it to what it has (in"
-                        + " a --mapping: its name has what --rename takes for its own), ignore it"
-                        + " (in a --mapping: a name has what --ignore takes for its own), or name a"
-                        + " force or actuator of 'Rov' so");
+                ":1: column 'a,b': unknown name 'a,b'; rename it to the usual name of its"
+                        + " quantity (in a --mapping file: the name contains a character that is"
+                        + " special in --rename), ignore it (in a --mapping file: a name contains a"
+                        + " character that is special in --ignore), or give a"
+                        + " force or actuator of 'Rov' that name");
     }
 
     @ParameterizedTest
@@ -126,29 +127,29 @@ class BadRunsTest {
     void aNameThatIsNearToNoneHasNone(String name) {
         refused(
                 moving(name, "0"),
-                ":1: column '%s': nothing is known by the name '%s'; rename it to what it has"
+                ":1: column '%s': unknown name '%s'; rename it to the usual name of its quantity"
                                 .formatted(name, name)
-                        + " (--rename %s=USUAL), ignore it (--ignore %s), or name a force or"
+                        + " (--rename %s=USUAL), ignore it (--ignore %s), or give a force or"
                                 .formatted(name, name)
-                        + " actuator of 'Rov' so");
+                        + " actuator of 'Rov' that name");
     }
 
     @Test
     void aTimeByAnotherNameHasTheUsualOne() {
         refused(
                 Rov.rows("x", ENOUGH, String::valueOf).replace("t,x", "time_s,x"),
-                ":1: column 'time_s': nothing is known by the name 'time_s'; rename it to what it"
-                        + " has (--rename time_s=t), ignore it (--ignore time_s), or name a force"
-                        + " or actuator of 'Rov' so");
+                ":1: column 'time_s': unknown name 'time_s'; rename it to the usual name of its"
+                    + " quantity (--rename time_s=t), ignore it (--ignore time_s), or give a force"
+                    + " or actuator of 'Rov' that name");
     }
 
     @Test
     void capitalsAreASlip() {
         refused(
                 moving("Yaw", "0"),
-                ":1: column 'Yaw': nothing is known by the name 'Yaw'; did you mean 'yaw'? Rename"
-                        + " it (--rename Yaw=yaw), ignore it (--ignore Yaw), or name a force or"
-                        + " actuator of 'Rov' so");
+                ":1: column 'Yaw': unknown name 'Yaw'; did you mean 'yaw'? Rename"
+                        + " it (--rename Yaw=yaw), ignore it (--ignore Yaw), or give a force or"
+                        + " actuator of 'Rov' that name");
     }
 
     @ParameterizedTest
@@ -203,15 +204,15 @@ class BadRunsTest {
     void aNameStandsOnceInAHeader() {
         refused(
                 moving("x", "0"),
-                ":1: column 'x': this name stands in the header twice; name each column otherwise");
+                ":1: column 'x': this name is in the header twice; give each column its own name");
     }
 
     @Test
     void nothingIsStatedTwice() {
         refused(
                 moving("z,depth", "0,0"),
-                ":1: column 'depth': column 'z' has the same already; ignore one of the two"
-                        + " (--ignore depth)");
+                ":1: column 'depth': column 'z' already provides this quantity; ignore one of the"
+                        + " two (--ignore depth)");
         refused(
                 moving("qw,qx,qy,qz,yaw", "1,0,0,0,0"),
                 ":1: column 'yaw': the orientation is there as a quaternion already; ignore one of"

@@ -193,10 +193,10 @@ class CsvRunsTest {
         assertThat(file.notices())
                 .containsExactly(
                         folder.resolve("run.csv")
-                                + ":1: columns 'main', 'rudder': expected what these actuators were"
-                                + " told, but the header has none of them: they hold what the"
-                                + " scenario says; add the columns, or rename those that have them"
-                                + " (--rename COLUMN=main)");
+                                + ":1: columns 'main', 'rudder': no column gives the commands of"
+                                + " these actuators, so they keep the scenario's values; add the"
+                                + " columns, or rename those that have them (--rename"
+                                + " COLUMN=main)");
     }
 
     @Test
@@ -425,8 +425,8 @@ class CsvRunsTest {
         assertThat(file.notices())
                 .contains(
                         folder.resolve("run.csv")
-                                + ": of 100000 rows each 5th is taken, and all that command"
-                                + " something anew");
+                                + ": every 5th of 100000 rows is used, plus all rows in which a"
+                                + " command changes");
     }
 
     /** A fix of the position once a second among rows of a fast depth sensor. */

@@ -82,7 +82,8 @@ class RunFilesTest {
         assertThat(files.fit()).extracting(MeasuredRun::name).containsExactly("one", "two");
         assertThat(files.heldOut()).extracting(MeasuredRun::name).containsExactly("three");
         assertThat(files.notices())
-                .containsExactly("nobody said which runs are held out: three is, and 2 are fitted");
+                .containsExactly(
+                        "no held-out runs were named, so three is held out and 2 are fitted");
     }
 
     @Test
@@ -122,7 +123,7 @@ class RunFilesTest {
                                 + ":2: column 'x': rows 2 to 61 have the same numbers as rows 2 to"
                                 + " 61 of "
                                 + one
-                                + "; a copy neither tells nor judges anything: leave one of them"
+                                + "; a copy adds no information and cannot judge: leave one of them"
                                 + " out");
     }
 

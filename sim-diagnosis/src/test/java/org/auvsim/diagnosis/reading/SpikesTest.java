@@ -14,7 +14,7 @@ import java.nio.file.Path;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 
-/** Numbers that no motion has are told, and count as not measured. */
+/** Numbers that are no possible motion are told, and treated as not measured. */
 class SpikesTest {
     private static final int ROWS = 200;
 
@@ -43,13 +43,13 @@ class SpikesTest {
 
         assertThat(unmeasured(file)).isEqualTo(1);
         assertThat(file.notices())
-                .filteredOn(notice -> notice.contains("no motion has"))
+                .filteredOn(notice -> notice.contains("no possible motion"))
                 .singleElement()
                 .asString()
                 .startsWith(folder.resolve("run.csv") + ":14: column 'x': at 1.2 s it is ")
                 .endsWith(
-                        "the others are from -3 to 3; counted as not measured; if so, empty such"
-                                + " cells");
+                        "all others lie between -3 and 3; treated as not measured; if that is"
+                                + " right, leave such cells empty");
         assertThat(file.isDoubtful()).isFalse();
     }
 
@@ -59,7 +59,7 @@ class SpikesTest {
 
         assertThat(unmeasured(file)).isEqualTo(ROWS / 10);
         assertThat(file.notices())
-                .anyMatch(notice -> notice.contains("20 numbers are as the -9999 at 0.5 s"));
+                .anyMatch(notice -> notice.contains("20 readings are like the -9999 at 0.5 s"));
     }
 
     /** At rest nearly all the time, it goes far and comes back within a second. */

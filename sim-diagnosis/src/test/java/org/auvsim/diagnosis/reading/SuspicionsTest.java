@@ -39,7 +39,7 @@ class SuspicionsTest {
         assertThat(file.notices())
                 .filteredOn(
                         notice ->
-                                notice.contains("told")
+                                notice.contains("keep the scenario's values")
                                         || notice.contains("level of the propulsor")
                                         || notice.contains("angle of the fin"))
                 .hasSize(notices);

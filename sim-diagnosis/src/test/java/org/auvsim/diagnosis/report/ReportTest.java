@@ -84,7 +84,7 @@ class ReportTest {
                         "Causes that were tried",
                         "<p>Causes looked for: 62; sets of them that were fitted: 3.</p>",
                         ">magnus</td>",
-                        ">s = 8.10 kg</td><td>below all</td><td>&lt; 0.1 %</td>",
+                        ">s = 8.10 kg</td><td>minus infinity</td><td>&lt; 0.1 %</td>",
                         "What this data can tell apart",
                         "Unless they are very strong",
                         "What could have been missed",
@@ -137,7 +137,7 @@ class ReportTest {
     void whereNoRunTellsAlternativesApartThePageSaysSo() throws IOException {
         List<Alternative> drift = List.of(new Alternative(List.of("position_drift"), true, ""));
         assertThat(page(Diagnoses.settled(Diagnoses.explained(50, drift))))
-                .contains("<p>No run is proposed: of those that were thought of, none would tell")
+                .contains("<p>No run is proposed: none of those considered would tell")
                 .doesNotContain("Nothing is left open");
     }
 
@@ -154,8 +154,10 @@ class ReportTest {
     @Test
     void thePageSaysWhyWhatHasMoreEvidenceWasNotChosen() throws IOException {
         assertThat(page(Diagnoses.explained())).doesNotContain("Not chosen");
-        assertThat(page(Diagnoses.outweighed(Diagnoses.explained(), "can imitate others")))
-                .contains("Not chosen in spite of more evidence: magnetic (can imitate others).");
+        assertThat(page(Diagnoses.outweighed(Diagnoses.explained(), "it can imitate other causes")))
+                .contains(
+                        "Not chosen despite higher evidence: magnetic (it can imitate other"
+                                + " causes).");
     }
 
     @Test
@@ -186,7 +188,7 @@ class ReportTest {
         assertThat(page(Diagnoses.explained(200, List.of(other))))
                 .contains("this data cannot tell apart: quadratic drag is missing, or the thrust")
                 .contains(
-                        ">thruster_gain</td><td class=\"words\">no such data can tell</td>"
+                        ">thruster_gain</td><td class=\"words\">indistinguishable in such data</td>"
                                 + "<td class=\"words\">mass / thruster gain = 1.20</td>");
     }
 

@@ -29,8 +29,8 @@ class NumbersTest {
     @ParameterizedTest
     @CsvSource({
         "0.8345, 0.83", "0.0099999, 0.010", "0.01, 0.010", "1234.4, 1234", "-7.77, -7.8",
-        "0.000321, 3.2e-4", "4.56e9, 4.6e9", "0, 0", "NaN, unknown", "Infinity, beyond all",
-        "-Infinity, below all", "0.001, 0.0010",
+        "0.000321, 3.2e-4", "4.56e9, 4.6e9", "0, 0", "NaN, unknown", "Infinity, infinite",
+        "-Infinity, minus infinity", "0.001, 0.0010",
     })
     void errorsHaveTwoDigits(double value, String text) {
         assertThat(Numbers.rounded(value)).isEqualTo(text);

@@ -8,6 +8,7 @@ import org.auvsim.diagnosis.run.Channel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.List;
 import java.util.Map;
@@ -50,7 +51,7 @@ class SentenceTest {
     @ParameterizedTest
     @CsvSource({
         "0.40, 0.02, The force of waves is missing",
-        "0.01, 0.02, 'A force to and fro is missing, the same everywhere'",
+        "0.01, 0.02, 'An oscillating force, the same everywhere, is missing'",
         "0.10, 0.30, The force of waves is missing",
         "0.10, 0.02, The force of waves is missing",
     })
@@ -70,10 +71,10 @@ class SentenceTest {
                 new Sentence(Map.of(Channel.POSITION, new Gain(0.01001, 0.01, 0.01)), false, false);
         assertThat(same.explained(List.of(DRAG), 0.991, List.of()))
                 .endsWith(
-                        "; held-out position error 0.010 m -> 0.010 m, noise is 0.010 m; but they"
-                                + " are predicted as well without it");
+                        "; held-out position error 0.010 m -> 0.010 m, noise is 0.010 m; but these"
+                                + " runs are predicted just as well without it");
         assertThat(same.explained(List.of(DRAG, CURRENT), 0.991, List.of()))
-                .endsWith("; but they are predicted as well without them");
+                .endsWith("; but these runs are predicted just as well without them");
     }
 
     /** Of what was not tried nothing is said. */
@@ -84,16 +85,16 @@ class SentenceTest {
                         "Stopped before the end; the best so far: quadratic drag is missing: 12.4");
         assertThat(Sentence.stopped(sentence.none()))
                 .startsWith(
-                        "Stopped before the end; the best so far: the model as it is, for no cause"
-                                + " that was tried gains enough; held-out position error 0.83 m");
+                        "Stopped before the end; the best so far: the model as it is; no cause"
+                                + " tried so far gains enough; held-out position error 0.83 m");
         Discrepancy seen =
                 new Discrepancy(
                         Channel.POSITION, 'x', "run1", 3, Vec3.ZERO, OptionalDouble.empty(), 0.4);
         assertThat(Sentence.stopped(sentence.unexplained(Optional.of(seen))))
                 .startsWith(
-                        "Stopped before the end; the best so far: something is missing that no"
+                        "Stopped before the end; the best so far: the model lacks something that no"
                             + " cause tried so far explains; it shows most in the position along x,"
-                            + " at 3.00 s of run1; the best of these take 40.0 % of it away;")
+                            + " at 3.00 s of run1; the best of these remove 40.0 % of it;")
                 .doesNotContain("known");
         assertThat(Sentence.stoppedAtOnce()).startsWith("Stopped before any cause was fitted");
     }
@@ -106,9 +107,9 @@ class SentenceTest {
 
         assertThat(Sentence.ofSome(sentence.unexplained(Optional.of(seen))))
                 .startsWith(
-                        "Something is missing that none of the causes explains that were to be"
-                                + " looked for; it shows most in the position along x, at 3.00 s of"
-                                + " run1; the best of these take 40.0 % of it away;");
+                        "The model lacks something that none of the requested causes explains;"
+                                + " it shows most in the position along x, at 3.00 s of"
+                                + " run1; the best of these remove 40.0 % of it;");
         assertThat(Sentence.ofSome(sentence.none())).isEqualTo(sentence.none());
     }
 
@@ -116,7 +117,7 @@ class SentenceTest {
     void doubtfulDataIsNotBelievedWithoutAWord() {
         assertThat(Sentence.doubted(sentence.none()))
                 .startsWith(sentence.none())
-                .endsWith("; but notices doubt the data: look at them first");
+                .endsWith("; but the notices cast doubt on the data: read them first");
     }
 
     @Test
@@ -151,7 +152,7 @@ class SentenceTest {
                 + " the model has'",
         "sensor_scale, scale.x, 1, 'The scale of the measured positions is wrong: 0.85 +- 0.02"
                 + " times the true one along x'",
-        "sensor_offset, offset.z, m, 'The zero of the measured positions is off: 0.85 +- 0.02 m"
+        "sensor_offset, offset.z, m, 'The measured positions have a constant offset: 0.85 +- 0.02 m"
                 + " along z'",
         "thruster_deadzone, width, 1, 'A dead zone of all thrusters is missing: width 0.85 +-"
                 + " 0.02'",
@@ -189,7 +190,7 @@ class SentenceTest {
                                         false)
                                 .none())
                 .isEqualTo(
-                        "Nothing is missing that this data could show; held-out position error"
+                        "This data shows nothing missing from the model; held-out position error"
                                 + " 0.011 m, noise is 0.010 m");
     }
 
@@ -201,8 +202,20 @@ class SentenceTest {
 
         assertThat(sentence.unexplained(Optional.of(seen)))
                 .contains(
-                        "at 3.00 s of run1; none of the causes takes enough of it"
-                                + " away to be believed; held-out");
+                        "at 3.00 s of run1; no cause removes enough of it to be"
+                                + " believed; held-out");
+    }
+
+    @Test
+    void causesThatWereNotTriedAreNotSaidToTakeNothing() {
+        Discrepancy seen =
+                new Discrepancy(
+                        Channel.POSITION, 'x', "run1", 3, Vec3.ZERO, OptionalDouble.empty(), 0);
+        String unexplained = sentence.unexplained(Optional.of(seen));
+
+        assertThat(List.of(Sentence.stopped(unexplained), Sentence.ofSome(unexplained)))
+                .allMatch(s -> s.contains("; none of these removes enough of it to be believed;"))
+                .noneMatch(s -> s.contains("no cause removes"));
     }
 
     @Test
@@ -211,7 +224,9 @@ class SentenceTest {
                 new Sentence(Map.of(Channel.POSITION, new Gain(0.83, 2.1, 0.01)), false, false);
 
         assertThat(worse.unexplained(Optional.empty()))
-                .endsWith("error 0.83 m -> 2.1 m, noise is 0.010 m, so they make it worse");
+                .endsWith(
+                        "error 0.83 m -> 2.1 m, noise is 0.010 m; these causes make the prediction"
+                                + " worse");
     }
 
     @Test
@@ -227,10 +242,10 @@ class SentenceTest {
                         0.41);
         assertThat(sentence.unexplained(Optional.of(seen)))
                 .isEqualTo(
-                        "Something is missing that no known cause explains; it shows most in the"
-                                + " orientation about z, at 12.4 s of run2, mostly at 0.31 Hz; the"
-                                + " best known causes take 41.0 % of it away; held-out position"
-                                + " error 0.83 m -> 0.011 m, noise is 0.010 m");
+                        "The model lacks something that no known cause explains; it shows most in"
+                            + " the orientation about z, at 12.4 s of run2, mostly at 0.31 Hz; the"
+                            + " best known causes remove 41.0 % of it; held-out position error 0.83"
+                            + " m -> 0.011 m, noise is 0.010 m");
     }
 
     @Test
@@ -238,10 +253,27 @@ class SentenceTest {
         Sentence depth = new Sentence(Map.of(Channel.VELOCITY, new Gain(2, 1, 0.5)), true, true);
         assertThat(depth.unexplained(Optional.empty()))
                 .isEqualTo(
-                        "Something is missing that no known cause explains; left-out velocity error"
-                                + " 2.0 m/s -> 1.0 m/s, noise is 0.50 m/s");
+                        "The model lacks something that no known cause explains; left-out velocity"
+                                + " error 2.0 m/s -> 1.0 m/s, noise is 0.50 m/s");
         assertThat(new Sentence(Map.of(), false, false).none())
-                .isEqualTo("Nothing is missing that this data could show");
+                .isEqualTo("This data shows nothing missing from the model");
+    }
+
+    /** A vehicle with a rudder and elevators has two lifts of its hull. */
+    @ParameterizedTest
+    @ValueSource(strings = {"sway and yaw", "heave and pitch"})
+    void theLiftOfAHullSaysInWhichPlane(String plane) {
+        Finding lift =
+                new Finding(
+                        "hull_lift",
+                        Optional.of(plane),
+                        List.of(new Quantity("Yuv", "kg/m", 3)),
+                        List.of(0.1),
+                        0.99,
+                        true);
+
+        assertThat(Phrases.of(lift)).isEqualTo("Lift of the hull in " + plane + " is missing");
+        assertThat(Phrases.of(lift.name())).isEqualTo(Phrases.of(lift));
     }
 
     @Test

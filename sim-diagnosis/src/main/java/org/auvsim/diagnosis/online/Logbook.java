@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.NavigableMap;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
@@ -36,6 +37,7 @@ final class Logbook {
     private final int most;
     private final List<NavigableMap<Double, Entry>> runs = new ArrayList<>();
     private final Map<String, NamedForce> forces = new LinkedHashMap<>();
+    private OptionalDouble measuredUntil = OptionalDouble.empty();
     private double newTime;
     private boolean isFull;
 
@@ -56,16 +58,19 @@ final class Logbook {
                                 (old, now) -> new Entry(old.measured(), now.levels()));
             }
             case Observation.Measured measured -> add(measured);
-            case Observation.Jumped _ -> runs.add(new TreeMap<>());
+            case Observation.Jumped _ -> {
+                runs.add(new TreeMap<>());
+                measuredUntil = OptionalDouble.empty();
+            }
         }
         forget();
     }
 
     private void add(Observation.Measured measured) {
+        double until = measuredUntil.orElse(measured.time());
+        newTime += Math.max(0, measured.time() - until);
+        measuredUntil = OptionalDouble.of(Math.max(until, measured.time()));
         NavigableMap<Double, Entry> run = runs.getLast();
-        if (!run.isEmpty()) {
-            newTime += Math.max(0, measured.time() - run.lastKey());
-        }
         Map.Entry<Double, Entry> before = run.floorEntry(measured.time());
         run.put(
                 measured.time(),

@@ -1,0 +1,102 @@
+package org.auvsim.diagnosis.online;
+
+import org.auvsim.auvsml.message.feedback.FeedbackMessage;
+import org.auvsim.auvsml.message.feedback.Measurement;
+import org.auvsim.auvsml.message.feedback.MeasurementFrame;
+import org.auvsim.core.entity.NamedForce;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.server.feedback.AppliedFeedback;
+import org.auvsim.server.feedback.MeasurementErrors;
+import org.auvsim.server.feedback.Target;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.TreeMap;
+
+/** What a learner hears of the object 1: where it is measured to be, and what it is told. */
+final class Heard {
+    private static final MeasurementErrors NONE =
+            new MeasurementErrors(
+                    OptionalDouble.empty(),
+                    OptionalDouble.empty(),
+                    OptionalDouble.empty(),
+                    OptionalDouble.empty());
+
+    /**
+     * A position (m).
+     *
+     * @param read is run when it is read
+     */
+    record Positioned(double timestamp, Vec3 position, Runnable read) implements FeedbackMessage {
+        @Override
+        public long worldObjectId() {
+            return 1;
+        }
+
+        @Override
+        public String handlerName() {
+            return "LearningFeedbackHandler";
+        }
+
+        @Override
+        public Measurement measurement() {
+            read.run();
+            return new Measurement(
+                    MeasurementFrame.WORLD,
+                    Optional.of(position),
+                    Optional.empty(),
+                    Optional.empty(),
+                    Optional.empty(),
+                    Optional.empty());
+        }
+    }
+
+    private Heard() {}
+
+    /** Feedback of a time (s). */
+    static Positioned feedback(double time) {
+        return new Positioned(time, new Vec3(0.1 * time, Math.sin(time), 0), () -> {});
+    }
+
+    /** That it was used. */
+    static AppliedFeedback applied(Positioned feedback) {
+        return new AppliedFeedback(
+                1,
+                feedback.timestamp(),
+                feedback.handlerName(),
+                NONE,
+                NONE,
+                target(feedback),
+                true,
+                List.of());
+    }
+
+    private static Target target(Positioned feedback) {
+        return new Target(
+                Optional.of(feedback.position()),
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty());
+    }
+
+    static Observation measured(double time) {
+        Positioned feedback = feedback(time);
+        return new Observation.Measured(time, feedback, target(feedback));
+    }
+
+    /** A level of the actuator {@code screw}. */
+    static Observation told(double time, double level) {
+        return new Observation.Told(time, new TreeMap<>(Map.of("screw", level)), List.of());
+    }
+
+    /** A force along x (N). */
+    static Observation pushed(double time, NamedForce force) {
+        return new Observation.Told(
+                time,
+                new TreeMap<>(Map.of(force.name() + ".x", force.vector().x())),
+                List.of(force));
+    }
+}

@@ -20,9 +20,11 @@ import org.slf4j.LoggerFactory;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.function.Consumer;
+import java.util.function.Function;
 
 /**
  * Learns what the model of one object lacks, on a thread of its own. The simulation thread only
@@ -34,9 +36,13 @@ final class Learner implements Companion {
     /** So much may happen during a diagnosis; what is more is not learned from. */
     private static final int MOST_WAITING = 100_000;
 
+    private static final String WAITING =
+            "too little was measured yet to be split; more is waited for";
+
     private final long objectId;
     private final LearningPlan plan;
     private final Consumer<List<Message>> toSimulator;
+    private final Function<Investigation, Diagnosis> diagnoses;
     private final BlockingQueue<Observation> heard = new ArrayBlockingQueue<>(MOST_WAITING);
     private final Watcher watcher;
     private final Logbook logbook;
@@ -51,16 +57,30 @@ final class Learner implements Companion {
 
     /** Begins to learn. */
     Learner(long objectId, Belief belief, LearningPlan plan, Consumer<List<Message>> toSimulator) {
+        this(objectId, belief, plan, toSimulator, Investigation::diagnose);
+    }
+
+    /** The same, diagnosing otherwise. */
+    Learner(
+            long objectId,
+            Belief belief,
+            LearningPlan plan,
+            Consumer<List<Message>> toSimulator,
+            Function<Investigation, Diagnosis> diagnoses) {
         this.objectId = objectId;
         this.belief = belief;
         this.plan = plan;
         this.toSimulator = toSimulator;
+        this.diagnoses = diagnoses;
         this.watcher = new Watcher(objectId, this::hear);
         this.logbook = new Logbook(plan.keep());
+        String body = belief.first().body();
         this.thread =
                 Thread.ofPlatform()
                         .daemon()
-                        .name("learner of " + belief.first().body())
+                        .name("learner of " + body)
+                        .uncaughtExceptionHandler(
+                                (_, fault) -> LOG.error("no more is learned of '{}'", body, fault))
                         .start(this::run);
     }
 
@@ -102,7 +122,6 @@ final class Learner implements Companion {
                 heard.drainTo(more);
                 more.forEach(logbook::add);
                 if (logbook.newTime() >= plan.after()) {
-                    logbook.read();
                     learn();
                 }
             }
@@ -111,26 +130,43 @@ final class Learner implements Companion {
         }
     }
 
+    /** From what there is, if that is enough. A fault of it is no hindrance to learn from more. */
     private void learn() {
-        List<MeasuredRun> runs = logbook.runs();
-        if (runs.isEmpty()) {
-            return;
-        }
-        BelievedModel model = belief.under(logbook.forces());
-        Split split = Split.of(runs);
+        String body = belief.first().body();
         try {
-            Diagnosis found = investigation(model, split).diagnose();
-            if (closed) {
-                LOG.info("'{}': the diagnosis was stopped", model.body());
+            Optional<Split> split = split(logbook.runs());
+            if (split.isEmpty()) {
+                if (isNew(WAITING)) {
+                    LOG.info("'{}': {}", body, WAITING);
+                }
                 return;
             }
-            LOG.info("'{}': {}", model.body(), found.sentence());
-            if (found.verdict() == Verdict.EXPLAINED) {
-                tell(model, found);
-            }
-        } catch (IllegalArgumentException | IllegalStateException | ArithmeticException e) {
-            LOG.warn("nothing can be learned of '{}': {}", model.body(), e.getMessage());
-            LOG.debug("the diagnosis failed here", e);
+            learn(belief.under(logbook.forces()), split.get());
+        } catch (RuntimeException e) {
+            LOG.error("nothing is learned of '{}' until more is measured", body, e);
+        }
+        logbook.read();
+    }
+
+    /** Empty: they are too few, or the only one is too short. */
+    private static Optional<Split> split(List<MeasuredRun> runs) {
+        try {
+            return Optional.of(Split.of(runs));
+        } catch (IllegalArgumentException e) {
+            LOG.debug("what was measured is not split yet: {}", e.getMessage());
+            return Optional.empty();
+        }
+    }
+
+    private void learn(BelievedModel model, Split split) {
+        Diagnosis found = diagnoses.apply(investigation(model, split));
+        if (closed) {
+            LOG.info("'{}': the diagnosis was stopped", model.body());
+            return;
+        }
+        LOG.info("'{}': {}", model.body(), found.sentence());
+        if (found.verdict() == Verdict.EXPLAINED) {
+            tell(model, found);
         }
     }
 
@@ -147,11 +183,16 @@ final class Learner implements Companion {
 
     /** Tells each new stage of a diagnosis; whether anybody still wants to know. */
     private boolean goesOn(String now, double share) {
-        if (!now.equals(stage)) {
-            stage = now;
+        if (isNew(now)) {
             LOG.info("'{}': {} ({} %)", belief.first().body(), now, Math.round(100 * share));
         }
         return !closed;
+    }
+
+    private boolean isNew(String now) {
+        boolean isNew = !now.equals(stage);
+        stage = now;
+        return isNew;
     }
 
     private void tell(BelievedModel diagnosed, Diagnosis found) {

@@ -1,0 +1,108 @@
+package org.auvsim.diagnosis.online;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.core.actuator.Propulsor;
+import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.Sphere;
+import org.auvsim.core.world.World;
+import org.auvsim.diagnosis.Investigation;
+import org.auvsim.diagnosis.Method;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.server.simulator.StepMade;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+
+/** When a learner diagnoses what, whatever becomes of it; feedback comes once a second. */
+@Timeout(60)
+class LearnerTest {
+    private static final LearningPlan PLAN = new LearningPlan(false, 30, 100, 1, Method.SHOOTING);
+
+    private final World world =
+            World.builder()
+                    .timeStep(1)
+                    .add(
+                            WorldObjectDefinition.named("body")
+                                    .volume(new Sphere(0.2))
+                                    .mass(10)
+                                    .component(
+                                            new Propulsor(
+                                                    "screw", 1, 0, Vec3.ZERO, new Vec3(1, 0, 0)))
+                                    .build())
+                    .build();
+    private final BlockingQueue<Investigation> investigations = new LinkedBlockingQueue<>();
+    private final Learner learner =
+            new Learner(1, Belief.of(world, 1), PLAN, _ -> {}, this::diagnosis);
+
+    /** There is none: a fault of each. */
+    private Diagnosis diagnosis(Investigation of) {
+        investigations.add(of);
+        throw new UnsupportedOperationException("it is at fault");
+    }
+
+    @AfterEach
+    void close() {
+        learner.close();
+    }
+
+    /** A step with a measurement at its end. */
+    private void step(Runnable read) {
+        world.advanceTimestep();
+        double now = world.time();
+        measure(new Heard.Positioned(now, Heard.feedback(now).position(), read));
+        learner.stepMade(new StepMade(0, Math.round(now), world));
+    }
+
+    private void measure(Heard.Positioned feedback) {
+        learner.corrected(feedback, Heard.applied(feedback));
+    }
+
+    private void steps(int count) {
+        for (int i = 0; i < count; i++) {
+            step(() -> {});
+        }
+    }
+
+    /** What is diagnosed next. */
+    private List<MeasuredRun> diagnosed() throws InterruptedException {
+        Investigation next = investigations.poll(30, TimeUnit.SECONDS);
+        assertThat(next).as("a diagnosis").isNotNull();
+        return Stream.concat(next.fit().stream(), next.heldOut().stream()).toList();
+    }
+
+    private static int samples(List<MeasuredRun> runs) {
+        return runs.stream().mapToInt(MeasuredRun::size).sum();
+    }
+
+    @Test
+    void whatIsTooShortToBeSplitIsWaitedFor() throws Exception {
+        CountDownLatch read = new CountDownLatch(1);
+        steps(30);
+        step(read::countDown);
+        assertThat(read.await(30, TimeUnit.SECONDS)).as("31 samples are looked at").isTrue();
+
+        steps(17);
+
+        assertThat(samples(diagnosed())).isEqualTo(48);
+    }
+
+    @Test
+    void aFaultOfADiagnosisDoesNotEndLearning() throws Exception {
+        steps(48);
+        assertThat(samples(diagnosed())).isEqualTo(48);
+
+        steps(30);
+
+        assertThat(samples(diagnosed())).isEqualTo(78);
+    }
+}

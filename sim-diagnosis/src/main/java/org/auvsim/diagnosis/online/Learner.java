@@ -34,7 +34,7 @@ final class Learner implements Companion {
     private static final Logger LOG = LoggerFactory.getLogger(Learner.class);
 
     /** So much may happen during a diagnosis; what is more is not learned from. */
-    private static final int MOST_WAITING = 100_000;
+    static final int MOST_WAITING = 100_000;
 
     private static final String WAITING =
             "too little was measured yet to be split; more is waited for";
@@ -48,6 +48,9 @@ final class Learner implements Companion {
     private final Logbook logbook;
     private final Thread thread;
     private volatile boolean closed;
+
+    /** Belongs to the simulation thread. */
+    private boolean hasMissed;
 
     /** Belongs to the learner's thread. */
     private Belief belief;
@@ -94,10 +97,17 @@ final class Learner implements Companion {
         watcher.stepMade(step.world());
     }
 
-    private void hear(Observation observation) {
-        if (!heard.offer(observation)) {
-            LOG.debug("more has happened during a diagnosis than is kept");
+    private boolean hear(Observation observation) {
+        boolean isHeard = heard.offer(observation);
+        if (!isHeard && !hasMissed) {
+            hasMissed = true;
+            LOG.warn(
+                    "object {}: more than {} commands and measurements came during a diagnosis:"
+                        + " what is more is not learned from, and a new run begins after it",
+                    objectId,
+                    MOST_WAITING);
         }
+        return isHeard;
     }
 
     @Override

@@ -58,7 +58,7 @@ final class Logbook {
                                 (old, now) -> new Entry(old.measured(), now.levels()));
             }
             case Observation.Measured measured -> add(measured);
-            case Observation.Jumped _ -> {
+            case Observation.Broken _ -> {
                 runs.add(new TreeMap<>());
                 measuredUntil = OptionalDouble.empty();
             }

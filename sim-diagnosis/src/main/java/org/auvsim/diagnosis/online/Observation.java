@@ -26,6 +26,9 @@ sealed interface Observation {
      */
     record Measured(double time, FeedbackMessage message, Target target) implements Observation {}
 
-    /** The world's time has jumped: what follows has nothing to do with what was before. */
-    record Jumped() implements Observation {}
+    /**
+     * The world's time has jumped, or something could not be heard: what follows has nothing to do
+     * with what was before.
+     */
+    record Broken() implements Observation {}
 }

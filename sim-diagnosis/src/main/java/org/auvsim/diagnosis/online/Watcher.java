@@ -12,22 +12,32 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.function.Consumer;
+import java.util.function.Predicate;
 
-/** Sees what an object is told and what is measured of it. Belongs to the simulation thread. */
+/**
+ * Sees what an object is told and what is measured of it. Where that could not be heard, all is
+ * left out until the break itself can be, and then commands are told anew. Belongs to the
+ * simulation thread.
+ */
 final class Watcher {
     /** A step that ends so much later (in steps) than it may was preceded by a jump. */
     private static final double LONGEST = 1.5;
 
     private final long objectId;
-    private final Consumer<Observation> tell;
+    private final Predicate<Observation> hears;
     private final List<Observation> measured = new ArrayList<>();
     private SortedMap<String, Double> told = new TreeMap<>();
     private OptionalDouble now = OptionalDouble.empty();
+    private boolean isBroken;
 
-    Watcher(long objectId, Consumer<Observation> tell) {
+    /**
+     * Sees an object.
+     *
+     * @param hears is told of it, and whether that was heard
+     */
+    Watcher(long objectId, Predicate<Observation> hears) {
         this.objectId = objectId;
-        this.tell = tell;
+        this.hears = hears;
     }
 
     void corrected(FeedbackMessage feedback, AppliedFeedback applied) {
@@ -37,14 +47,17 @@ final class Watcher {
     /** What was told was told before the step; what was measured, at its end. */
     void stepMade(World world) {
         if (now.isPresent() && hasJumped(now.getAsDouble(), world)) {
-            tell.accept(new Observation.Jumped());
-            told = new TreeMap<>();
+            isBroken = true;
             now = OptionalDouble.empty();
+        }
+        if (isBroken) {
+            told = new TreeMap<>();
+            isBroken = !hears.test(new Observation.Broken());
         }
         if (now.isPresent() && world.find(objectId).isPresent()) {
             tell(now.getAsDouble(), world.object(objectId));
         }
-        measured.forEach(tell);
+        measured.forEach(this::tell);
         measured.clear();
         now = OptionalDouble.of(world.time());
     }
@@ -58,8 +71,12 @@ final class Watcher {
         SortedMap<String, Double> levels = levels(object);
         if (!levels.equals(told)) {
             told = levels;
-            tell.accept(new Observation.Told(from, levels, object.forces()));
+            tell(new Observation.Told(from, levels, object.forces()));
         }
+    }
+
+    private void tell(Observation observation) {
+        isBroken = isBroken || !hears.test(observation);
     }
 
     private static SortedMap<String, Double> levels(WorldObject object) {

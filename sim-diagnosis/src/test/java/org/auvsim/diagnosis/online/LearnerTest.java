@@ -21,6 +21,8 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.DoublePredicate;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /** When a learner diagnoses what, whatever becomes of it; feedback comes once a second. */
@@ -41,12 +43,18 @@ class LearnerTest {
                                     .build())
                     .build();
     private final BlockingQueue<Investigation> investigations = new LinkedBlockingQueue<>();
+    private volatile CountDownLatch gate = new CountDownLatch(0);
     private final Learner learner =
             new Learner(1, Belief.of(world, 1), PLAN, _ -> {}, this::diagnosis);
 
-    /** There is none: a fault of each. */
+    /** There is none: a fault of each, as soon as that may be. */
     private Diagnosis diagnosis(Investigation of) {
         investigations.add(of);
+        try {
+            gate.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
         throw new UnsupportedOperationException("it is at fault");
     }
 
@@ -104,5 +112,35 @@ class LearnerTest {
         steps(30);
 
         assertThat(samples(diagnosed())).isEqualTo(78);
+    }
+
+    @Test
+    void aCommandThatWasNotHeardIsToldAnew() throws Exception {
+        gate = new CountDownLatch(1);
+        steps(48);
+        diagnosed();
+        steps(Learner.MOST_WAITING);
+        double commanded = world.time();
+        world.object(1).command(Propulsor.class, "screw", 0.5);
+        steps(1);
+        gate.countDown();
+        diagnosed();
+
+        steps(48);
+
+        List<MeasuredRun> runs = diagnosed();
+        assertThat(runs).hasSize(2);
+        assertThat(levels(runs, time -> time <= commanded)).containsOnly(0.0);
+        assertThat(levels(runs, time -> time > commanded)).containsOnly(0.5);
+    }
+
+    private static List<Double> levels(List<MeasuredRun> runs, DoublePredicate when) {
+        return runs.stream()
+                .flatMap(
+                        run ->
+                                IntStream.range(0, run.size())
+                                        .filter(k -> when.test(run.time(k)))
+                                        .mapToObj(k -> run.commands().getFirst().level(k)))
+                .toList();
     }
 }

@@ -77,9 +77,9 @@ class LogbookTest {
     @Test
     void noTimeIsNewFromBeforeABreakToAfterIt() {
         measure(0, 11);
-        logbook.add(new Observation.Jumped());
+        logbook.add(new Observation.Broken());
         measure(1000, 1006);
-        logbook.add(new Observation.Jumped());
+        logbook.add(new Observation.Broken());
         measure(0, 3);
 
         assertThat(logbook.newTime()).isEqualTo(10 + 5 + 2);
@@ -88,7 +88,7 @@ class LogbookTest {
     @Test
     void aBreakBeginsANewRun() {
         measure(0, LEAST);
-        logbook.add(new Observation.Jumped());
+        logbook.add(new Observation.Broken());
         logbook.add(Heard.told(5, 1));
         measure(5, 5 + LEAST - 1);
         assertThat(logbook.runs()).extracting(MeasuredRun::size).containsExactly(LEAST);

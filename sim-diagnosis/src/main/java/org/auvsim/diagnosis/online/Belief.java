@@ -10,7 +10,6 @@ import org.auvsim.core.entity.Component;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObjectDefinition;
-import org.auvsim.core.field.UniformCurrent;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.world.World;
 import org.auvsim.diagnosis.model.BelievedModel;
@@ -28,14 +27,16 @@ import java.util.Optional;
  *
  * @param first before anything was learned
  * @param behaviors that the object has
- * @param fields that the world was given
+ * @param fields that the world has been given
  * @param body that it was given
+ * @param given how many fields it was ever given; their ids are not used again
  */
 record Belief(
         BelievedModel first,
         List<Component> behaviors,
         List<Field<?>> fields,
-        Optional<WorldObjectDefinition> body) {
+        Optional<WorldObjectDefinition> body,
+        int given) {
     /** That of an object in a world as it is now. */
     static Belief of(World world, long objectId) {
         WorldObjectDefinition object = world.object(objectId).presentDefinition();
@@ -49,7 +50,8 @@ record Belief(
                         Scenario.of(world).with(world.fields(), List.of(body)), object.name()),
                 behaviors,
                 List.of(),
-                Optional.empty());
+                Optional.empty(),
+                0);
     }
 
     /** The first model of a body on which these forces may act: what they are, commands tell. */
@@ -85,24 +87,14 @@ record Belief(
     /** When the running world has them. */
     Belief after(BelievedModel diagnosed, Scenario found) {
         List<Field<?>> added = added(diagnosed, found);
-        List<Field<?>> known = new ArrayList<>(first.scenario().field());
-        added.forEach(field -> known.add(stillWater(field)));
-        Scenario scenario = first.scenario().with(known, first.scenario().worldObject());
-        return new Belief(
-                new BelievedModel(scenario, first.body()),
-                behaviors,
-                added,
-                Optional.of(body(found)));
+        return new Belief(first, behaviors, added, Optional.of(body(found)), given + added.size());
     }
 
-    /** In place of a field that was learned: its id and its name are not free any more. */
-    private static Field<?> stillWater(Field<?> learned) {
-        return new UniformCurrent(learned.id(), learned.name(), Vec3.ZERO);
-    }
-
-    private static List<Field<?>> added(BelievedModel diagnosed, Scenario found) {
+    /** Diagnoses begin with the same ids each time: they are counted on from those given before. */
+    private List<Field<?>> added(BelievedModel diagnosed, Scenario found) {
         List<Field<?>> added = new ArrayList<>(found.field());
         added.removeAll(diagnosed.scenario().field());
+        added.replaceAll(field -> Renumbered.field(field, field.id() + given));
         return added;
     }
 

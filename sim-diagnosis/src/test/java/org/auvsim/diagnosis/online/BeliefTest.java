@@ -8,6 +8,7 @@ import org.auvsim.auvsml.message.entity.AddFieldCommand;
 import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
 import org.auvsim.auvsml.message.entity.ReviseWorldObjectCommand;
 import org.auvsim.core.effect.IsotropicDrag;
+import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -22,7 +23,10 @@ import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
+import java.util.Arrays;
 import java.util.List;
 
 /** What a running world gets when it is learned, and when the same is learned again from more. */
@@ -39,20 +43,29 @@ class BeliefTest {
                     .build();
     private Belief belief = Belief.of(world, 1);
 
-    /** The world gets what a diagnosis of it would have found. */
     private void learn(Vec3 current, double drag) {
+        learn("current_constant", new double[] {current.x(), current.y(), current.z()}, drag);
+    }
+
+    /**
+     * The world gets what a diagnosis of it would have found.
+     *
+     * @return the currents as they were found
+     */
+    private List<Current> learn(String current, double[] theta, double drag) {
         BelievedModel model = belief.under(List.of());
         Variant found = model.variant().with(body -> body.effect(new IsotropicDrag(0, drag, 0)));
         Cause flow =
                 Library.of(model, List.of(run())).stream()
-                        .filter(cause -> cause.id().equals("current_constant"))
+                        .filter(cause -> cause.id().equals(current))
                         .findFirst()
                         .orElseThrow();
-        found = flow.in(found, new double[] {current.x(), current.y(), current.z()});
+        found = flow.in(found, theta);
         for (Message change : belief.changes(model, model.extended(found))) {
             carryOut(change);
         }
         belief = belief.after(model, model.extended(found));
+        return found.currents();
     }
 
     private static MeasuredRun run() {
@@ -92,6 +105,35 @@ class BeliefTest {
 
         assertThat(drags()).containsExactly(new IsotropicDrag(0, DRAG + 2, 0));
         assertThat(velocities()).containsExactly(new Vec3(0.12, 0.18, 0));
+    }
+
+    @Test
+    void whatIsDiagnosedDoesNotGrow() {
+        BelievedModel before = belief.under(List.of());
+
+        learn(new Vec3(0.1, 0.2, 0), DRAG);
+        learn(new Vec3(0.11, 0.19, 0), DRAG + 1);
+
+        assertThat(belief.under(List.of())).isEqualTo(before);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "current_constant, 3",
+        "current_oscillating, 7",
+        "current_shear, 2",
+        "current_vortex, 4"
+    })
+    void eachKindOfCurrentIsLearnedAgain(String kind, int numbers) {
+        double[] theta = new double[numbers];
+        for (double number : new double[] {0.1, 0.2, 0.3}) {
+            Arrays.fill(theta, number);
+            List<Current> found = learn(kind, theta, DRAG);
+
+            assertThat(world.fields())
+                    .usingRecursiveFieldByFieldElementComparatorIgnoringFields("id")
+                    .isEqualTo(found);
+        }
     }
 
     @Test

@@ -167,7 +167,7 @@ final class Following {
 
     /** A model without faults needs no more than a known start. */
     private Fitted inOneGo(KnownStart known) {
-        Window whole = new Window(0, run.size() - 1, known.motion());
+        Window whole = new Window(0, run.size() - 1, stated(known));
         return fit(whole, asFarAsKnown(known), FEW_ITERATIONS);
     }
 
@@ -180,7 +180,7 @@ final class Following {
             int to = borders[w + 1];
             RigidMotion guess =
                     w == 0
-                            ? run.start().map(KnownStart::motion).orElseGet(() -> measured(0, to))
+                            ? run.start().map(this::stated).orElseGet(() -> measured(0, to))
                             : endOf(fitted.getLast(), to);
             Fitted one = fit(from, to, guess);
             if (one.isFarOff() && course.goesOn()) {
@@ -198,7 +198,11 @@ final class Following {
     }
 
     private RigidMotion measured(int from, int to) {
-        return LocalMotion.at(run, model.start(), from, to);
+        return model.nearestStart(LocalMotion.at(run, model.start(), from, to));
+    }
+
+    private RigidMotion stated(KnownStart known) {
+        return model.nearestStart(known.motion());
     }
 
     /** Half as many, from the starts of every second one. */

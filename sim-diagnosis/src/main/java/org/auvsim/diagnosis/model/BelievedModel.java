@@ -96,6 +96,18 @@ public record BelievedModel(Scenario scenario, String body) {
         return startable;
     }
 
+    /**
+     * The possible start that is nearest to a motion as it was measured, or stated: noise about an
+     * axis that the mount holds is no turn.
+     */
+    public RigidMotion nearestStart(RigidMotion motion) {
+        if (definition(scenario, body).mount().isEmpty()) {
+            return motion;
+        }
+        RigidMotion start = start();
+        return start.plus(startable(motion.minus(start)));
+    }
+
     /** The body as it is believed. */
     public Variant variant() {
         return new Variant(definition(scenario, body), List.of(), Sensing.EXACT);

@@ -103,7 +103,7 @@ final class Learner implements Companion {
             hasMissed = true;
             LOG.warn(
                     "object {}: more than {} commands and measurements came during a diagnosis:"
-                        + " what is more is not learned from, and a new run begins after it",
+                            + " what is more is not learned from, and a new run begins after it",
                     objectId,
                     MOST_WAITING);
         }

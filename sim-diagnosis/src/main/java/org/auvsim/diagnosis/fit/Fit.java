@@ -163,6 +163,16 @@ record Fit(
         return sum;
     }
 
+    /** What the start of a run misses of what is known of it; empty where nothing is. */
+    double[] startMisses(int run) {
+        RigidMotion start = windows.get(run).getFirst().start();
+        return data.get(run)
+                .run()
+                .start()
+                .map(known -> Outcome.misses(known, start))
+                .orElse(new double[0]);
+    }
+
     /** What that misses. */
     Outcome outcome() {
         return outcome(motions());

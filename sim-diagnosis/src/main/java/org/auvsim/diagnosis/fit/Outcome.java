@@ -96,13 +96,16 @@ record Outcome(
 
     /** Squared distance of a start from what is known of it, in standard deviations. */
     static double squares(KnownStart known, RigidMotion start) {
+        return squares(misses(known, start));
+    }
+
+    /** How far a start is from what is known of it, in standard deviations; 0 where nothing is. */
+    static double[] misses(KnownStart known, RigidMotion start) {
         double[] off = start.minus(known.motion());
-        double sum = 0;
         for (int i = 0; i < off.length; i++) {
-            double share = off[i] / known.deviations().get(i);
-            sum += share * share;
+            off[i] /= known.deviations().get(i);
         }
-        return sum;
+        return off;
     }
 
     /** That of a channel; none if it was not measured. */

@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
+import org.apache.commons.math3.util.MathArrays;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.HorizonGain;
@@ -7,6 +8,8 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** Held-out runs judge a hypothesis, which had no part in choosing it. */
 final class Trial {
@@ -56,7 +59,7 @@ final class Trial {
      */
     static boolean passes(Judged fitted, Judged before, Judged predicted, Judged adjusted) {
         double worst = before.outcome().deviance() + Cause.PRICE;
-        return isConfirmed(before.outcome().misses(), List.of(adjusted), fitted)
+        return isConfirmed(before, List.of(adjusted), fitted)
                 && predicted.outcome().deviance() < worst
                 && adjusted.outcome().deviance() < worst
                 && holds(adjusted, fitted);
@@ -72,7 +75,7 @@ final class Trial {
     static boolean holdsLeftOut(Judged none, Judged fitted, LeaveOneOut turns) {
         List<Judged> predictions = turns.adjusted();
         return !restsOnOneRun(none, fitted)
-                && isConfirmed(none.outcome().misses(), predictions, fitted)
+                && isConfirmed(none, predictions, fitted)
                 && predictions.stream().allMatch(prediction -> holds(prediction, fitted));
     }
 
@@ -97,12 +100,21 @@ final class Trial {
     }
 
     /** A model that lacks nothing has nothing to be borne out. */
-    private static boolean isConfirmed(
-            List<double[]> before, List<Judged> predictions, Judged fitted) {
-        List<double[]> after =
-                predictions.stream().flatMap(p -> p.outcome().misses().stream()).toList();
+    private static boolean isConfirmed(Judged before, List<Judged> predictions, Judged fitted) {
+        List<double[]> after = predictions.stream().flatMap(Trial::missed).toList();
         int parameters = predictions.size() * fitted.fit().hypothesis().size();
-        return fitted.isNone() || Confirmation.of(before, after, parameters);
+        return fitted.isNone() || Confirmation.of(missed(before).toList(), after, parameters);
+    }
+
+    /**
+     * What is missed of each run: the measurements, and what is known of its start, which alone
+     * tells the zero of a sensor.
+     */
+    private static Stream<double[]> missed(Judged judged) {
+        Fit fit = judged.fit();
+        List<double[]> misses = judged.outcome().misses();
+        return IntStream.range(0, misses.size())
+                .mapToObj(r -> MathArrays.concatenate(misses.get(r), fit.startMisses(r)));
     }
 
     /** The largest ratio over channels of root mean squares. */

@@ -32,6 +32,9 @@ public record Evolution(long seed) implements Arena.Contest {
 
     @Override
     public List<Arena.Candidate> candidates(Arena arena, List<Cause> causes) {
+        if (causes.isEmpty()) {
+            return List.of();
+        }
         RandomGenerator lot = new Well19937c(seed);
         Heredity heredity = new Heredity(causes, arena.runs(), lot);
         Map<List<String>, ModelGenome> best = new LinkedHashMap<>();
@@ -61,7 +64,7 @@ public record Evolution(long seed) implements Arena.Contest {
             for (int cause = 0; cause < causes; cause++) {
                 first.add(new ModelGenome(List.of(heredity.gene(cause))));
             }
-        } while (causes > 0 && first.size() < LEAST_POPULATION);
+        } while (first.size() < LEAST_POPULATION);
         return first;
     }
 

@@ -17,12 +17,11 @@ final class HorizonErrors {
         this.horizons = horizons;
     }
 
-    /** Adds an error of one number, in the channel's unit. */
+    /** Adds an error of one number, in the channel's unit; NaN of a model that got lost. */
     void add(Channel channel, int horizon, double error) {
-        if (Double.isFinite(error)) {
-            squares.computeIfAbsent(channel, _ -> new double[horizons])[horizon] += error * error;
-            counts.computeIfAbsent(channel, _ -> new int[horizons])[horizon]++;
-        }
+        double square = Double.isNaN(error) ? Double.POSITIVE_INFINITY : error * error;
+        squares.computeIfAbsent(channel, _ -> new double[horizons])[horizon] += square;
+        counts.computeIfAbsent(channel, _ -> new int[horizons])[horizon]++;
     }
 
     /** These and others. */
@@ -50,7 +49,10 @@ final class HorizonErrors {
                 });
     }
 
-    /** Root mean square of a channel's numbers at a horizon; empty if none was measured then. */
+    /**
+     * Root mean square of a channel's numbers at a horizon, infinite if a model got lost before;
+     * empty if none was measured then.
+     */
     OptionalDouble of(Channel channel, int horizon) {
         double[] sums = squares.get(channel);
         int[] numbers = counts.get(channel);

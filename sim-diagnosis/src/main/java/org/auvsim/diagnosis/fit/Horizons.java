@@ -5,6 +5,7 @@ import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.Gain;
 import org.auvsim.diagnosis.result.HorizonGain;
 import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
@@ -97,33 +98,43 @@ final class Horizons {
                             begun.get(r).forEach(window -> add(shooting, window, shortest, errors));
                             return errors;
                         })
+                .toList()
+                .stream() // added up in order: sums depend on it
                 .reduce(new HorizonErrors(SHARES.length), HorizonErrors::plus);
     }
 
     private static void add(
             Shooting shooting, Window window, double shortest, HorizonErrors errors) {
-        Misses of = shooting.of();
+        MeasuredRun run = shooting.of().run();
         RigidMotion[] motion = shooting.motion(window);
-        double[] misses =
-                of.plain(motion, shooting.variant().sensing(), window.from(), motion.length);
+        boolean isLost = motion[0].equals(Ensemble.LOST);
         for (int h = 0; h < SHARES.length; h++) {
-            double until = of.run().time(window.from()) + SHARES[h] * shortest;
+            double until = run.time(window.from()) + SHARES[h] * shortest;
             for (int k = window.from(); k <= window.to(); k++) {
-                if (of.run().time(k) >= until) {
-                    addSample(of, misses, k, window.from(), h, errors);
+                if (run.time(k) >= until) {
+                    Window ahead = new Window(window.from(), k, window.start());
+                    addLast(shooting, ahead, isLost ? shooting.motion(ahead) : motion, h, errors);
                     break;
                 }
             }
         }
     }
 
-    private static void addSample(
-            Misses of, double[] misses, int sample, int from, int horizon, HorizonErrors errors) {
+    /** Adds the errors of a window's last sample; a motion that gets lost later may be longer. */
+    private static void addLast(
+            Shooting shooting,
+            Window window,
+            RigidMotion[] motion,
+            int horizon,
+            HorizonErrors errors) {
+        Misses of = shooting.of();
+        double[] misses =
+                of.plain(motion, shooting.variant().sensing(), window.from(), motion.length);
         int rows = of.rows().size();
         for (int r = 0; r < rows; r++) {
-            int number = sample * rows + r;
+            int number = window.to() * rows + r;
             if (of.isMeasured(number)) {
-                double miss = misses[number - from * rows] * of.deviation(number);
+                double miss = misses[number - window.from() * rows] * of.deviation(number);
                 errors.add(of.rows().get(r).channel(), horizon, miss);
             }
         }

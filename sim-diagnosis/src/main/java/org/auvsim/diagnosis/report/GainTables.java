@@ -88,13 +88,19 @@ final class GainTables {
                     curve(models.get(k), Mark.LINE, channel, horizons, g -> errors(g).get(model)));
         }
         curves.add(curve("noise", Mark.DASHED, channel, horizons, Gain::noise));
+        boolean isLost =
+                curves.stream()
+                        .flatMap(curve -> curve.points().stream())
+                        .anyMatch(point -> Double.isInfinite(point.y()));
         return new Chart(
                 "Error of the %s by how far ahead is predicted".formatted(Sentence.words(channel)),
                 "ahead (s)",
                 "error (%s)".formatted(Sentence.unit(channel)),
                 curves,
-                "Predicted from eight states along each held-out run, each estimated by the model%s; with so few predictions an error may fall below the noise."
-                        .formatted(models.size() > 1 ? " " + models.getLast() : ""));
+                "Predicted from eight states along each held-out run, each estimated by the model%s; with so few predictions an error may fall below the noise.%s"
+                        .formatted(
+                                models.size() > 1 ? " " + models.getLast() : "",
+                                isLost ? " Where a model gets lost it has no point." : ""));
     }
 
     private static Curve curve(

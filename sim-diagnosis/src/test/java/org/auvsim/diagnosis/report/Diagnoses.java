@@ -356,18 +356,27 @@ final class Diagnoses {
     /** The same where no cause was tried. */
     static Diagnosis untried(Diagnosis of) {
         Ranked none = new Ranked(List.of(), List.of(), 0, 1, Optional.empty());
-        return with(of, of.body(), List.of(none), of.nextExperiment(), of.isComplete());
+        return with(
+                of, of.body(), List.of(none), of.horizons(), of.nextExperiment(), of.isComplete());
+    }
+
+    /** The same where the believed model gets lost between 5 and 60 s. */
+    static Diagnosis lost(Diagnosis of) {
+        List<HorizonGain> horizons =
+                List.of(ahead(5, 0.08, 0.0107), ahead(60, Double.POSITIVE_INFINITY, 0.0112));
+        return with(of, of.body(), of.ranked(), horizons, of.nextExperiment(), of.isComplete());
     }
 
     private static Diagnosis with(
             Diagnosis of, String body, Optional<NextExperiment> next, boolean isComplete) {
-        return with(of, body, of.ranked(), next, isComplete);
+        return with(of, body, of.ranked(), of.horizons(), next, isComplete);
     }
 
     private static Diagnosis with(
             Diagnosis of,
             String body,
             List<Ranked> ranked,
+            List<HorizonGain> horizons,
             Optional<NextExperiment> next,
             boolean isComplete) {
         return new Diagnosis(
@@ -380,7 +389,7 @@ final class Diagnoses {
                 of.alternatives(),
                 of.noise(),
                 of.heldOut(),
-                of.horizons(),
+                horizons,
                 of.usedHeldOut(),
                 of.runs(),
                 of.discrepancy(),

@@ -193,6 +193,14 @@ class ReportTest {
     }
 
     @Test
+    void aModelThatGetsLostHasNoErrorThere() throws IOException {
+        assertThat(page(Diagnoses.lost(Diagnoses.explained())))
+                .contains("Where a model gets lost it has no point.")
+                .contains("\"x\":[5.0,60.0],\"y\":[0.08,null]");
+        assertThat(page(Diagnoses.explained())).doesNotContain("gets lost");
+    }
+
+    @Test
     void aModelThatBreaksOffLeavesMeasurementsAlone() throws IOException {
         assertThat(page(Diagnoses.brokenOff())).contains("<h3>Heading over time</h3>");
         assertThat(folder.resolve("predictions/run3.csv")).content().hasLineCount(1);

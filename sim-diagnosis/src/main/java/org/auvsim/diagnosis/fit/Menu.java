@@ -138,7 +138,11 @@ final class Menu {
                         new Told(
                                 new NextExperiment(
                                         dish.id(),
-                                        "%s, for %.3g s".formatted(dish.description(), duration),
+                                        String.format(
+                                                Locale.ROOT,
+                                                "%s, for %.3g s",
+                                                dish.description(),
+                                                duration),
                                         List.copyOf(separates),
                                         least),
                                 told));

@@ -42,6 +42,7 @@ class MenuTest {
                 next(judged("thruster_gain", -0.2), judged("mass_error", 0.25)).orElseThrow();
 
         assertThat(next.id()).isEqualTo("known_mass");
+        assertThat(next.description()).endsWith(", for 30.0 s");
         assertThat(next.separates()).containsExactly("thruster_gain (motor)", "mass_error");
     }
 

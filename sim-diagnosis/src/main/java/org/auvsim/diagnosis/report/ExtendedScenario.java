@@ -69,7 +69,7 @@ final class ExtendedScenario {
     /** Two hyphens end a comment. */
     private static String comment(List<String> lines) {
         return lines.stream()
-                .map(line -> line.replace("--", "- -").replace("\n", " "))
+                .map(line -> line.replaceAll("-(?=-)", "- ").replace("\n", " "))
                 .collect(Collectors.joining("\n  ", "<!--\n  ", "\n-->\n"));
     }
 }

@@ -10,6 +10,8 @@ import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -111,9 +113,10 @@ class ExtendedScenarioTest {
         assertThat(approximate).doesNotExist();
     }
 
-    @Test
-    void namesEndNoComment() throws Exception {
-        Diagnosis diagnosis = Diagnoses.renamed(Diagnoses.none(), "a--b-->");
+    @ParameterizedTest
+    @ValueSource(strings = {"a--b-->", "a---b", "----", "a-"})
+    void namesEndNoComment(String name) throws Exception {
+        Diagnosis diagnosis = Diagnoses.renamed(Diagnoses.none(), name);
         assertThat(ScenarioLoader.load(LOADER).load(written(diagnosis)))
                 .isEqualTo(diagnosis.extended());
     }

@@ -66,7 +66,13 @@ sealed interface Expression {
 
         @Override
         public String text() {
-            return String.format(Locale.ROOT, "%.4g", value);
+            return text(value, 4);
+        }
+
+        /** So many digits of a number, a negative one in brackets. */
+        static String text(double value, int digits) {
+            String text = String.format(Locale.ROOT, "%." + digits + "g", value);
+            return text.startsWith("-") ? "(" + text + ")" : text;
         }
 
         @Override

@@ -3,7 +3,6 @@ package org.auvsim.diagnosis.genetic;
 import org.apache.commons.math3.stat.regression.SimpleRegression;
 
 import java.util.List;
-import java.util.Locale;
 
 /**
  * A formula in the scale that fits best: the search has to find its form alone (Keijzer 2003).
@@ -65,6 +64,10 @@ record Formula(Expression form, double offset, double factor, double share) {
     }
 
     String text() {
-        return String.format(Locale.ROOT, "%.3g + %.3g %s", offset, factor, form.text());
+        return "%s + %s * %s"
+                .formatted(
+                        Expression.Constant.text(offset, 3),
+                        Expression.Constant.text(factor, 3),
+                        form.text());
     }
 }

@@ -6,7 +6,7 @@ enum Operator {
     PLUS,
     /** a - b. */
     MINUS,
-    /** a b. */
+    /** a * b. */
     TIMES,
     /** sin(a). */
     SINE,
@@ -31,7 +31,7 @@ enum Operator {
         return switch (this) {
             case PLUS -> "(" + a + " + " + b + ")";
             case MINUS -> "(" + a + " - " + b + ")";
-            case TIMES -> a + " " + b;
+            case TIMES -> a + " * " + b;
             case SINE -> "sin(" + a + ")";
             case MAGNITUDE -> "|" + a + "|";
         };

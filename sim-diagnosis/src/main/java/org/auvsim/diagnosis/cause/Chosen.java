@@ -10,12 +10,16 @@ import java.util.Optional;
  * One of a few causes that alone are looked for. Of many causes one gains much by chance more often
  * than of few, so that it must gain more for the same rate of false alarms (Bonferroni). Where
  * errors last many causes imitate them, few do not: for these only independent numbers count.
+ *
+ * @param less what it must gain less than one of the whole library
  */
-record Chosen(Cause cause, double price) implements Cause {
+record Chosen(Cause cause, double less) implements Cause {
     /** Of some causes out of a whole library. */
     static List<Cause> of(List<Cause> some, List<Cause> library) {
-        double price = Cause.PRICE - 2 * StrictMath.log((double) library.size() / some.size());
-        return some.stream().<Cause>map(cause -> new Chosen(cause, Math.max(0, price))).toList();
+        double less = 2 * StrictMath.log((double) library.size() / some.size());
+        return some.stream()
+                .<Cause>map(cause -> new Chosen(cause, Math.min(less, cause.price())))
+                .toList();
     }
 
     @Override
@@ -49,8 +53,14 @@ record Chosen(Cause cause, double price) implements Cause {
     }
 
     @Override
+    public double price() {
+        return cause.price() - less;
+    }
+
+    @Override
     public double price(int measured, double independent) {
-        return price + parameters().size() * StrictMath.log(independent);
+        int counted = (int) Math.max(1, Math.round(independent));
+        return cause.price(counted, independent) - less;
     }
 
     @Override

@@ -55,10 +55,13 @@ enum Angle {
         return course;
     }
 
-    /** The measured angles, the first within half a turn of that of an orientation, if given. */
+    /**
+     * The measured angles, the first within half a turn of that of an orientation, if one is given
+     * and of a motion that did not get lost.
+     */
     double[] measured(MeasuredRun run, Optional<Quat> nearby) {
         double[] course = new double[run.size()];
-        double last = nearby.map(this::of).orElse(0.0);
+        double last = nearby.map(this::of).filter(Double::isFinite).orElse(0.0);
         for (int k = 0; k < course.length; k++) {
             double before = last;
             course[k] = run.orientation(k).map(q -> near(before, of(q))).orElse(Double.NaN);

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.stream.IntStream;
 
 /**
@@ -46,12 +47,19 @@ public final class MeasuredRun {
         accelerations = b.accelerations.toArray();
         rates = b.rates.toArray();
         frames = new EnumMap<>(b.frames);
-        lasting = new EnumMap<>(b.lasting);
+        lasting = new EnumMap<>(Channel.class);
+        b.lasting.forEach((channel, errors) -> lasting.put(channel, copy(errors)));
         commands = List.copyOf(b.commands());
         forces = List.copyOf(b.forces);
         start = b.start;
         differences = b.differences;
         whole = b.whole;
+    }
+
+    private static Map<Integer, List<LastingError>> copy(Map<Integer, List<LastingError>> errors) {
+        Map<Integer, List<LastingError>> copy = new TreeMap<>();
+        errors.forEach((axis, of) -> copy.put(axis, List.copyOf(of)));
+        return copy;
     }
 
     private static void keep(Map<Channel, double[]> to, Channel channel, double[] values) {
@@ -78,6 +86,12 @@ public final class MeasuredRun {
     /** When a sample was taken (s). */
     public double time(int sample) {
         return times[sample];
+    }
+
+    /** The last sample at or before a time (s); the first if there is none. */
+    public int sampleAt(double time) {
+        int found = Arrays.binarySearch(times, time);
+        return found >= 0 ? found : Math.max(0, -found - 2);
     }
 
     /** Time from the first sample to the last (s). */
@@ -180,11 +194,7 @@ public final class MeasuredRun {
 
     /** Errors of what a channel tells along or about an axis (0 to 2) that last over samples. */
     public List<LastingError> lastingErrors(Channel channel, int axis) {
-        return List.copyOf(lasting.getOrDefault(channel, Map.of()).getOrDefault(axis, List.of()));
-    }
-
-    Map<Channel, Map<Integer, List<LastingError>>> lastingErrors() {
-        return lasting;
+        return lasting.getOrDefault(channel, Map.of()).getOrDefault(axis, List.of());
     }
 
     /** What the body was told, by actuator or force. */

@@ -17,6 +17,7 @@ import java.util.function.Predicate;
 
 /** Takes a run sample by sample: {@link #at} begins one, the rest fills it. */
 public final class MeasuredRunBuilder {
+    private static final int AXES = 3;
     private static final double[] NOTHING = {Double.NaN, Double.NaN, Double.NaN};
 
     final String name;
@@ -240,6 +241,14 @@ public final class MeasuredRunBuilder {
         MeasuredRunBuilder part =
                 new MeasuredRunBuilder(name)
                         .commands(run.commands().stream().map(Command::name).toList());
+        for (Channel channel : Channel.values()) {
+            part.frame(channel, run.frame(channel));
+            for (int axis = 0; axis < AXES; axis++) {
+                for (LastingError error : run.lastingErrors(channel, axis)) {
+                    part.lastingError(channel, axis, error);
+                }
+            }
+        }
         for (int k = from; k <= to; k++) {
             part.at(run.time(k));
             for (Channel channel : Channel.values()) {
@@ -253,7 +262,6 @@ public final class MeasuredRunBuilder {
                         run.deviation(channel, k, 0),
                         run.deviation(channel, k, 1),
                         run.deviation(channel, k, 2));
-                part.frame(channel, run.frame(channel));
             }
             part.shaking(run.acceleration(k), run.rate(k));
             run.orientation(k).ifPresent(part::keepOrientation);
@@ -262,7 +270,6 @@ public final class MeasuredRunBuilder {
             }
         }
         part.whole = Optional.of(run.whole());
-        part.lasting.putAll(run.lastingErrors());
         run.forces().forEach(part::force);
         if (from == 0) {
             run.start().ifPresent(part::start);

@@ -14,7 +14,8 @@ import java.util.List;
 /**
  * The force that a model lacks along a run: by how much the velocity at the beginning of a short
  * window differs from what the model makes of the window before, times mass over time. The mass is
- * that of the body and of the water that it carries along each of its axes.
+ * that of the body, of what it is known to carry in the run, and of the water that it carries along
+ * each of its axes.
  */
 final class MissingForce {
     private MissingForce() {}
@@ -41,13 +42,14 @@ final class MissingForce {
         Vec3 end = shooting.motion(window)[window.length()].velocity();
         double between = (run.time(next.to()) - run.time(window.from())) / 2;
         Vec3 jump = next.start().velocity().minus(end);
-        return moving(shooting.variant().body(), next.start().orientation(), jump)
+        double mass = shooting.variant().body().mass().orElseThrow() + run.differences().mass();
+        return moving(mass, shooting.variant().body(), next.start().orientation(), jump)
                 .times(1 / between);
     }
 
     /** Momentum (kg m/s) of a change of velocity, in the world's axes. */
-    private static Vec3 moving(WorldObjectDefinition body, Quat orientation, Vec3 velocity) {
-        double mass = body.mass().orElse(1.0);
+    private static Vec3 moving(
+            double mass, WorldObjectDefinition body, Quat orientation, Vec3 velocity) {
         Vec3 added = body.addedMass().map(AddedMass::linear).orElse(Vec3.ZERO);
         Vec3 v = orientation.rotateInverse(velocity);
         return orientation.rotate(

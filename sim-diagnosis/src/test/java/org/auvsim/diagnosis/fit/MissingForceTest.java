@@ -9,9 +9,12 @@ import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.ForceResidual;
+import org.auvsim.diagnosis.run.KnownDifferences;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.List;
 import java.util.Random;
@@ -40,9 +43,10 @@ class MissingForceTest {
         assertThat(mean(forces, f -> f.after().norm())).isLessThan(0.3);
     }
 
-    /** A force of 3 N moves a ball of 10 kg and the 20 kg of water that it carries. */
-    @Test
-    void waterThatIsCarriedHasToBeMovedToo() throws Exception {
+    /** A force of 3 N moves a ball of 10 kg, its ballast, and the 20 kg of water around it. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 10})
+    void whatIsCarriedHasToBeMovedToo(double ballast) throws Exception {
         BelievedModel model =
                 new BelievedModel(
                         ScenarioLoader.load(MissingForceTest.class.getClassLoader())
@@ -56,10 +60,12 @@ class MissingForceTest {
                                                 .getBytes(UTF_8)),
                         "ball");
         Random random = new Random(1);
-        MeasuredRunBuilder run = MeasuredRun.named("run");
+        MeasuredRunBuilder run =
+                MeasuredRun.named("run")
+                        .differences(new KnownDifferences(ballast, List.of(), List.of()));
         for (int k = 0; k < 400; k++) {
             double t = 0.05 * k;
-            double x = 3.0 / 30 * t * t / 2 + 0.002 * random.nextGaussian();
+            double x = 3.0 / (30 + ballast) * t * t / 2 + 0.002 * random.nextGaussian();
             run.at(t).position(x, 0.002 * random.nextGaussian(), 0.002 * random.nextGaussian());
         }
         List<MeasuredRun> runs = List.of(run.build());

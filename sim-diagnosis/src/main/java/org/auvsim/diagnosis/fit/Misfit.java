@@ -71,7 +71,7 @@ final class Misfit {
     }
 
     /** The frequency (Hz) that has most of the power; samples are taken as evenly spaced. */
-    private static OptionalDouble frequency(double[] misses, double duration) {
+    static OptionalDouble frequency(double[] misses, double duration) {
         int size = Integer.highestOneBit(misses.length);
         double mean = Arrays.stream(misses, 0, size).average().orElse(0);
         double[] centred = Arrays.stream(misses, 0, size).map(v -> v - mean).toArray();
@@ -91,7 +91,7 @@ final class Misfit {
                 size > 4
                         && peak > 1
                         && spectrum[peak].abs() * spectrum[peak].abs() > STANDS_OUT * sum;
-        double used = duration * size / misses.length;
+        double used = duration * size / (misses.length - 1);
         return standsOut ? OptionalDouble.of(peak / used) : OptionalDouble.empty();
     }
 }

@@ -14,21 +14,28 @@ import java.util.Optional;
 
 /** Whether the numbers of a run can be what they are taken for. */
 final class Plausibility {
-    /** Nobody turns so far about an axis (rad) without unwrapping. */
+    /** Rates about an axis (rad/s) that differ by more are suspicious. */
     private static final double SEVERAL_TURNS = 20;
 
     private final BelievedModel model;
     private final MeasuredRun run;
 
     private final Source source;
+    private final boolean inDegrees;
 
     /** Turns by less (rad) are those of rounded angles. */
     private static final double STILL = 1e-6;
 
-    Plausibility(BelievedModel model, MeasuredRun run, Source source) {
+    /**
+     * That of a run.
+     *
+     * @param inDegrees whether its angles and rates were read as degrees
+     */
+    Plausibility(BelievedModel model, MeasuredRun run, Source source, boolean inDegrees) {
         this.model = model;
         this.run = run;
         this.source = source;
+        this.inDegrees = inDegrees;
     }
 
     /**
@@ -149,7 +156,7 @@ final class Plausibility {
             fastest = Math.max(fastest, range(run, Channel.ANGULAR_VELOCITY, axis));
         }
         String axes = run.frame(Channel.ANGULAR_VELOCITY) == Frame.BODY ? "p, q, r" : "wx, wy, wz";
-        return fastest > SEVERAL_TURNS
+        return fastest > SEVERAL_TURNS && !inDegrees
                 ? Optional.of(
                         source.says(
                                 source.columns(Channel.ANGULAR_VELOCITY),

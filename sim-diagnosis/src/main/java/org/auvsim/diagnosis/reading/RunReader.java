@@ -125,11 +125,11 @@ public final class RunReader {
         };
     }
 
-    /** A file's name without its ending. */
+    /** A file's name without its ending, in capitals or not. */
     static String nameOf(Path file) {
         return file.getFileName()
                 .toString()
-                .replaceFirst("(\\.csv|\\.auvsml|\\.auvsml\\.gz|\\.txt|\\.tsv)$", "");
+                .replaceFirst("(?i)(\\.csv|\\.auvsml|\\.auvsml\\.gz|\\.txt|\\.tsv)$", "");
     }
 
     private static DocumentKind kind(Path file) throws DocumentException {
@@ -178,7 +178,9 @@ public final class RunReader {
             Spikes spikes = new Spikes(sources.get(i), runs.get(i));
             notices.addAll(spikes.notices());
             sound.add(spikes.without());
-            doubts.addAll(new Plausibility(model, sound.get(i), sources.get(i)).notices());
+            doubts.addAll(
+                    new Plausibility(model, sound.get(i), sources.get(i), mapping.degrees())
+                            .notices());
         }
         doubts.addAll(new StatedPlausibility(beside(file), document, sound, sources).notices());
         notices.addAll(doubts);

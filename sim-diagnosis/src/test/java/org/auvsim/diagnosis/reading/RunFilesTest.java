@@ -12,6 +12,8 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -22,6 +24,12 @@ import java.util.List;
 class RunFilesTest {
     @TempDir private Path folder;
     private final RunReader reader = Rov.reader(ColumnMapping.USUAL);
+
+    @ParameterizedTest
+    @ValueSource(strings = {"dive.csv", "dive.CSV", "dive.Txt", "dive.auvsml.gz", "dive"})
+    void aRunIsNamedByItsFileWithoutTheEnding(String file) {
+        assertThat(RunReader.nameOf(Path.of("data", file))).isEqualTo("dive");
+    }
 
     private Path run(String name, int seed) throws IOException {
         return Rov.dive(folder.resolve(name + ".csv"), seed);

@@ -177,4 +177,17 @@ class SuspicionsTest {
                                 + "p, q, r differ by up to 57 rad/s: are they in degrees"
                                 + " (--degrees)?");
     }
+
+    @Test
+    void whatIsReadAsDegreesIsNotSuspectedToBeSo() throws Exception {
+        ColumnMapping degrees = ColumnMapping.USUAL.inDegrees();
+
+        assertThat(
+                        Rov.read(
+                                        folder,
+                                        degrees,
+                                        Rov.rows("yaw,r", ENOUGH, i -> 9 * i + "," + 300 * i))
+                                .notices())
+                .noneMatch(notice -> notice.contains("--degrees"));
+    }
 }

@@ -5,6 +5,20 @@ public record Vec3(double x, double y, double z) {
     /** (0, 0, 0). */
     public static final Vec3 ZERO = new Vec3(0, 0, 0);
 
+    /**
+     * One of the three numbers: x of axis 0, y of 1, z of 2.
+     *
+     * @throws IllegalArgumentException if the axis is none of these
+     */
+    public double component(int axis) {
+        return switch (axis) {
+            case 0 -> x;
+            case 1 -> y;
+            case 2 -> z;
+            default -> throw new IllegalArgumentException("an axis is 0, 1 or 2, but not " + axis);
+        };
+    }
+
     /** This plus {@code o}. */
     public Vec3 plus(Vec3 o) {
         return new Vec3(x + o.x, y + o.y, z + o.z);

@@ -57,9 +57,9 @@ public record Box(@Unit("m") Vec3 size) implements Volume {
         double enter = 0;
         double leave = ray.range();
         for (int axis = 0; axis < 3; axis++) {
-            double half = component(size, axis) / 2;
-            double p = component(ray.from(), axis);
-            double d = component(ray.direction(), axis);
+            double half = size.component(axis) / 2;
+            double p = ray.from().component(axis);
+            double d = ray.direction().component(axis);
             if (d == 0) {
                 if (Math.abs(p) > half) {
                     return Ray.MISS;
@@ -70,9 +70,5 @@ public record Box(@Unit("m") Vec3 size) implements Volume {
             }
         }
         return enter <= leave ? enter : Ray.MISS;
-    }
-
-    private static double component(Vec3 v, int axis) {
-        return axis == 0 ? v.x() : axis == 1 ? v.y() : v.z();
     }
 }

@@ -42,11 +42,7 @@ record OrientedBox(Vec3 centre, Mat3 turn, Vec3 half) {
 
     /** Half the length (m) of edge {@code i}, 0 to 2. */
     double half(int i) {
-        return switch (i) {
-            case 0 -> half.x();
-            case 1 -> half.y();
-            default -> half.z();
-        };
+        return half.component(i);
     }
 
     /** How far (m) the box reaches from its centre along a unit vector. */

@@ -53,6 +53,17 @@ class Vec3Test {
     }
 
     @Test
+    void componentsAreCountedFromX() {
+        Vec3 v = new Vec3(1, 2, 3);
+        assertThat(v.component(0)).isEqualTo(1);
+        assertThat(v.component(1)).isEqualTo(2);
+        assertThat(v.component(2)).isEqualTo(3);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> v.component(3))
+                .withMessage("an axis is 0, 1 or 2, but not 3");
+    }
+
+    @Test
     void finiteMeansAllThree() {
         assertThat(Vec3.ZERO.isFinite()).isTrue();
         assertThat(new Vec3(0, 0, Double.NaN).isFinite()).isFalse();

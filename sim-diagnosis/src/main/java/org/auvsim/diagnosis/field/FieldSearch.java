@@ -102,24 +102,13 @@ public final class FieldSearch {
         return new Proposal("force_field", text, gain);
     }
 
-    private static List<MeasuredRun> runs(Diagnosis diagnosis, boolean heldOut) {
-        return diagnosis.runs().stream()
-                .filter(run -> run.isHeldOut() == heldOut)
-                .map(DiagnosedRun::run)
-                .toList();
-    }
-
     private static List<Sample> samples(DiagnosedRun of) {
         MeasuredRun run = of.run();
         List<Sample> samples = new ArrayList<>();
-        int at = 0;
         for (ForceResidual residual : of.forces()) {
-            while (at + 1 < run.size() && run.time(at + 1) <= residual.time()) {
-                at++;
-            }
             Vec3 force = residual.before();
             if (Double.isFinite(force.x() + force.y() + force.z())) {
-                run.vector(Channel.POSITION, at)
+                run.vector(Channel.POSITION, run.sampleAt(residual.time()))
                         .ifPresent(place -> samples.add(new Sample(place, force)));
             }
         }
@@ -209,9 +198,6 @@ public final class FieldSearch {
     private Optional<Gain> gain(PotentialField field, Diagnosis diagnosis) {
         UnaryOperator<WorldObjectDefinition.Builder> forced = body -> body.effect(field);
         Imitation imitation = new Imitation(variant -> variant.with(forced));
-        return Optional.ofNullable(
-                imitation
-                        .gains(model, runs(diagnosis, false), runs(diagnosis, true))
-                        .get(Channel.POSITION));
+        return imitation.positionGain(model, diagnosis);
     }
 }

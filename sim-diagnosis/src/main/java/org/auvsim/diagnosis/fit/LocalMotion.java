@@ -43,8 +43,8 @@ final class LocalMotion {
         double[][] place = new double[3][];
         double[][] turn = new double[3][];
         for (int i = 0; i < 3; i++) {
-            place[i] = parabola(places(i), axis(otherwise.position(), i), 0);
-            turn[i] = parabola(turns(axes, i), 0, 0);
+            place[i] = parabola(places(i), otherwise.position().component(i));
+            turn[i] = parabola(turns(axes, i), 0);
         }
         Vec3 atPlace = column(place, 0);
         Quat oriented = still(axes).plus(change(column(turn, 0))).orientation();
@@ -80,14 +80,14 @@ final class LocalMotion {
             if (turn.isPresent() && turn.get().norm() > MOST_TURN) {
                 break;
             }
-            turn.ifPresent(t -> turns.add(time, axis(t, axis)));
+            turn.ifPresent(t -> turns.add(time, t.component(axis)));
         }
         return turns;
     }
 
-    private static double[] parabola(WeightedObservedPoints points, double value, double slope) {
+    private static double[] parabola(WeightedObservedPoints points, double value) {
         int count = points.toList().size();
-        double[] all = {value, slope, 0};
+        double[] all = {value, 0, 0};
         if (count > 0) {
             double[] fitted =
                     PolynomialCurveFitter.create(Math.min(DEGREE, count - 1)).fit(points.toList());
@@ -106,9 +106,5 @@ final class LocalMotion {
 
     private static Vec3 column(double[][] rows, int column) {
         return new Vec3(rows[0][column], rows[1][column], rows[2][column]);
-    }
-
-    private static double axis(Vec3 v, int axis) {
-        return Misses.axis(v, axis);
     }
 }

@@ -242,7 +242,7 @@ final class Misses {
                 off = told(of, sample, told);
                 isFresh = true;
             }
-            to[at + r] = weight * (axis(off, row.axis()) - run.value(of, sample, row.axis()));
+            to[at + r] = weight * (off.component(row.axis()) - run.value(of, sample, row.axis()));
         }
     }
 
@@ -267,9 +267,5 @@ final class Misses {
 
     private static RigidMotion still(Quat orientation) {
         return new RigidMotion(Vec3.ZERO, orientation, Vec3.ZERO, Vec3.ZERO);
-    }
-
-    static double axis(Vec3 v, int axis) {
-        return axis == 0 ? v.x() : axis == 1 ? v.y() : v.z();
     }
 }

@@ -49,11 +49,10 @@ final class Series {
         int before = samples[i - 1];
         int after = samples[i];
         return channel == Channel.ORIENTATION
-                ? Misses.axis(
-                        Misses.turn(
+                ? Misses.turn(
                                 run.orientation(before).orElseThrow(),
-                                run.orientation(after).orElseThrow()),
-                        axis)
+                                run.orientation(after).orElseThrow())
+                        .component(axis)
                 : run.value(channel, after, axis) - run.value(channel, before, axis);
     }
 

@@ -11,8 +11,6 @@ import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Gain;
 import org.auvsim.diagnosis.result.Proposal;
-import org.auvsim.diagnosis.run.Channel;
-import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -144,16 +142,6 @@ public final class FormulaSearch {
         FormulaForce force = new FormulaForce(axes);
         UnaryOperator<WorldObjectDefinition.Builder> forced = body -> body.effect(force);
         Imitation imitation = new Imitation(variant -> variant.with(forced));
-        return Optional.ofNullable(
-                imitation
-                        .gains(model, runs(diagnosis, false), runs(diagnosis, true))
-                        .get(Channel.POSITION));
-    }
-
-    private static List<MeasuredRun> runs(Diagnosis diagnosis, boolean heldOut) {
-        return diagnosis.runs().stream()
-                .filter(run -> run.isHeldOut() == heldOut)
-                .map(DiagnosedRun::run)
-                .toList();
+        return imitation.positionGain(model, diagnosis);
     }
 }

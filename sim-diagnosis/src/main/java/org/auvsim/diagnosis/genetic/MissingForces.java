@@ -24,22 +24,14 @@ final class MissingForces {
     static List<Sample> along(DiagnosedRun of, int axis) {
         List<Sample> samples = new ArrayList<>();
         for (ForceResidual residual : of.forces()) {
-            int at = sample(of.run(), residual.time());
+            int at = of.run().sampleAt(residual.time());
             Optional<Vec3> position = of.run().vector(Channel.POSITION, at);
-            double force = axis(residual.before(), axis);
+            double force = residual.before().component(axis);
             if (position.isPresent() && Double.isFinite(force)) {
                 samples.add(new Sample(variables(of.run(), at, position.get()), force));
             }
         }
         return samples;
-    }
-
-    private static int sample(MeasuredRun run, double time) {
-        int at = 0;
-        while (at + 1 < run.size() && run.time(at + 1) <= time) {
-            at++;
-        }
-        return at;
     }
 
     private static double[] variables(MeasuredRun run, int at, Vec3 position) {
@@ -69,9 +61,5 @@ final class MissingForces {
         }
         double slope = line.getSlope();
         return Double.isNaN(slope) ? 0 : slope;
-    }
-
-    private static double axis(Vec3 v, int axis) {
-        return axis == 0 ? v.x() : axis == 1 ? v.y() : v.z();
     }
 }

@@ -77,7 +77,7 @@ final class StatedPlausibility {
         for (int axis = 0; axis < 3; axis++) {
             OptionalInt first = first(run, channel, axis);
             double deviation = known.deviations().get((isPlace ? 0 : 6) + axis);
-            double stated = VelocityUnits.component(at, axis);
+            double stated = at.component(axis);
             if (first.isPresent()) {
                 double measured = run.value(channel, first.getAsInt(), axis);
                 if (Math.abs(stated - measured) > MANY * (range + deviation)) {

@@ -142,7 +142,7 @@ final class UnitTrial {
             double[] most = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
             for (int i = 0; i < samples.length; i++) {
                 double told = run.value(Channel.POSITION, samples[i], axis);
-                double model = VelocityUnits.component(fromRest[i].position(), axis);
+                double model = fromRest[i].position().component(axis);
                 if (!Double.isNaN(told)) {
                     least[0] = Math.min(least[0], told);
                     most[0] = Math.max(most[0], told);
@@ -230,11 +230,11 @@ final class UnitTrial {
             for (int i = 0; i < samples.length; i++) {
                 double time = run.time(samples[i]) - run.time(samples[0]);
                 double told = factor(h, axis) * run.value(Channel.POSITION, samples[i], axis);
-                double simulated = VelocityUnits.component(moving[i].position(), axis);
+                double simulated = moving[i].position().component(axis);
                 if (!Double.isNaN(told)) {
                     lines[0].addData(time, told);
                     lines[1].addData(time, simulated);
-                    lines[2].addData(time, VelocityUnits.component(still[i].position(), axis));
+                    lines[2].addData(time, still[i].position().component(axis));
                     lines[3].addData(time, told - simulated);
                     both.addData(time, told + simulated);
                 }

@@ -117,12 +117,8 @@ final class VelocityUnits {
         }
         Optional<Vec3> inBody = run.vector(Channel.VELOCITY, k);
         return inBody.isPresent() && run.orientation(k).isPresent()
-                ? component(run.orientation(k).get().rotate(inBody.get()), axis)
+                ? run.orientation(k).get().rotate(inBody.get()).component(axis)
                 : Double.NaN;
-    }
-
-    static double component(Vec3 v, int axis) {
-        return axis == 0 ? v.x() : axis == 1 ? v.y() : v.z();
     }
 
     /** Where it is not known how the body is turned: the way that it goes, beside its speed. */

@@ -79,7 +79,7 @@ final class Abscissa {
         double[][] values = new double[3][told.size()];
         for (int k = 0; k < told.size(); k++) {
             for (int axis = 0; axis < 3; axis++) {
-                values[axis][k] = Residuals.component(part.apply(told.get(k)), axis);
+                values[axis][k] = part.apply(told.get(k)).component(axis);
             }
         }
         return new Abscissa(title, label, values);

@@ -57,15 +57,6 @@ record Residuals(MeasuredRun run, List<RigidMotion> told) {
                 .minus(run.frame(channel) == Frame.BODY ? orientation.rotateInverse(world) : world);
     }
 
-    /** One number of three. */
-    static double component(Vec3 v, int axis) {
-        return switch (axis) {
-            case 0 -> v.x();
-            case 1 -> v.y();
-            default -> v.z();
-        };
-    }
-
     /**
      * Root mean square of all numbers that were measured of a channel, to be compared with the
      * noise of one; NaN if none was.
@@ -76,7 +67,7 @@ record Residuals(MeasuredRun run, List<RigidMotion> told) {
         for (int k = 0; k < size(); k++) {
             Vec3 miss = of(channel, k);
             for (int axis = 0; axis < 3; axis++) {
-                double number = component(miss, axis);
+                double number = miss.component(axis);
                 if (!Double.isNaN(number)) {
                     sum += number * number;
                     numbers++;

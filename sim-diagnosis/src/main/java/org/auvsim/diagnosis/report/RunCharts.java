@@ -217,8 +217,7 @@ final class RunCharts {
                                 k ->
                                         new Point(
                                                 run.time(k),
-                                                Residuals.component(
-                                                        residuals.of(channel, k), of))));
+                                                residuals.of(channel, k).component(of))));
             }
         }
         String unit = Sentence.unit(channel);
@@ -261,7 +260,7 @@ final class RunCharts {
                             i ->
                                     new Point(
                                             travelled[i],
-                                            Residuals.component(of.apply(forces.get(i)), along))));
+                                            of.apply(forces.get(i)).component(along))));
         }
         return new Chart(
                         "Missing force, " + model,

@@ -77,7 +77,7 @@ final class RunTables {
 
     private static double number(Residuals residuals, Channel channel, int sample, int axis) {
         return sample < residuals.size()
-                ? Residuals.component(residuals.of(channel, sample), axis)
+                ? residuals.of(channel, sample).component(axis)
                 : Double.NaN;
     }
 

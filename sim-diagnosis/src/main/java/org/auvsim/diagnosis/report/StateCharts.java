@@ -61,7 +61,7 @@ final class StateCharts {
             if (run.measures(channel, axis)) {
                 List<Point> points = new ArrayList<>();
                 for (int k = 0; k < residuals.size(); k++) {
-                    double miss = Residuals.component(residuals.of(channel, k), axis);
+                    double miss = residuals.of(channel, k).component(axis);
                     points.add(new Point(over.at(k, axis), miss));
                 }
                 curves.add(points(axis, points));
@@ -103,7 +103,7 @@ final class StateCharts {
         for (int axis = 0; axis < AXES.length(); axis++) {
             List<Point> points = new ArrayList<>();
             for (int i = 0; i < samples.length; i++) {
-                double force = Residuals.component(missing.get(i), axis);
+                double force = missing.get(i).component(axis);
                 points.add(new Point(over.at(samples[i], axis), force));
             }
             curves.add(points(axis, points));
@@ -118,15 +118,7 @@ final class StateCharts {
 
     /** The last sample before each force, or at it. */
     private int[] samples(List<ForceResidual> forces) {
-        int[] samples = new int[forces.size()];
-        int k = 0;
-        for (int i = 0; i < samples.length; i++) {
-            while (k + 1 < run.size() && run.time(k + 1) <= forces.get(i).time()) {
-                k++;
-            }
-            samples[i] = k;
-        }
-        return samples;
+        return forces.stream().mapToInt(force -> run.sampleAt(force.time())).toArray();
     }
 
     private static Curve points(int axis, List<Point> points) {

@@ -20,23 +20,19 @@ final class Travelled {
         }
     }
 
-    /** At the times of forces, which are in order. */
+    /** At the times of forces. */
     double[] at(List<ForceResidual> forces) {
         double[] at = new double[forces.size()];
-        int k = 0;
         for (int i = 0; i < at.length; i++) {
             double time = forces.get(i).time();
-            while (k + 1 < length.length && run.time(k + 1) <= time) {
-                k++;
-            }
-            at[i] = between(k, time);
+            at[i] = between(run.sampleAt(time), time);
         }
         return at;
     }
 
     private double between(int k, double time) {
         if (k + 1 >= length.length) {
-            return length.length == 0 ? Double.NaN : length[k];
+            return length.length == 0 ? Double.NaN : length[length.length - 1];
         }
         double share = (time - run.time(k)) / (run.time(k + 1) - run.time(k));
         return length[k] + Math.clamp(share, 0, 1) * (length[k + 1] - length[k]);

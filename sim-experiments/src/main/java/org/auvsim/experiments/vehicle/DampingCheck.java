@@ -42,11 +42,7 @@ final class DampingCheck {
                                 new Vec3(unit[0], unit[1], unit[2]),
                                 new Vec3(unit[3], unit[4], unit[5])));
         Vec3 part = axis < 3 ? push.force() : push.torque();
-        return -switch (axis % 3) {
-            case 0 -> part.x();
-            case 1 -> part.y();
-            default -> part.z();
-        };
+        return -part.component(axis % 3);
     }
 
     List<String> findings() {

@@ -72,14 +72,10 @@ final class Bodies implements Part {
         if (across < 0) {
             return false;
         }
-        double half = volume instanceof Box box ? along(box.size(), across) / 2 : 0;
+        double half = volume instanceof Box box ? box.size().component(across) / 2 : 0;
         double target = side(camera.target(0), camera.target(1), camera.target(2), across);
         double stand = side(camera.position(0), camera.position(1), camera.position(2), across);
         return target != 0 && stand * Math.signum(target) < half;
-    }
-
-    private static double along(Vec3 size, int axis) {
-        return axis == 0 ? size.x() : axis == 1 ? size.y() : size.z();
     }
 
     private static int thinnest(Vec3 size) {

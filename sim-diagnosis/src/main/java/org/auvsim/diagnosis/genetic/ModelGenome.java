@@ -1,6 +1,5 @@
 package org.auvsim.diagnosis.genetic;
 
-import org.apache.commons.math3.genetics.Chromosome;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.fit.Arena;
 
@@ -8,7 +7,7 @@ import java.util.Comparator;
 import java.util.List;
 
 /** A model as a chromosome: which causes are active, and their numbers. */
-final class ModelGenome extends Chromosome {
+final class ModelGenome extends Genome {
     /** An active cause, and a number for each of its parameters. */
     static final class Gene {
         private final Cause cause;
@@ -30,7 +29,6 @@ final class ModelGenome extends Chromosome {
     }
 
     private final List<Gene> genes;
-    private double fitness = Double.NaN;
 
     /** Of these genes, each of another cause; their order means nothing. */
     ModelGenome(List<Gene> genes) {
@@ -54,18 +52,5 @@ final class ModelGenome extends Chromosome {
     Arena.Candidate candidate() {
         return new Arena.Candidate(
                 genes.stream().map(Gene::cause).toList(), genes.stream().map(Gene::theta).toList());
-    }
-
-    boolean isJudged() {
-        return !Double.isNaN(fitness);
-    }
-
-    void judge(double found) {
-        fitness = found;
-    }
-
-    @Override
-    public double fitness() {
-        return fitness;
     }
 }

@@ -19,9 +19,6 @@ import java.util.stream.IntStream;
  * missed in a leg depends on those before: then whole windows are simulated.
  */
 final class FirstOrder {
-    /** Duration of a leg (s), if samples are not further apart: what causes do is slower. */
-    private static final double LEG = 0.2;
-
     private final Shooting shooting;
     private final Variant variant;
     private final Misses of;
@@ -37,8 +34,8 @@ final class FirstOrder {
         this.of = of;
         this.moves = moves;
         double apart = of.run().duration() / (of.run().size() - 1);
-        perLeg = Math.max(1, (int) Math.floor(LEG / apart + 1e-9));
-        group = apart > LEG ? 1 : 2 * perLeg;
+        perLeg = Math.max(1, (int) Math.floor(Partings.SHORT / apart + 1e-9));
+        group = apart > Partings.SHORT ? 1 : 2 * perLeg;
     }
 
     /** Those of all windows of a fit, run by run. */

@@ -99,10 +99,11 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
      */
     Moves moves(Variant model) {
         double[] numbers = numbers();
+        List<Parameter> parameters = parameters();
         List<Double> steps = new ArrayList<>();
         List<Variant> moved = new ArrayList<>();
         for (int i = 0; i < numbers.length; i++) {
-            Parameter parameter = parameters().get(i);
+            Parameter parameter = parameters.get(i);
             double step = Cause.SMALL * parameter.scale();
             double[] change = new double[numbers.length];
             change[i] = numbers[i] + step > parameter.highest() ? -step : step;
@@ -181,9 +182,10 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
 
     private Hypothesis clipped(Hypothesis of) {
         for (int c = 0; c < of.causes.size(); c++) {
+            List<Parameter> parameters = of.causes.get(c).parameters();
             double[] numbers = of.theta.get(c);
             for (int p = 0; p < numbers.length; p++) {
-                numbers[p] = of.causes.get(c).parameters().get(p).clipped(numbers[p]);
+                numbers[p] = parameters.get(p).clipped(numbers[p]);
             }
         }
         return of;

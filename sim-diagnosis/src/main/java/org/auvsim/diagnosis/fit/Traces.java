@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
+import org.apache.commons.math3.exception.MathIllegalArgumentException;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.CholeskyDecomposition;
 import org.apache.commons.math3.linear.LUDecomposition;
@@ -130,7 +131,7 @@ final class Traces {
             RealMatrix made = new LUDecomposition(root(own)).getSolver().solve(with);
             double norm = made.getFrobeniusNorm();
             return Math.max(0, square - norm * norm);
-        } catch (org.apache.commons.math3.exception.MathIllegalArgumentException e) {
+        } catch (MathIllegalArgumentException e) {
             return square; // own numbers that leave no trace make up for nothing
         }
     }
@@ -219,7 +220,7 @@ final class Traces {
                                             .transpose());
             double cosine = new SingularValueDecomposition(cosines).getSingularValues()[0];
             return Math.toDegrees(StrictMath.acos(Math.min(1, cosine)));
-        } catch (org.apache.commons.math3.exception.MathIllegalArgumentException e) {
+        } catch (MathIllegalArgumentException e) {
             return 90; // no trace, so nothing to be confused with
         }
     }

@@ -15,6 +15,12 @@ import java.util.stream.IntStream;
 
 /** What changes of a model do to a motion, before they have changed that motion. */
 public final class Partings {
+    /**
+     * Duration of a short leg (s): what causes do hardly changes within it, and a swing is its
+     * mean, its change and its bend.
+     */
+    public static final double SHORT = 0.2;
+
     /** So many variants at a time, so that there is work for all processors. */
     private static final int MOST = 128;
 

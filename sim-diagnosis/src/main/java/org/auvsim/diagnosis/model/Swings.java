@@ -21,8 +21,8 @@ import java.util.stream.IntStream;
  * a slow and a fast swing do along each axis tells what all others do.
  */
 final class Swings {
-    /** In longer legs (s) a swing is more than that. */
-    private static final double SHORT = 0.2001;
+    /** Times of samples (s) are rounded to this. */
+    private static final double ROUNDING = 1e-4;
 
     /** Of what all are told by (rad/s): one that hardly bends within a leg, and one that does. */
     private static final List<Double> FREQUENCIES = List.of(1.0, 6.0);
@@ -51,7 +51,7 @@ final class Swings {
         this.from = from;
         this.variants = variants;
         List<Optional<Swing>> all = variants.stream().map(v -> Swing.of(v, from)).toList();
-        if (legs.stream().allMatch(leg -> duration(leg) < SHORT)) {
+        if (legs.stream().allMatch(leg -> duration(leg) < Partings.SHORT + ROUNDING)) {
             for (Swing.Kind kind : Swing.Kind.values()) {
                 refer(
                         kind,

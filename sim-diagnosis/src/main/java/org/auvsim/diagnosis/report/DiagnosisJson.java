@@ -1,7 +1,5 @@
 package org.auvsim.diagnosis.report;
 
-import static java.util.function.Function.identity;
-
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.report.DiagnosisDocument.AlternativePart;
@@ -36,7 +34,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
 
 /** A diagnosis for machines; {@code docs/diagnosis.schema.json} has the form. */
 final class DiagnosisJson {
@@ -91,10 +88,10 @@ final class DiagnosisJson {
                                                 a.isIndistinguishable(),
                                                 a.determined()))
                         .toList(),
-                byName(of.noise(), identity()),
+                byName(of.noise()),
                 position.map(Gain::before),
                 position.map(Gain::after),
-                byName(of.heldOut(), identity()),
+                byName(of.heldOut()),
                 of.nextExperiment(),
                 of.seed(),
                 DiagnosisDocument.VERSION,
@@ -104,7 +101,7 @@ final class DiagnosisJson {
                 of.usedHeldOut(),
                 of.candidates(),
                 of.horizons().stream()
-                        .map(h -> new HorizonPart(h.ahead(), byName(h.errors(), identity())))
+                        .map(h -> new HorizonPart(h.ahead(), byName(h.errors())))
                         .toList(),
                 of.discrepancy()
                         .map(
@@ -134,9 +131,9 @@ final class DiagnosisJson {
                 of.notices());
     }
 
-    private static <V, W> Map<String, W> byName(Map<Channel, V> values, Function<V, W> form) {
-        Map<String, W> byName = new LinkedHashMap<>();
-        values.forEach((channel, value) -> byName.put(Names.of(channel), form.apply(value)));
+    private static <V> Map<String, V> byName(Map<Channel, V> values) {
+        Map<String, V> byName = new LinkedHashMap<>();
+        values.forEach((channel, value) -> byName.put(Names.of(channel), value));
         return byName;
     }
 
@@ -149,7 +146,7 @@ final class DiagnosisJson {
             params.put(group.name(), numbers(group, group.values()));
             unit.put(group.name(), group.unit());
             if (!group.deviations().isEmpty()) {
-                sigma.put(group.name(), numbers(group, group.deviations()));
+                sigma.put(group.name(), numbers(group, group.toldDeviations()));
             }
         }
         return new SelectedPart(finding.cause(), params, sigma, unit, finding.share());
@@ -196,7 +193,7 @@ final class DiagnosisJson {
                 of.isHeldOut(),
                 run.size(),
                 run.duration(),
-                byName(errors, identity()),
+                byName(errors),
                 of.isHeldOut() ? Optional.of("predictions/" + file.name()) : Optional.empty(),
                 "residuals/" + file.name(),
                 of.forces().stream().map(DiagnosisJson::force).toList());

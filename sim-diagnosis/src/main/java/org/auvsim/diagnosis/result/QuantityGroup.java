@@ -93,13 +93,24 @@ public record QuantityGroup(
         return (isVector ? "(" + numbers + ")" : numbers) + unitText();
     }
 
+    /** The deviations, NaN of values that are not determined; empty if none can be stated. */
+    public List<Double> toldDeviations() {
+        return IntStream.range(0, deviations.size())
+                .mapToObj(i -> isDetermined(i) ? deviations.get(i) : Double.NaN)
+                .toList();
+    }
+
     private String text(int i) {
         if (deviations.isEmpty()) {
             return Numbers.uncertain(values.get(i), Double.NaN);
         }
-        return deviations.get(i) > FAR * largest()
-                ? "not determined"
-                : Numbers.uncertain(values.get(i), deviations.get(i));
+        return isDetermined(i)
+                ? Numbers.uncertain(values.get(i), deviations.get(i))
+                : "not determined";
+    }
+
+    private boolean isDetermined(int i) {
+        return !(deviations.get(i) > FAR * largest());
     }
 
     /** The largest number that is surely not 0; infinite if there is none. */

@@ -11,6 +11,7 @@ import com.networknt.schema.SpecificationVersion;
 import org.auvsim.diagnosis.PushedSphere;
 import org.auvsim.diagnosis.result.Alternative;
 import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.shaking.Imbalance;
 import org.auvsim.diagnosis.shaking.Shaking;
 import org.junit.jupiter.api.Test;
@@ -25,6 +26,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 
@@ -136,6 +138,25 @@ class DiagnosisJsonTest {
         assertThat(root.at("/heldout/orientation/after").asDouble()).isEqualTo(0.00405);
     }
 
+    /** A body that is held in depth shows no current along z. */
+    @Test
+    void whatTheDataDoesNotDetermineHasNoSigma() throws IOException {
+        Finding current =
+                new Finding(
+                        Diagnoses.CURRENT.cause(),
+                        Optional.empty(),
+                        Diagnoses.CURRENT.quantities(),
+                        List.of(0.004, 0.003, 3.5e10),
+                        0.2,
+                        true);
+
+        String json = json(Diagnoses.explained(List.of(current), 100, List.of()));
+
+        assertThat(JsonMapper.shared().readTree(json).at("/selected/0/sigma").toString())
+                .isEqualTo("{\"u\":[0.004,0.003,null]}");
+        assertThat(faults(json)).isEmpty();
+    }
+
     @Test
     void whatExplainsNothingIsNoFinding() {
         JsonNode root = JsonMapper.shared().readTree(json(Diagnoses.unexplained()));
@@ -152,6 +173,14 @@ class DiagnosisJsonTest {
         JsonNode root = JsonMapper.shared().readTree(json(Diagnoses.none()));
         assertThat(root.at("/ranked/2/log_evidence").isNull()).isTrue();
         assertThat(root.at("/ranked/0/name").asString()).isEqualTo("none");
+    }
+
+    @Test
+    void whereAModelGetsLostItsErrorIsNull() throws IOException {
+        String json = json(Diagnoses.lost(Diagnoses.explained()));
+        assertThat(JsonMapper.shared().readTree(json).at("/horizons/1/errors/position").toString())
+                .isEqualTo("{\"before\":null,\"after\":0.0112,\"noise\":0.01}");
+        assertThat(faults(json)).isEmpty();
     }
 
     @Test

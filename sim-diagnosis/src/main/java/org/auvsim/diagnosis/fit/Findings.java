@@ -41,7 +41,7 @@ final class Findings {
                             cause.subject(),
                             cause.quantities(hypothesis.theta().get(c)),
                             deviations.get(c),
-                            share(without, best),
+                            share(found.none(), without, best),
                             !cause.in(believed, hypothesis.theta().get(c)).movesAs(believed));
             findings.add(new Weighed(finding, without.score()));
         }
@@ -51,15 +51,24 @@ final class Findings {
                 .toList();
     }
 
+    /** Share of the squares beyond noise that goes from the model as it is believed to a fit. */
+    static double share(Judged none, Judged with) {
+        return share(none, none, with);
+    }
+
     /**
-     * Share of the squares beyond noise that goes from one fit to a better one. Errors that last
-     * belong to what is missed, and not to the noise, which is no larger than what is left.
+     * Share of the squares beyond noise of the model as it is believed that goes from one fit to a
+     * better one. Errors that last belong to what is missed, and not to the noise, which is no
+     * larger than what is left.
      */
-    static double share(Judged without, Judged with) {
+    private static double share(Judged none, Judged without, Judged with) {
         double left = with.fit().squares();
         double noise = Math.min(left, with.outcome().count());
-        double before = Math.max(without.fit().squares() - noise, 0);
-        double after = left - noise;
-        return before > 0 ? Math.max(0, Math.min(1, 1 - after / before)) : 0;
+        double all = Math.max(none.fit().squares() - noise, 0);
+        double gone = without.fit().squares() - left;
+        if (Double.isInfinite(gone)) {
+            return 1;
+        }
+        return all > 0 ? Math.clamp(gone / all, 0, 1) : 0;
     }
 }

@@ -49,6 +49,9 @@ final class Notices {
             notices.add("never changes in any run, so treated as not measured: " + still);
         }
         all.forEach(run -> notices.addAll(stuck(run, found.noise())));
+        if (verdict != Verdict.EXPLAINED) {
+            all.forEach(run -> StatedStarts.notice(run, found.noise()).ifPresent(notices::add));
+        }
         for (Misses of : Misses.of(all, found.noise())) {
             HeavyTails.notice(of.run(), of.rows(), found.noise()).ifPresent(notices::add);
         }

@@ -225,6 +225,7 @@ public final class RunReader {
         }
         Run document = documents.read(Run.class, beside);
         for (RunDifferences own : document.differences().stream().toList()) {
+            requireMass(own, beside);
             requireNew(own, beside);
         }
         return document;
@@ -233,6 +234,19 @@ public final class RunReader {
     private static String notRead(Path other, Path document) {
         return "%s: is not read: a document that says more of the run beside it would be named '%s'; rename it so if it is one"
                 .formatted(other, document.getFileName());
+    }
+
+    private void requireMass(RunDifferences own, Path file) throws DocumentException {
+        double mass = model.variant().body().mass().orElseThrow();
+        if (!(mass + own.mass() > 0)) {
+            throw new DocumentException(
+                    "%s: differences: mass is %s kg, which leaves '%s' nothing of its %s kg; expected how many kg more, or less, it had than in the scenario"
+                            .formatted(
+                                    file,
+                                    Figures.shown(own.mass()),
+                                    model.body(),
+                                    Figures.shown(mass)));
+        }
     }
 
     private void requireNew(RunDifferences own, Path file) throws DocumentException {

@@ -2,7 +2,6 @@ package org.auvsim.diagnosis.result;
 
 import org.auvsim.diagnosis.run.Channel;
 
-import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -17,9 +16,14 @@ public final class Sentence {
             "The model lacks something that no known cause explains";
     private static final String BEST = "; the best known causes remove ";
     private static final String BEST_OF_THESE = "; the best of these remove ";
+    private static final String LEFT = " of it, and what they leave shows most in ";
     private static final String NO_CAUSE = "; no cause removes enough of it to be believed";
     private static final String NONE_OF_THESE =
             "; none of these removes enough of it to be believed";
+
+    /** An error that is so many times another one is worse, and not by chance. */
+    private static final double WORSE = 1.1;
+
     private static final String NO_GAIN = "; but these runs are predicted just as well without ";
 
     private final Optional<Map.Entry<Channel, Gain>> error;
@@ -29,17 +33,26 @@ public final class Sentence {
     /**
      * A sentence that also tells the error on held-out runs.
      *
-     * @param heldOut by channel; that of the position is told, or else the first
+     * @param heldOut by channel; that of the position is told, or else the first, unless another
+     *     one alone gains
      * @param usedHeldOut whether it is that of leaving each run out in turn
      * @param isGained whether what was found makes it smaller, by more than chance
      */
     public Sentence(Map<Channel, Gain> heldOut, boolean usedHeldOut, boolean isGained) {
-        this.error =
-                heldOut.isEmpty()
-                        ? Optional.empty()
-                        : new EnumMap<>(heldOut).entrySet().stream().findFirst();
+        this.error = telling(heldOut);
         this.runs = usedHeldOut ? "left-out" : "held-out";
         this.isGained = heldOut.isEmpty() || isGained;
+    }
+
+    private static Optional<Map.Entry<Channel, Gain>> telling(Map<Channel, Gain> heldOut) {
+        List<Map.Entry<Channel, Gain>> all =
+                heldOut.entrySet().stream().sorted(Map.Entry.comparingByKey()).toList();
+        Optional<Map.Entry<Channel, Gain>> first = all.stream().findFirst();
+        return all.stream().filter(e -> isGain(e.getValue())).findFirst().or(() -> first);
+    }
+
+    private static boolean isGain(Gain gain) {
+        return WORSE * gain.after() < gain.before();
     }
 
     /**
@@ -142,7 +155,7 @@ public final class Sentence {
     /** No known cause explains the runs. */
     public String unexplained(Optional<Discrepancy> discrepancy) {
         boolean isWorse =
-                error.filter(e -> e.getValue().after() > e.getValue().before()).isPresent();
+                error.filter(e -> e.getValue().after() > WORSE * e.getValue().before()).isPresent();
         return SOMETHING
                 + discrepancy.map(Sentence::known).orElse("")
                 + gain()
@@ -192,16 +205,18 @@ public final class Sentence {
                         ? ", mostly at %s Hz"
                                 .formatted(Numbers.rounded(of.frequency().getAsDouble()))
                         : "";
-        String best = of.share() > 0 ? BEST + Numbers.percent(of.share()) + " of it" : NO_CAUSE;
-        return "; it shows most in the %s %s %s, at %s s of %s%s%s"
-                .formatted(
-                        words(of.channel()),
-                        isTurning(of.channel()) ? "about" : "along",
-                        of.axis(),
-                        Numbers.rounded(of.time(), 3),
-                        of.run(),
-                        frequency,
-                        best);
+        String where =
+                "the %s %s %s, at %s s of %s%s"
+                        .formatted(
+                                words(of.channel()),
+                                isTurning(of.channel()) ? "about" : "along",
+                                of.axis(),
+                                Numbers.rounded(of.time(), 3),
+                                of.run(),
+                                frequency);
+        return of.share() > 0
+                ? BEST + Numbers.percent(of.share()) + LEFT + where
+                : "; it shows most in " + where + NO_CAUSE;
     }
 
     private String gain() {

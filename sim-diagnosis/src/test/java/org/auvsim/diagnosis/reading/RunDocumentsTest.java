@@ -131,6 +131,20 @@ class RunDocumentsTest {
     }
 
     @Test
+    void whatARunHadLessOfLeavesSomeMass() throws Exception {
+        Path file = run("dive", 0);
+        document("dive", "<run><differences mass=\"-30\"/></run>");
+
+        assertThatThrownBy(() -> reader.read(file))
+                .isInstanceOf(DocumentException.class)
+                .hasMessage(
+                        folder.resolve("dive.xml")
+                                + ": differences: mass is -30 kg, which leaves 'Rov' nothing of its"
+                                + " 30 kg; expected how many kg more, or less, it had than in the"
+                                + " scenario");
+    }
+
+    @Test
     void aRunsOwnFieldsAreCurrents() throws Exception {
         Path file = run("dive", 0);
         document(

@@ -93,8 +93,9 @@ class SentenceTest {
         assertThat(Sentence.stopped(sentence.unexplained(Optional.of(seen))))
                 .startsWith(
                         "Stopped before the end; the best so far: the model lacks something that no"
-                            + " cause tried so far explains; it shows most in the position along x,"
-                            + " at 3.00 s of run1; the best of these remove 40.0 % of it;")
+                            + " cause tried so far explains; the best of these remove 40.0 % of it,"
+                            + " and what they leave shows most in the position along x, at 3.00 s"
+                            + " of run1;")
                 .doesNotContain("known");
         assertThat(Sentence.stoppedAtOnce()).startsWith("Stopped before any cause was fitted");
     }
@@ -108,8 +109,8 @@ class SentenceTest {
         assertThat(Sentence.ofSome(sentence.unexplained(Optional.of(seen))))
                 .startsWith(
                         "The model lacks something that none of the requested causes explains;"
-                                + " it shows most in the position along x, at 3.00 s of"
-                                + " run1; the best of these remove 40.0 % of it;");
+                                + " the best of these remove 40.0 % of it, and what they leave"
+                                + " shows most in the position along x, at 3.00 s of run1;");
         assertThat(Sentence.ofSome(sentence.none())).isEqualTo(sentence.none());
     }
 
@@ -242,10 +243,33 @@ class SentenceTest {
                         0.41);
         assertThat(sentence.unexplained(Optional.of(seen)))
                 .isEqualTo(
-                        "The model lacks something that no known cause explains; it shows most in"
-                            + " the orientation about z, at 12.4 s of run2, mostly at 0.31 Hz; the"
-                            + " best known causes remove 41.0 % of it; held-out position error 0.83"
-                            + " m -> 0.011 m, noise is 0.010 m");
+                        "The model lacks something that no known cause explains; the best known"
+                                + " causes remove 41.0 % of it, and what they leave shows most in"
+                                + " the orientation about z, at 12.4 s of run2, mostly at 0.31 Hz;"
+                                + " held-out position error 0.83 m -> 0.011 m, noise is 0.010 m");
+    }
+
+    /** A compass that is off changes no position. */
+    @Test
+    void theChannelThatGainsIsTold() {
+        Map<Channel, Gain> gains =
+                Map.of(
+                        Channel.POSITION, new Gain(0.23, 0.23, 0.23),
+                        Channel.ORIENTATION, new Gain(0.07, 0.02, 0.02));
+
+        assertThat(new Sentence(gains, false, true).explained(List.of(DRAG), 1, List.of()))
+                .endsWith(
+                        "; held-out orientation error 0.070 rad -> 0.020 rad, noise is 0.020 rad");
+    }
+
+    /** As many who predict as well by other numbers of noise do. */
+    @Test
+    void aLittleMoreErrorIsNotWorse() {
+        Sentence same =
+                new Sentence(
+                        Map.of(Channel.POSITION, new Gain(0.0100, 0.0101, 0.01)), false, false);
+
+        assertThat(same.unexplained(Optional.empty())).doesNotContain("worse");
     }
 
     @Test

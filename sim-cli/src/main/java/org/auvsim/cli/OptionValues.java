@@ -10,8 +10,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.TypeConversionException;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
@@ -88,11 +90,13 @@ final class OptionValues {
         if (noValue.matches()) {
             return Optional.of(noValue.group(1));
         }
-        return e instanceof MissingParameterException
-                ? e.getCommandLine().getUnmatchedArguments().stream()
-                        .filter(argument -> argument.startsWith("-"))
-                        .findFirst()
-                : Optional.empty();
+        List<String> unmatched =
+                switch (e) {
+                    case MissingParameterException _ -> e.getCommandLine().getUnmatchedArguments();
+                    case UnmatchedArgumentException of -> of.getUnmatched();
+                    default -> List.of();
+                };
+        return unmatched.stream().filter(argument -> argument.startsWith("-")).findFirst();
     }
 
     private static String unknown(String option, CommandSpec of) {

@@ -161,6 +161,14 @@ class DiagnoseTest {
                 .startsWith("Unknown option: '--holdot'; did you mean '--holdout'?");
     }
 
+    @Test
+    void aMisspeltOptionIsToldWithItsValue() throws IOException {
+        int code = diagnose(BALL, "--ft", fall("one.csv", 0), "--fit", fall("two.csv", 1));
+
+        assertThat(code).isEqualTo(2);
+        assertThat(auvsim.err()).startsWith("Unknown option: '--ft'; did you mean '--fit'?");
+    }
+
     /** Though what it would have said is missing, too. */
     @Test
     void aMisspeltOptionIsToldBeforeTheMissingOne() throws IOException {

@@ -32,6 +32,9 @@ public final class Examination {
     /** So many times as long as parts of runs that were fitted is too far ahead for the model. */
     private static final double FAR_LONGER = 1.5;
 
+    /** Share of the work that is done once it is known what is told. */
+    private static final double END = 0.99;
+
     /** Errors that are such a share of those before are worth a model that explains nothing. */
     private static final double NEARER = 0.5;
 
@@ -165,7 +168,7 @@ public final class Examination {
                 alternatives,
                 found.noise().byChannel(),
                 gains,
-                trial.horizons(best.fit().variant()),
+                course.goesOn() ? trial.horizons(best.fit().variant()) : List.of(),
                 usedHeldOut,
                 runs(found, best, before, after),
                 discrepancy,
@@ -211,6 +214,7 @@ public final class Examination {
 
     private List<DiagnosedRun> runs(Search.Found found, Judged best, Judged before, Judged after) {
         List<DiagnosedRun> runs = new ArrayList<>();
+        course.at("looking at what is left", END);
         runs.addAll(
                 runs(found, found.none(), best, best.fit().variant(), false)
                         .subList(0, fit.size()));
@@ -234,7 +238,7 @@ public final class Examination {
                                     told(of.run(), model.variant(), motionBefore.get(r)),
                                     told(of.run(), variant, motionAfter.get(r)),
                                     MissingForce.along(
-                                            found.stepping(), variant, of, found.noise()));
+                                            found.stepping(), variant, of, found.noise(), course));
                         })
                 .toList();
     }

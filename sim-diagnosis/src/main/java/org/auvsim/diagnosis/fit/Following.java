@@ -135,9 +135,13 @@ final class Following {
         }
     }
 
-    /** Many short windows, each fitted alone: they follow whatever moves the body. */
+    /**
+     * Many short windows, each fitted alone: they follow whatever moves the body. Where it touches
+     * something each step takes long, and they follow less closely.
+     */
     List<Window> shortWindows() {
-        return shortest().stream().map(Fitted::window).toList();
+        int iterations = model.touchesNothing() ? MOST_ITERATIONS : FEW_ITERATIONS;
+        return shortest(iterations).stream().map(Fitted::window).toList();
     }
 
     private int mostWindows() {
@@ -154,7 +158,7 @@ final class Following {
         if (one.isPresent() && follows(List.of(one.get()))) {
             return List.of(one.get().window());
         }
-        List<Fitted> fitted = shortest();
+        List<Fitted> fitted = shortest(MOST_ITERATIONS);
         while (fitted.size() > 1) {
             List<Fitted> longer = longer(fitted);
             if (!follows(longer)) {
@@ -172,7 +176,7 @@ final class Following {
     }
 
     /** Each begins where the one before has led, or where the measurement says. */
-    private List<Fitted> shortest() {
+    private List<Fitted> shortest(int mostIterations) {
         int[] borders = borders(mostWindows());
         List<Fitted> fitted = new ArrayList<>();
         for (int w = 0; w + 1 < borders.length; w++) {
@@ -182,9 +186,9 @@ final class Following {
                     w == 0
                             ? run.start().map(this::stated).orElseGet(() -> measured(0, to))
                             : endOf(fitted.getLast(), to);
-            Fitted one = fit(from, to, guess);
+            Fitted one = fit(from, to, guess, mostIterations);
             if (one.isFarOff() && course.goesOn()) {
-                Fitted other = fit(from, to, measured(from, to));
+                Fitted other = fit(from, to, measured(from, to), mostIterations);
                 one = other.cost < one.cost ? other : one;
             }
             fitted.add(one);
@@ -213,7 +217,7 @@ final class Following {
                 .mapToObj(
                         w -> {
                             RigidMotion start = shorter.get(2 * w).window().start();
-                            return fit(borders[w], borders[w + 1], start);
+                            return fit(borders[w], borders[w + 1], start, MOST_ITERATIONS);
                         })
                 .toList();
     }
@@ -226,12 +230,12 @@ final class Following {
         return borders;
     }
 
-    private Fitted fit(int from, int to, RigidMotion guess) {
+    private Fitted fit(int from, int to, RigidMotion guess, int mostIterations) {
         KnownStart near =
                 from == 0
                         ? run.start().map(this::asFarAsKnown).orElse(new KnownStart(guess, shown))
                         : new KnownStart(guess, shownAfterwards);
-        return fit(new Window(from, to, guess), near, MOST_ITERATIONS);
+        return fit(new Window(from, to, guess), near, mostIterations);
     }
 
     private static List<Double> shown(List<Double> looseness, boolean[] isShown) {

@@ -20,19 +20,37 @@ import java.util.List;
 final class MissingForce {
     private MissingForce() {}
 
-    /** Before and after, each by windows that follow the run under that model. */
-    static List<ForceResidual> along(Stepping stepping, Variant after, Misses run, Noise noise) {
-        Shooting before = new Shooting(stepping, stepping.variant(), run);
-        Shooting with = new Shooting(stepping, after, run);
-        List<Window> windows = new Following(before, noise).shortWindows();
-        List<Window> windowsWith = new Following(with, noise).shortWindows();
+    /**
+     * Before and after, each by windows that follow the run under that model; none once the search
+     * was told to stop.
+     */
+    static List<ForceResidual> along(
+            Stepping stepping, Variant after, Misses run, Noise noise, Course course) {
+        List<Force> before = forces(new Shooting(stepping, stepping.variant(), run), noise, course);
+        List<Force> with =
+                after.equals(stepping.variant())
+                        ? before
+                        : forces(new Shooting(stepping, after, run), noise, course);
         List<ForceResidual> forces = new ArrayList<>();
-        for (int w = 0; w + 1 < windows.size(); w++) {
+        for (int w = 0; w < before.size() && course.goesOn(); w++) {
             forces.add(
                     new ForceResidual(
-                            run.run().time(windows.get(w).to()),
-                            force(before, windows.get(w), windows.get(w + 1)),
-                            force(with, windowsWith.get(w), windowsWith.get(w + 1))));
+                            before.get(w).time(), before.get(w).lacking(), with.get(w).lacking()));
+        }
+        return forces;
+    }
+
+    /** At a time (s), in N and the world's axes. */
+    private record Force(double time, Vec3 lacking) {}
+
+    private static List<Force> forces(Shooting shooting, Noise noise, Course course) {
+        List<Window> windows = new Following(shooting, noise, course).shortWindows();
+        List<Force> forces = new ArrayList<>();
+        for (int w = 0; w + 1 < windows.size(); w++) {
+            forces.add(
+                    new Force(
+                            shooting.of().run().time(windows.get(w).to()),
+                            force(shooting, windows.get(w), windows.get(w + 1))));
         }
         return forces;
     }

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.model;
 
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.TimeStep;
+import org.auvsim.auvsml.mapping.Names;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.Mount;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -35,15 +36,17 @@ public record BelievedModel(Scenario scenario, String body) {
         return scenario.worldObject().stream()
                 .filter(object -> object.name().equals(body))
                 .findFirst()
-                .orElseThrow(
-                        () ->
-                                new IllegalArgumentException(
-                                        "the scenario has no world object '%s'; it has %s"
-                                                .formatted(
-                                                        body,
-                                                        scenario.worldObject().stream()
-                                                                .map(WorldObjectDefinition::name)
-                                                                .toList())));
+                .orElseThrow(() -> new IllegalArgumentException(lacks(scenario, body)));
+    }
+
+    private static String lacks(Scenario scenario, String body) {
+        List<String> names =
+                scenario.worldObject().stream().map(WorldObjectDefinition::name).toList();
+        return "the scenario has no world object '%s'; it has %s%s"
+                .formatted(
+                        body,
+                        names,
+                        Names.meant(Names.near(body, names)).map("; "::concat).orElse(""));
     }
 
     /** Whether nothing in the scenario is in the body's way. */

@@ -125,7 +125,11 @@ final class RowReader {
         double now = cells.optional(row, column);
         if (Double.isNaN(now)) {
             if (Double.isNaN(held)) {
-                throw cells.expected(row, column, "what is commanded at the beginning");
+                throw cells.expected(
+                        row,
+                        column,
+                        "what is commanded where the run begins",
+                        "fill in what held before, or 0");
             }
         } else if (now != held) {
             requirePossible(row, column, now);

@@ -185,10 +185,11 @@ final class RunParts {
             parts.add(part.get());
             sources.add(rows);
         } else if (part.isPresent()) {
+            String span = rows.span().isEmpty() ? "what comes " : rows.span();
             notices.add(
                     rows.says(
-                            "the %d samples %sbefore a gap or the end are too few, and are left out; expected %d at least"
-                                    .formatted(inPart, rows.span(), FEWEST)));
+                            "%sbefore a gap or the end has only %d samples, and is left out; expected at least %d"
+                                    .formatted(span, inPart, FEWEST)));
         }
         if (part.isPresent() && inPart > inLongest) {
             inLongest = inPart;

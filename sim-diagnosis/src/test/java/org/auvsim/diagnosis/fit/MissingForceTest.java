@@ -36,7 +36,8 @@ class MissingForceTest {
         Variant right = drag.in(stepping.variant());
 
         List<ForceResidual> forces =
-                MissingForce.along(stepping, right, Misses.of(runs, noise).getFirst(), noise);
+                MissingForce.along(
+                        stepping, right, Misses.of(runs, noise).getFirst(), noise, Course.UNHEARD);
 
         assertThat(forces).hasSizeGreaterThan(10);
         assertThat(mean(forces, f -> f.before().norm())).isGreaterThan(2);
@@ -74,7 +75,11 @@ class MissingForceTest {
 
         List<ForceResidual> forces =
                 MissingForce.along(
-                        stepping, stepping.variant(), Misses.of(runs, noise).getFirst(), noise);
+                        stepping,
+                        stepping.variant(),
+                        Misses.of(runs, noise).getFirst(),
+                        noise,
+                        Course.UNHEARD);
 
         assertThat(mean(forces, f -> f.before().x())).isCloseTo(3, within(0.1));
         assertThat(mean(forces, f -> f.before().y())).isCloseTo(0, within(0.1));

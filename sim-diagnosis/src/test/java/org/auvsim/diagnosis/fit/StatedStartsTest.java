@@ -46,8 +46,8 @@ class StatedStartsTest {
         assertThat(StatedStarts.notice(run, noise(run)).orElseThrow())
                 .matches(
                         "dive: its first position x is -?0\\.0\\S* m, but its start is stated to be"
-                            + " at 2\\.0 \\+- 0\\.020 m: one of them is wrong, or the measured"
-                            + " positions are off");
+                                + " at 2\\.0 \\+- 0\\.020 m: one of them is wrong, or the measured"
+                                + " positions are off");
     }
 
     @Test

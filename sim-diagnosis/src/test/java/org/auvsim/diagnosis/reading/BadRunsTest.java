@@ -439,7 +439,8 @@ class BadRunsTest {
     void aCommandIsThereFromTheBeginning() {
         refused(
                 moving("main", ""),
-                ":2: column 'main': expected what is commanded at the beginning, but found ''");
+                ":2: column 'main': expected what is commanded where the run begins, but found '';"
+                        + " fill in what held before, or 0");
     }
 
     /** What the run before was told last says nothing of it. */
@@ -450,7 +451,7 @@ class BadRunsTest {
                         "run,x,main",
                         2 * ENOUGH,
                         i -> (i < ENOUGH ? 1 : 2) + "," + i + "," + (i == ENOUGH ? "" : "0.5")),
-                ":%d: column 'main': expected what is commanded at the beginning, but found ''"
+                ":%d: column 'main': expected what is commanded where the run begins, but found ''; fill in what held before, or 0"
                         .formatted(ENOUGH + 2));
     }
 

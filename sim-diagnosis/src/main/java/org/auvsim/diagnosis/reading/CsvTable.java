@@ -82,7 +82,9 @@ final class CsvTable implements Closeable {
         return switch (reason) {
             case NoSuchFileException _ -> new DocumentException(MissingFile.sentence(file), reason);
             case CharacterCodingException _ ->
-                    new DocumentException(file + " is not UTF-8 text, which CSV must be", reason);
+                    new DocumentException(
+                            file + " is not UTF-8 text, which CSV must be: save it as UTF-8",
+                            reason);
             case AccessDeniedException _ ->
                     new DocumentException(
                             file + " cannot be read: permission denied; change its permissions",

@@ -66,7 +66,7 @@ final class Findings {
         double noise = Math.min(left, with.outcome().count());
         double all = Math.max(none.fit().squares() - noise, 0);
         double gone = without.fit().squares() - left;
-        if (Double.isInfinite(gone)) {
+        if (gone == Double.POSITIVE_INFINITY) {
             return 1;
         }
         return all > 0 ? Math.clamp(gone / all, 0, 1) : 0;

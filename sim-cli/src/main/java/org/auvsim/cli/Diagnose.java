@@ -282,7 +282,7 @@ final class Diagnose implements Callable<Integer> {
     /** With what the user's choice of causes and doubtful data mean for the verdict. */
     private Diagnosis told(Diagnosis diagnosis, RunFiles runs) {
         Diagnosis ofAsked = causes.isEmpty() ? diagnosis : diagnosis.ofSomeCauses();
-        return runs.isDoubtful() ? ofAsked.doubted() : ofAsked;
+        return runs.doubt().isOpen(ofAsked.verdict()) ? ofAsked.doubted() : ofAsked;
     }
 
     private static Optional<SoundRuns> sound(BelievedModel model, RunFiles runs) {

@@ -26,7 +26,7 @@ final class CsvRuns {
     private final List<String> notices = new ArrayList<>();
     private List<Source> sources = List.of();
     private Source longest;
-    private boolean isDoubtful;
+    private Doubt doubt = Doubt.NONE;
 
     CsvRuns(Path file, String name, ColumnMapping mapping, MeasuredBody body, KnownOfRun known) {
         this.file = file;
@@ -79,13 +79,13 @@ final class CsvRuns {
     }
 
     /** Whether some of that doubts that the numbers are what they are taken for. */
-    boolean isDoubtful() {
-        return isDoubtful;
+    Doubt doubt() {
+        return doubt;
     }
 
-    private void doubt(String notice) {
+    private void doubt(Doubt kind, String notice) {
         notices.add(notice);
-        isDoubtful = true;
+        doubt = doubt.and(kind);
     }
 
     private Survey survey() throws DocumentException {
@@ -96,7 +96,7 @@ final class CsvRuns {
                 notices.add(
                         undirected.size() == 1 ? lacks(undirected.getFirst()) : lacks(undirected));
             }
-            isDoubtful |= body.isAllDrive(undirected);
+            doubt = doubt.and(body.isAllDrive(undirected) ? Doubt.OF_DATA : Doubt.NONE);
             return Survey.of(table, layout);
         } catch (IOException e) {
             throw CsvTable.unreadable(file, e);
@@ -137,6 +137,7 @@ final class CsvRuns {
         }
         if (survey.looksLikeMilliseconds()) {
             doubt(
+                    Doubt.OF_DATA,
                     "%s:2: column '%s': rows are %s s apart by whole numbers: are these milliseconds? If so, map '%s' with a scale of 0.001 (--mapping)"
                             .formatted(file, time, Figures.shown(survey.interval()), time));
         }
@@ -145,6 +146,7 @@ final class CsvRuns {
     private void tellAngles(RowReader rows) {
         if (rows.largestAngle() > SEVERAL_TURNS && !mapping.degrees()) {
             doubt(
+                    Doubt.OF_TURNS,
                     "%s:%d: column '%s': angles go up to %s rad: are they in degrees (--degrees)? Of a heading that counts its turns, take whole turns away"
                             .formatted(
                                     file,

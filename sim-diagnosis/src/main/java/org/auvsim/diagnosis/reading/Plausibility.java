@@ -54,7 +54,6 @@ final class Plausibility {
         List<String> notices = new ArrayList<>();
         velocity().ifPresent(notices::add);
         way().ifPresent(notices::add);
-        turn().ifPresent(notices::add);
         return notices;
     }
 
@@ -149,8 +148,8 @@ final class Plausibility {
                                 Figures.shown(seen.factor())));
     }
 
-    /** Rates that are too fast for radians. */
-    private Optional<String> turn() {
+    /** Rates that are too fast for radians, as they may be. */
+    Optional<String> turn() {
         double fastest = 0;
         for (int axis = 0; axis < 3; axis++) {
             fastest = Math.max(fastest, range(run, Channel.ANGULAR_VELOCITY, axis));

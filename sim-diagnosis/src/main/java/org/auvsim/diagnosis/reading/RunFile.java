@@ -14,7 +14,7 @@ import java.util.Optional;
  * @param sources where each of them stands in it
  * @param role what the document beside it says that it is there for
  * @param notices what was done to the data, and what looks wrong with it
- * @param isDoubtful whether some of them doubt that the numbers are what they are taken for
+ * @param doubt whether some of them doubt that the numbers are what they are taken for
  */
 public record RunFile(
         Path file,
@@ -22,7 +22,7 @@ public record RunFile(
         List<Source> sources,
         Optional<RunRole> role,
         List<String> notices,
-        boolean isDoubtful) {
+        Doubt doubt) {
     /** The lists cannot be changed. */
     public RunFile {
         runs = List.copyOf(runs);

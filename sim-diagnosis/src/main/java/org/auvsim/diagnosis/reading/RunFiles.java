@@ -20,14 +20,14 @@ import java.util.stream.Stream;
  * @param heldOut what judges them
  * @param reference that are known to be sound, beside them
  * @param notices what was done to the data, and what looks wrong with it
- * @param isDoubtful whether some of them doubt that the numbers are what they are taken for
+ * @param doubt whether some of them doubt that the numbers are what they are taken for
  */
 public record RunFiles(
         List<MeasuredRun> fit,
         List<MeasuredRun> heldOut,
         List<MeasuredRun> reference,
         List<String> notices,
-        boolean isDoubtful) {
+        Doubt doubt) {
     /** The lists cannot be changed. */
     public RunFiles {
         fit = List.copyOf(fit);
@@ -81,8 +81,8 @@ public record RunFiles(
             }
         }
         ToldAlike.require(read);
-        boolean isDoubtful = read.stream().anyMatch(RunFile::isDoubtful);
-        return told(toFit, toJudge, sound, notices, isDoubtful, all.subList(0, asked));
+        Doubt doubt = read.stream().map(RunFile::doubt).reduce(Doubt.NONE, Doubt::and);
+        return told(toFit, toJudge, sound, notices, doubt, all.subList(0, asked));
     }
 
     /**
@@ -110,7 +110,7 @@ public record RunFiles(
                     "%s: fitted in %d parts of %s s, each with a start of its own"
                             .formatted(run.name(), count, Figures.shown(run.duration() / count)));
         }
-        return new RunFiles(parts, heldOut, reference, told, isDoubtful);
+        return new RunFiles(parts, heldOut, reference, told, doubt);
     }
 
     private static MeasuredRun part(MeasuredRun run, int i, int of) {
@@ -128,7 +128,7 @@ public record RunFiles(
             List<MeasuredRun> heldOut,
             List<MeasuredRun> reference,
             List<String> notices,
-            boolean isDoubtful,
+            Doubt doubt,
             List<Path> all)
             throws DocumentException {
         if (fit.isEmpty()) {
@@ -137,12 +137,12 @@ public record RunFiles(
                             .formatted(all));
         }
         if (!heldOut.isEmpty()) {
-            return new RunFiles(fit, heldOut, reference, notices, isDoubtful);
+            return new RunFiles(fit, heldOut, reference, notices, doubt);
         }
         try {
             Split split = Split.of(fit);
             notices.add(split.notice());
-            return new RunFiles(split.fit(), split.heldOut(), reference, notices, isDoubtful);
+            return new RunFiles(split.fit(), split.heldOut(), reference, notices, doubt);
         } catch (IllegalArgumentException e) {
             throw new DocumentException(all.getFirst() + ": " + e.getMessage(), e);
         }

@@ -156,7 +156,7 @@ public final class RunReader {
         new ModelAxes(model, mapping.axes())
                 .suspicion(runs, other -> csv(file, name, document, other).read())
                 .ifPresent(doubt -> doubts.add(file + ": " + doubt));
-        return checked(file, runs, csv.sources(), document, notices, doubts, csv.isDoubtful());
+        return checked(file, runs, csv.sources(), document, notices, doubts, csv.doubt());
     }
 
     private CsvRuns csv(Path file, String name, Run document, MeasuredAxes axes) {
@@ -171,26 +171,31 @@ public final class RunReader {
             Run document,
             List<String> notices,
             List<String> doubts,
-            boolean isDoubtful)
+            Doubt before)
             throws DocumentException {
         List<MeasuredRun> sound = new ArrayList<>();
+        List<String> turns = new ArrayList<>();
         for (int i = 0; i < runs.size(); i++) {
             Spikes spikes = new Spikes(sources.get(i), runs.get(i));
             notices.addAll(spikes.notices());
             sound.add(spikes.without());
-            doubts.addAll(
-                    new Plausibility(model, sound.get(i), sources.get(i), mapping.degrees())
-                            .notices());
+            Plausibility plausibility =
+                    new Plausibility(model, sound.get(i), sources.get(i), mapping.degrees());
+            doubts.addAll(plausibility.notices());
+            plausibility.turn().ifPresent(turns::add);
         }
         doubts.addAll(new StatedPlausibility(beside(file), document, sound, sources).notices());
         notices.addAll(doubts);
+        notices.addAll(turns);
+        Doubt ofTurns = turns.isEmpty() ? Doubt.NONE : Doubt.OF_TURNS;
+        Doubt ofData = doubts.isEmpty() ? Doubt.NONE : Doubt.OF_DATA;
         return new RunFile(
                 file,
                 stretch.of(sound, sources),
                 sources,
                 document.role(),
                 notices,
-                isDoubtful || !doubts.isEmpty());
+                before.and(ofTurns).and(ofData));
     }
 
     private RunFile recorded(Path file, String name) throws DocumentException {
@@ -201,7 +206,7 @@ public final class RunReader {
         List<MeasuredRun> runs = recorded.read();
         notices.addAll(recorded.notices());
         List<Source> sources = Collections.nCopies(runs.size(), Source.of(file));
-        return checked(file, runs, sources, document, notices, new ArrayList<>(), false);
+        return checked(file, runs, sources, document, notices, new ArrayList<>(), Doubt.NONE);
     }
 
     /** Where a document is that says something of a file's runs, if there is one. */

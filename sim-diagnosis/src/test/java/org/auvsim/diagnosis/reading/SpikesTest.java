@@ -50,7 +50,7 @@ class SpikesTest {
                 .endsWith(
                         "all others lie between -3 and 3; treated as not measured; if that is"
                                 + " right, leave such cells empty");
-        assertThat(file.isDoubtful()).isFalse();
+        assertThat(file.doubt()).isEqualTo(Doubt.NONE);
     }
 
     @Test

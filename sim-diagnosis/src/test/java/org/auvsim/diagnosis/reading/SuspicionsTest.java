@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.auvsml.run.ColumnMapping;
 import org.auvsim.auvsml.run.MeasuredAxes;
+import org.auvsim.diagnosis.result.Verdict;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -43,7 +44,7 @@ class SuspicionsTest {
                                         || notice.contains("level of the propulsor")
                                         || notice.contains("angle of the fin"))
                 .hasSize(notices);
-        assertThat(file.isDoubtful()).isEqualTo(isDoubtful);
+        assertThat(file.doubt() == Doubt.OF_DATA).isEqualTo(isDoubtful);
     }
 
     @Test
@@ -106,7 +107,7 @@ class SuspicionsTest {
                 .hasSize(suspicions)
                 .allMatch(
                         notice -> notice.startsWith(at(": the model moves as this does if x is")));
-        assertThat(file.isDoubtful()).isEqualTo(suspicions > 0);
+        assertThat(file.doubt() == Doubt.OF_DATA).isEqualTo(suspicions > 0);
     }
 
     /** A push of 5 N to the left and up, which the Rov has all the time, for 6 s. */
@@ -176,6 +177,20 @@ class SuspicionsTest {
                         at(":2: column 'r': ")
                                 + "p, q, r differ by up to 57 rad/s: are they in degrees"
                                 + " (--degrees)?");
+    }
+
+    /** A vehicle goes round and round: its heading counts its turns. */
+    @Test
+    void anglesThatAModelExplainsWereNoDegrees() throws Exception {
+        String text = Rov.rows("yaw,main,rudder", ENOUGH, i -> 3 * i + ",0.5,0");
+        RunFile file = Rov.read(folder, ColumnMapping.USUAL, text);
+
+        assertThat(file.notices()).anyMatch(notice -> notice.contains("are they in degrees"));
+        assertThat(file.doubt()).isEqualTo(Doubt.OF_TURNS);
+        assertThat(file.doubt().isOpen(Verdict.EXPLAINED)).isFalse();
+        assertThat(file.doubt().isOpen(Verdict.NONE)).isFalse();
+        assertThat(file.doubt().isOpen(Verdict.UNEXPLAINED)).isTrue();
+        assertThat(file.doubt().and(Doubt.OF_DATA).isOpen(Verdict.NONE)).isTrue();
     }
 
     @Test

@@ -13,6 +13,7 @@ import org.auvsim.diagnosis.result.Identifiability.Confusion;
 import org.auvsim.diagnosis.result.Identifiability.Smallest;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -122,7 +123,7 @@ final class Traces {
     /** The square of what a column leaves that the hypothesis's own numbers cannot make up for. */
     private double besideOwn(int column) {
         double square = gram.product(column, column);
-        int[] own = IntStream.range(0, beside.size()).toArray();
+        int[] own = telling(IntStream.range(0, beside.size()).toArray());
         if (own.length == 0) {
             return square;
         }
@@ -203,8 +204,18 @@ final class Traces {
         return false;
     }
 
+    /** Those that leave a trace: of what is held, numbers along some axes leave none. */
+    private int[] telling(int[] columns) {
+        return Arrays.stream(columns).filter(c -> gram.product(c, c) > 0).toArray();
+    }
+
     /** Degrees; 90 where one of them leaves no trace. */
-    private double angle(int[] a, int[] b) {
+    private double angle(int[] ofOne, int[] ofOther) {
+        int[] a = telling(ofOne);
+        int[] b = telling(ofOther);
+        if (a.length == 0 || b.length == 0) {
+            return 90;
+        }
         RealMatrix between = matrix(a, b);
         try {
             RealMatrix one = root(a);
@@ -230,7 +241,9 @@ final class Traces {
         for (int i = 0; i < columns.length; i++) {
             own.addToEntry(i, i, RIDGE * own.getEntry(i, i));
         }
-        return new CholeskyDecomposition(own).getL();
+        return new CholeskyDecomposition(
+                        own, CholeskyDecomposition.DEFAULT_RELATIVE_SYMMETRY_THRESHOLD, 0)
+                .getL();
     }
 
     private RealMatrix matrix(int[] rows, int[] columns) {

@@ -29,6 +29,23 @@ class TracesTest {
         assertThat(traces.alike(loss)).containsExactly(gain);
     }
 
+    /** On a cart the numbers of a drag aside and upwards leave no trace. */
+    @Test
+    void whatLeavesNoTraceMakesNothingDifferent() throws Exception {
+        Cause ofAxes = CART.cause("anisotropic_drag");
+        Cause drag = CART.cause("quadratic_drag");
+        Cause gain = CART.cause("thruster_gain");
+        Fit slowed =
+                CART.fit(new Hypothesis(List.of(ofAxes), List.of(new double[] {0.5, 0, 0})))
+                        .whole();
+
+        Traces traces =
+                new Screen(slowed, List.of(drag, gain), guesses(drag, gain), slowed.outcome())
+                        .traces();
+
+        assertThat(traces.alike(ofAxes)).containsExactly(drag);
+    }
+
     /** A failure shows best early in the run: that is the one that could least have been missed. */
     @Test
     void whatCouldHaveBeenMissedIsToldWhereItShowsBest() throws Exception {

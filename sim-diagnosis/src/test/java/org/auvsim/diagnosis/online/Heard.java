@@ -3,8 +3,12 @@ package org.auvsim.diagnosis.online;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.auvsml.message.feedback.Measurement;
 import org.auvsim.auvsml.message.feedback.MeasurementFrame;
+import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.NamedForce;
+import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.Sphere;
+import org.auvsim.core.world.World;
 import org.auvsim.server.feedback.AppliedFeedback;
 import org.auvsim.server.feedback.MeasurementErrors;
 import org.auvsim.server.feedback.Target;
@@ -54,6 +58,20 @@ final class Heard {
     }
 
     private Heard() {}
+
+    /** A world of that object, in steps of 1 s, with the actuator {@code screw}. */
+    static World world() {
+        return World.builder()
+                .timeStep(1)
+                .add(
+                        WorldObjectDefinition.named("body")
+                                .volume(new Sphere(0.2))
+                                .mass(10)
+                                .component(
+                                        new Propulsor("screw", 1, 0, Vec3.ZERO, new Vec3(1, 0, 0)))
+                                .build())
+                .build();
+    }
 
     /** Feedback of a time (s). */
     static Positioned feedback(double time) {

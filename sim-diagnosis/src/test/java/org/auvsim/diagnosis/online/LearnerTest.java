@@ -3,9 +3,6 @@ package org.auvsim.diagnosis.online;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.core.actuator.Propulsor;
-import org.auvsim.core.entity.WorldObjectDefinition;
-import org.auvsim.core.math.Vec3;
-import org.auvsim.core.volume.Sphere;
 import org.auvsim.core.world.World;
 import org.auvsim.diagnosis.Investigation;
 import org.auvsim.diagnosis.Method;
@@ -30,18 +27,7 @@ import java.util.stream.Stream;
 class LearnerTest {
     private static final LearningPlan PLAN = new LearningPlan(false, 30, 100, 1, Method.SHOOTING);
 
-    private final World world =
-            World.builder()
-                    .timeStep(1)
-                    .add(
-                            WorldObjectDefinition.named("body")
-                                    .volume(new Sphere(0.2))
-                                    .mass(10)
-                                    .component(
-                                            new Propulsor(
-                                                    "screw", 1, 0, Vec3.ZERO, new Vec3(1, 0, 0)))
-                                    .build())
-                    .build();
+    private final World world = Heard.world();
     private final BlockingQueue<Investigation> investigations = new LinkedBlockingQueue<>();
     private volatile CountDownLatch gate = new CountDownLatch(0);
     private final Learner learner =

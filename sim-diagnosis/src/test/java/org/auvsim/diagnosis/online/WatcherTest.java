@@ -3,9 +3,6 @@ package org.auvsim.diagnosis.online;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.core.actuator.Propulsor;
-import org.auvsim.core.entity.WorldObjectDefinition;
-import org.auvsim.core.math.Vec3;
-import org.auvsim.core.volume.Sphere;
 import org.auvsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
@@ -18,18 +15,7 @@ import java.util.concurrent.BlockingQueue;
 class WatcherTest {
     private static final int MOST = 4;
 
-    private final World world =
-            World.builder()
-                    .timeStep(1)
-                    .add(
-                            WorldObjectDefinition.named("body")
-                                    .volume(new Sphere(0.2))
-                                    .mass(10)
-                                    .component(
-                                            new Propulsor(
-                                                    "screw", 1, 0, Vec3.ZERO, new Vec3(1, 0, 0)))
-                                    .build())
-                    .build();
+    private final World world = Heard.world();
     private final BlockingQueue<Observation> queue = new ArrayBlockingQueue<>(MOST);
     private final Watcher watcher = new Watcher(1, queue::offer);
 

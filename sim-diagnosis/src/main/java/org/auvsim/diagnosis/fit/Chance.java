@@ -1,8 +1,8 @@
 package org.auvsim.diagnosis.fit;
 
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
-import org.apache.commons.math3.linear.CholeskyDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.RectangularCholeskyDecomposition;
 
 import java.util.Arrays;
 import java.util.Random;
@@ -18,11 +18,8 @@ final class Chance {
     private static final int DRAWS = 400;
     private static final long SEED = 1;
 
-    /** Share of a column's size that is added to it, so that columns may be alike. */
-    private static final double RIDGE = 1e-8;
-
-    private static final double SYMMETRIC = 1e-12;
-    private static final double POSITIVE = 1e-12;
+    /** A column that differs from others by less than this share of its size differs by nothing. */
+    private static final double ALIKE = 1e-8;
 
     private final double[] scores;
 
@@ -39,7 +36,7 @@ final class Chance {
     static Chance of(Gram gram, ToDoubleFunction<Gram> best) {
         Random random = new Random(SEED);
         RealMatrix factor = factor(gram);
-        double[][] noises = new double[DRAWS][gram.columns()];
+        double[][] noises = new double[DRAWS][factor.getColumnDimension()];
         for (double[] noise : noises) {
             Arrays.setAll(noise, i -> random.nextGaussian());
         }
@@ -53,7 +50,10 @@ final class Chance {
         return new Chance(scores);
     }
 
-    /** A root of the products of the columns. */
+    /**
+     * A root of the products of the columns. What columns that are alike differ in by rounding
+     * alone is left out: noise there would promise whatever rounding makes of it.
+     */
     private static RealMatrix factor(Gram gram) {
         int n = gram.columns();
         RealMatrix alike = new Array2DRowRealMatrix(n, n);
@@ -62,11 +62,10 @@ final class Chance {
                 double sizes = gram.norm(a) * gram.norm(b);
                 alike.setEntry(a, b, sizes > 0 ? gram.product(a, b) / sizes : 0);
             }
-            alike.setEntry(a, a, 1 + RIDGE);
         }
-        RealMatrix factor = new CholeskyDecomposition(alike, SYMMETRIC, POSITIVE).getL();
+        RealMatrix factor = new RectangularCholeskyDecomposition(alike, ALIKE).getRootMatrix();
         for (int a = 0; a < n; a++) {
-            for (int b = 0; b <= a; b++) {
+            for (int b = 0; b < factor.getColumnDimension(); b++) {
                 factor.multiplyEntry(a, b, gram.norm(a));
             }
         }

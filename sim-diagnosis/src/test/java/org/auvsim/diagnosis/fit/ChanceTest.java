@@ -49,4 +49,19 @@ class ChanceTest {
                         new ChiSquaredDistribution(1).inverseCumulativeProbability(1 - RARE),
                         within(0.5));
     }
+
+    /** What both differ in is below all rounding: there is nothing that noise could gain by it. */
+    @Test
+    void aSetOfColumnsThatAreAlikePromisesNoMoreThanOneOfThem() {
+        double alike = 1 - 1e-15;
+        Gram gram = new Gram(new double[][] {{1, alike, 0}, {alike, 1, 0}, {0, 0, 0}});
+        int[] both = {0, 1};
+
+        assertThat(
+                        Chance.of(gram, g -> g.drop(both, g.solve(both, GramTest.free(2))))
+                                .exceededBy(RARE))
+                .isCloseTo(
+                        new ChiSquaredDistribution(1).inverseCumulativeProbability(1 - RARE),
+                        within(0.5));
+    }
 }

@@ -60,12 +60,16 @@ public final class Examination {
             Optional<Arena.Contest> contest,
             Progress progress) {
         this.model = model;
-        this.fit = fit;
-        this.heldOut = heldOut;
+        this.fit = begun(fit);
+        this.heldOut = begun(heldOut);
         this.causes = causes;
         this.seed = seed;
         this.contest = contest;
         this.course = new Course(progress);
+    }
+
+    private List<MeasuredRun> begun(List<MeasuredRun> runs) {
+        return runs.stream().map(run -> LocalMotion.begun(run, model)).toList();
     }
 
     /** What the runs say of the model. */

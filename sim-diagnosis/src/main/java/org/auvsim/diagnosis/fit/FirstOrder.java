@@ -144,7 +144,8 @@ final class FirstOrder {
 
     private LegResponse response(Leg leg, int samples, Window window, int ofWindow) {
         int first = (leg.from() - window.from()) / group * group;
-        return new LegResponse(shooting, leg, samples, Math.min(group, ofWindow - first));
+        double[] weights = of.together(window.from() + first, Math.min(group, ofWindow - first));
+        return new LegResponse(shooting, leg, samples, weights);
     }
 
     private void carry(

@@ -26,9 +26,9 @@ final class LegResponse {
      * Of a leg.
      *
      * @param samples how many of the leg's count
-     * @param together how many samples are taken together with them
+     * @param weights by row: how much each counts where samples are taken together
      */
-    LegResponse(Shooting shooting, Leg leg, int samples, double together) {
+    LegResponse(Shooting shooting, Leg leg, int samples, double[] weights) {
         BelievedModel model = shooting.stepping().model();
         Variant variant = shooting.variant();
         Misses of = shooting.of();
@@ -39,17 +39,15 @@ final class LegResponse {
                         leg.from(),
                         leg.to(),
                         shooting.fromAllStarts(leg.start()));
-        double weight = 1 / Math.sqrt(together);
-        double[] before =
-                sum(of, of.of(motions[0], variant.sensing(), leg.from(), samples), weight);
+        double[] before = sum(of.of(motions[0], variant.sensing(), leg.from(), samples), weights);
         RigidMotion end = motions[0][leg.to() - leg.from()];
         for (int i = 0; i < SIZE; i++) {
             double step = Shooting.step(i);
             RigidMotion[] moved = motions[i + 1];
             RigidMotion[] parting = parting(of, leg, motions[0], model, i, step);
             transition[i] = Shooting.slope(moved[leg.to() - leg.from()].minus(end), step);
-            shown[i] = slope(of, moved, variant, leg, samples, weight, before, step);
-            shownOfParting[i] = slope(of, parting, variant, leg, samples, weight, before, step);
+            shown[i] = slope(of, moved, variant, leg, samples, weights, before, step);
+            shownOfParting[i] = slope(of, parting, variant, leg, samples, weights, before, step);
         }
     }
 
@@ -77,18 +75,18 @@ final class LegResponse {
             Variant variant,
             Leg leg,
             int samples,
-            double weight,
+            double[] weights,
             double[] before,
             double step) {
         double[] misses = of.of(moved, variant.sensing(), leg.from(), samples);
-        return Shooting.slope(sum(of, misses, weight), before, step);
+        return Shooting.slope(sum(misses, weights), before, step);
     }
 
-    private static double[] sum(Misses of, double[] misses, double weight) {
-        int width = of.rows().size();
+    private static double[] sum(double[] misses, double[] weights) {
+        int width = weights.length;
         double[] sum = new double[width];
         for (int k = 0; k < misses.length; k++) {
-            sum[k % width] += weight * misses[k];
+            sum[k % width] += weights[k % width] * misses[k];
         }
         return sum;
     }

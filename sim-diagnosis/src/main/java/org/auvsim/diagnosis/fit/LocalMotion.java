@@ -5,6 +5,7 @@ import org.apache.commons.math3.fitting.WeightedObservedPoints;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
@@ -13,10 +14,13 @@ import java.util.Optional;
 
 /**
  * The motion at a sample by what was measured around it, without any model: local parabolas. What
- * was not measured is as in a motion given.
+ * was not measured is as in a motion given, velocities along the body's own axes.
  */
 final class LocalMotion {
     private static final int DEGREE = 2;
+
+    /** So many samples tell how a run begins. */
+    private static final int BEGINNING = 8;
 
     /** A rotation vector (rad) beyond half a turn would be that of the other way round. */
     private static final double MOST_TURN = 2;
@@ -38,16 +42,36 @@ final class LocalMotion {
         return new LocalMotion(run, otherwise, from, to).motion();
     }
 
+    /**
+     * A run of whose start all is known: what nothing was known of is as it was measured, or else
+     * as in the model.
+     */
+    static MeasuredRun begun(MeasuredRun run, BelievedModel model) {
+        return run.start()
+                .filter(start -> start.deviations().stream().anyMatch(d -> d.isInfinite()))
+                .map(start -> start.orElse(beginning(run, model.start())))
+                .map(run::startingAt)
+                .orElse(run);
+    }
+
+    private static RigidMotion beginning(MeasuredRun run, RigidMotion otherwise) {
+        return at(run, otherwise, 0, Math.min(BEGINNING, run.size() - 1));
+    }
+
     private RigidMotion motion() {
         Quat axes = run.orientation(from).orElse(otherwise.orientation());
-        double[][] place = new double[3][];
         double[][] turn = new double[3][];
         for (int i = 0; i < 3; i++) {
-            place[i] = parabola(places(i), otherwise.position().component(i));
-            turn[i] = parabola(turns(axes, i), 0);
+            turn[i] = parabola(turns(axes, i), 0, otherwise.angularVelocity().component(i));
+        }
+        Quat oriented = still(axes).plus(change(column(turn, 0))).orientation();
+        Vec3 carried = oriented.rotate(otherwise.orientation().rotateInverse(otherwise.velocity()));
+        double[][] place = new double[3][];
+        for (int i = 0; i < 3; i++) {
+            double there = otherwise.position().component(i);
+            place[i] = parabola(places(i), there, carried.component(i));
         }
         Vec3 atPlace = column(place, 0);
-        Quat oriented = still(axes).plus(change(column(turn, 0))).orientation();
         return new RigidMotion(
                 atPlace,
                 oriented,
@@ -85,9 +109,10 @@ final class LocalMotion {
         return turns;
     }
 
-    private static double[] parabola(WeightedObservedPoints points, double value) {
+    /** Value and slope where the points begin; as given where there are none. */
+    private static double[] parabola(WeightedObservedPoints points, double value, double slope) {
         int count = points.toList().size();
-        double[] all = {value, 0, 0};
+        double[] all = {value, slope, 0};
         if (count > 0) {
             double[] fitted =
                     PolynomialCurveFitter.create(Math.min(DEGREE, count - 1)).fit(points.toList());

@@ -207,8 +207,8 @@ final class Misses {
     }
 
     /**
-     * The same, so many samples taken together: their sum over the root of their number, which is
-     * again in standard deviations.
+     * The same, so many samples taken together: the sum of those that were measured over the root
+     * of their number, which is again in standard deviations.
      */
     double[] of(RigidMotion[] motions, Sensing sensing, int from, int samples, int group) {
         double[] single = of(motions, sensing, from, samples);
@@ -217,14 +217,27 @@ final class Misses {
         }
         int width = rows.size();
         double[] together = new double[(samples + group - 1) / group * width];
-        for (int k = 0; k < samples; k++) {
-            int first = k / group * group;
-            double root = Math.sqrt(Math.min(group, samples - first));
-            for (int r = 0; r < width; r++) {
-                together[k / group * width + r] += single[k * width + r] / root;
+        for (int first = 0; first < samples; first += group) {
+            int count = Math.min(group, samples - first);
+            double[] weights = together(from + first, count);
+            int to = first / group * width;
+            for (int k = first; k < first + count; k++) {
+                for (int r = 0; r < width; r++) {
+                    together[to + r] += weights[r] * single[k * width + r];
+                }
             }
         }
         return together;
+    }
+
+    /** By row: how much each of so many samples counts that are taken together. */
+    double[] together(int from, int samples) {
+        int width = rows.size();
+        double[] counts = new double[width];
+        for (int i = from * width; i < (from + samples) * width; i++) {
+            counts[i % width] += weights[i] > 0 ? 1 : 0;
+        }
+        return Arrays.stream(counts).map(n -> n > 0 ? 1 / Math.sqrt(n) : 0).toArray();
     }
 
     private void write(int sample, RigidMotion told, double[] to, int at) {

@@ -8,19 +8,18 @@ import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
-import java.util.ArrayList;
-import java.util.Collections;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * Finds how a body is turned when a run begins, where neither angles nor the start are measured:
- * the path tells it. From a heading that is far off a fit does not find the right one, and a body
- * that may tumble fits many a path. So it is taken to be about as upright and as slow in turning as
- * the scenario has it, and tried at headings all around; one that may tumble counts where it fits
- * and none of those does.
+ * Finds how a body is turned when a run begins, where neither angles nor the start are known: the
+ * path tells it. From a heading that is far off a fit does not find the right one, and a body that
+ * may tumble fits many a path. So it is taken to be about as upright and as slow in turning as the
+ * scenario has it, and tried at headings all around; one that may tumble counts where it fits and
+ * none of those does.
  */
 final class UnseenHeading {
     private static final int AROUND = 8;
@@ -60,7 +59,7 @@ final class UnseenHeading {
     /** Whether there is something to find. */
     boolean isUnseen() {
         MeasuredRun run = data.run();
-        return run.start().isEmpty()
+        return run.start().filter(start -> start.isKnown(YAW)).isEmpty()
                 && !run.measures(Channel.ORIENTATION)
                 && data.shown()[YAW]
                 && turnsFreely(stepping.model());
@@ -95,17 +94,28 @@ final class UnseenHeading {
         return judged.cost() < FITS * judged.outcome().count();
     }
 
-    /** The run, of whose start is known that it is nearly so. */
+    /** The run, of whose start is known that it is nearly so, and what else is known of it. */
     private Misses upright(RigidMotion start) {
-        List<Double> deviations =
-                new ArrayList<>(Collections.nCopies(RigidMotion.SIZE, Double.POSITIVE_INFINITY));
+        double[] most = new double[RigidMotion.SIZE];
+        Arrays.fill(most, Double.POSITIVE_INFINITY);
         for (int axis = 0; axis < 2; axis++) {
-            deviations.set(3 + axis, TILT);
-            deviations.set(9 + axis, RATE);
+            most[3 + axis] = TILT;
+            most[9 + axis] = RATE;
         }
-        deviations.set(9 + 2, YAW_RATE);
-        MeasuredRun held = data.run().startingAt(new KnownStart(start, deviations));
+        most[9 + 2] = YAW_RATE;
+        List<Double> deviations =
+                IntStream.range(0, most.length).mapToObj(i -> Math.min(most[i], known(i))).toList();
+        RigidMotion from =
+                data.run().start().map(known -> known.orElse(start).motion()).orElse(start);
+        MeasuredRun held = data.run().startingAt(new KnownStart(from, deviations));
         return Misses.of(List.of(held), noise).getFirst();
+    }
+
+    private double known(int number) {
+        return data.run()
+                .start()
+                .map(start -> start.deviations().get(number))
+                .orElse(Double.POSITIVE_INFINITY);
     }
 
     /** Where the run begins, and as fast, turned and turning as the scenario has it. */

@@ -1,18 +1,24 @@
 package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.Reading;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /** Derivatives to first order are those of whole simulations, cause by cause. */
 class FirstOrderTest {
@@ -67,9 +73,46 @@ class FirstOrderTest {
         assertThat(variants).hasSizeGreaterThan(500);
         for (int p = 0; p < variants.size(); p++) {
             double error = distance(windows.getFirst().byParameter[p], whole.byParameter[p]);
-            double size = distance(whole.byParameter[p], new double[whole.misses.length]);
+            double size = size(whole.byParameter[p]);
             assertThat(error).as(names.get(p)).isLessThan(SHARE * size + SMALL);
         }
+    }
+
+    /** A fix in every tenth row weighs as much as it says, in screening as in a fit. */
+    @Test
+    void numbersInSomeRowsOnlyLoseNothingWhereRowsAreTakenTogether() {
+        MeasuredRun run = fit.data().getFirst().run();
+        Set<Reading> between =
+                IntStream.range(0, run.size())
+                        .filter(k -> k % 10 != 5)
+                        .boxed()
+                        .flatMap(
+                                k ->
+                                        IntStream.range(0, 3)
+                                                .mapToObj(i -> new Reading(Channel.POSITION, k, i)))
+                        .collect(Collectors.toSet());
+        List<MeasuredRun> sparse = List.of(run.without(between));
+        Noise noise = Noise.of(sparse);
+        List<Misses> data = Misses.of(sparse, noise);
+        Fit ofSparse =
+                new Fit(fit.stepping(), data, fit.hypothesis(), fit.windows(), Knowledge.NONE);
+        Variant drifting = model.variant().sensed(s -> s.drifting(new Vec3(1e-3, 0, 0)));
+        Variant heavier = model.variant().with(body -> body.mass(12.01));
+        Moves moves = new Moves(List.of(drifting, heavier), List.of(1e-3, 0.01));
+
+        WindowDerivatives together = FirstOrder.derivatives(ofSparse, moves).getFirst().getFirst();
+        WindowDerivatives single =
+                ofSparse.shooting(data.getFirst()).derivatives(together.window, 1, moves);
+
+        assertThat(together.misses.length).isLessThan(single.misses.length / 4);
+        for (int p = 0; p < moves.size(); p++) {
+            double size = size(single.byParameter[p]);
+            assertThat(size(together.byParameter[p])).isCloseTo(size, within(0.05 * size));
+        }
+    }
+
+    private static double size(double[] column) {
+        return distance(column, new double[column.length]);
     }
 
     private static double distance(double[] a, double[] b) {

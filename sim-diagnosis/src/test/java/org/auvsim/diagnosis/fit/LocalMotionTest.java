@@ -4,13 +4,20 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.server.feedback.RigidMotion;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The motion at a sample by those after it, of turns about a fixed axis. */
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+
+/** The motion at a sample by those after it. */
 class LocalMotionTest {
     private static final Vec3 AXIS = new Vec3(2, -1, 4).normalized();
 
@@ -31,5 +38,43 @@ class LocalMotionTest {
 
         assertThat(at.angularVelocity().distance(AXIS.times(rate))).isLessThan(0.02 * rate);
         assertThat(at.velocity().distance(new Vec3(3, 0, 0))).isLessThan(1e-9);
+    }
+
+    /** A diver that measures its depth and heading goes ahead as fast as the scenario has it. */
+    @Test
+    void whatWasNotMeasuredIsAsTheModelHasItAlongTheBodysAxes() {
+        MeasuredRunBuilder run = MeasuredRun.named("dive");
+        Quat east = Quat.ofAxisAngle(new Vec3(0, 0, 1), Math.PI / 2);
+        for (int k = 0; k < 9; k++) {
+            run.at(0.1 * k).position(Double.NaN, Double.NaN, -0.3 * 0.1 * k).orientation(east);
+        }
+        RigidMotion otherwise =
+                new RigidMotion(new Vec3(5, 6, 7), Quat.IDENTITY, new Vec3(1.5, 0, 0), Vec3.ZERO);
+
+        RigidMotion at = LocalMotion.at(run.build(), otherwise, 0, 8);
+
+        assertThat(at.position().distance(new Vec3(5, 6, 0))).isLessThan(1e-9);
+        assertThat(at.velocity().distance(new Vec3(0, 1.5, -0.3))).isLessThan(1e-9);
+    }
+
+    @Test
+    void whatIsNotKnownOfAStartIsAsItWasMeasuredOrAsTheModelHasIt() throws Exception {
+        BelievedModel model = MeasuredVehicle.model(0.05);
+        MeasuredRunBuilder run = MeasuredRun.named("drift");
+        for (int k = 0; k < 9; k++) {
+            run.at(0.1 * k).position(0.2 * 0.1 * k, 1, 0);
+        }
+        List<Double> deviations =
+                new ArrayList<>(Collections.nCopies(12, Double.POSITIVE_INFINITY));
+        deviations.set(2, 0.1);
+        RigidMotion stated =
+                new RigidMotion(new Vec3(8, 8, -2), Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
+        run.start(new KnownStart(stated, deviations));
+
+        RigidMotion begins = LocalMotion.begun(run.build(), model).start().orElseThrow().motion();
+
+        assertThat(begins.position().distance(new Vec3(0, 1, -2))).isLessThan(1e-9);
+        assertThat(begins.velocity().distance(new Vec3(0.2, 0, 0))).isLessThan(1e-9);
+        assertThat(begins.orientation()).isEqualTo(model.start().orientation());
     }
 }

@@ -86,7 +86,8 @@ class LostMotionTest {
         Arrays.fill(error, 1);
         double[] rows = new double[of.rows().size()];
 
-        LegResponse response = new LegResponse(shooting, new Leg(0, 5, start, start), 1, 1);
+        Leg leg = new Leg(0, 5, start, start);
+        LegResponse response = new LegResponse(shooting, leg, 1, of.together(0, 1));
         response.carry(error, new double[RigidMotion.SIZE], rows, 0);
 
         assertThat(error).containsOnly(0);

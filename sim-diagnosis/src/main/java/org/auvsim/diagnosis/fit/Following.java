@@ -27,6 +27,9 @@ final class Following {
     /** A window follows if its misses, without the noise, are below the larger of these. */
     private static final double SHARE_OF_RANGE = 0.003;
 
+    /** The same of rates, which a model misses by more than by where they lead. */
+    private static final double SHARE_OF_RATES = 0.03;
+
     private static final double SHARE_OF_NOISE = 0.7;
     private static final double TURN = 0.06;
 
@@ -305,20 +308,31 @@ final class Following {
     }
 
     private boolean follows(List<Fitted> fitted) {
-        for (Channel channel : List.of(Channel.POSITION, Channel.ORIENTATION)) {
-            double allowed =
-                    channel == Channel.POSITION
-                            ? Math.max(
-                                    SHARE_OF_RANGE * Looseness.range(run),
-                                    SHARE_OF_NOISE * noise.of(channel))
-                            : Math.max(TURN, SHARE_OF_NOISE * noise.of(channel));
-            for (Fitted window : fitted) {
-                if (window.isLost() || systematic(window, channel) > allowed) {
-                    return false;
-                }
-            }
-        }
-        return true;
+        return fitted.stream().noneMatch(Fitted::isLost)
+                && follows(fitted, Channel.POSITION, SHARE_OF_RANGE * range(Channel.POSITION))
+                && follows(fitted, Channel.ORIENTATION, TURN)
+                && (tellsMore(Channel.POSITION, Channel.VELOCITY)
+                        || followsRates(fitted, Channel.VELOCITY))
+                && (tellsMore(Channel.ORIENTATION, Channel.ANGULAR_VELOCITY)
+                        || followsRates(fitted, Channel.ANGULAR_VELOCITY));
+    }
+
+    private boolean followsRates(List<Fitted> fitted, Channel channel) {
+        return follows(fitted, channel, SHARE_OF_RATES * range(channel));
+    }
+
+    private boolean follows(List<Fitted> fitted, Channel channel, double share) {
+        double allowed = Math.max(share, SHARE_OF_NOISE * noise.of(channel));
+        return fitted.stream().noneMatch(window -> systematic(window, channel) > allowed);
+    }
+
+    /** Whether a channel is measured along as many axes as its rates are: then it tells more. */
+    private boolean tellsMore(Channel channel, Channel rates) {
+        return data.count(channel) >= data.count(rates);
+    }
+
+    private double range(Channel channel) {
+        return Looseness.range(run, channel);
     }
 
     /** Root of what the mean square miss has beyond noise, in the channel's unit. */

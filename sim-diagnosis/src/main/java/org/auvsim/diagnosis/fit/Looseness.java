@@ -46,7 +46,8 @@ final class Looseness {
 
     /** Standard deviations of a start, as {@link org.auvsim.diagnosis.run.KnownStart} has them. */
     static List<Double> of(MeasuredRun run, Noise noise) {
-        double place = SHARE_OF_RANGE * range(run) + NOISES * noise.of(Channel.POSITION);
+        double place =
+                SHARE_OF_RANGE * range(run, Channel.POSITION) + NOISES * noise.of(Channel.POSITION);
         double turn = TURN + NOISES * noise.of(Channel.ORIENTATION);
         double speed = rate(run, Channel.POSITION, UNKNOWN_SPEED, LEAST_SPEED);
         double spin = rate(run, Channel.ORIENTATION, UNKNOWN_RATE, LEAST_RATE);
@@ -153,17 +154,17 @@ final class Looseness {
         }
     }
 
-    /** The largest extent of the motion along an axis (m). */
-    static double range(MeasuredRun run) {
+    /** The largest extent of a channel's numbers along an axis, in its unit. */
+    static double range(MeasuredRun run, Channel channel) {
         double range = 0;
         for (int axis = 0; axis < 3; axis++) {
             double low = Double.POSITIVE_INFINITY;
             double high = Double.NEGATIVE_INFINITY;
             for (int k = 0; k < run.size(); k++) {
-                double place = run.value(Channel.POSITION, k, axis);
-                if (!Double.isNaN(place)) {
-                    low = Math.min(low, place);
-                    high = Math.max(high, place);
+                double value = run.value(channel, k, axis);
+                if (!Double.isNaN(value)) {
+                    low = Math.min(low, value);
+                    high = Math.max(high, value);
                 }
             }
             range = Math.max(range, high - low);

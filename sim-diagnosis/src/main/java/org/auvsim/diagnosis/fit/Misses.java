@@ -121,7 +121,7 @@ final class Misses {
     }
 
     /** Along or about how many axes a channel tells anything. */
-    private long count(Channel channel) {
+    long count(Channel channel) {
         return rows.stream().filter(row -> row.channel() == channel).count();
     }
 

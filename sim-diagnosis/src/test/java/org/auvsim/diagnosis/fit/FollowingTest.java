@@ -1,0 +1,66 @@
+package org.auvsim.diagnosis.fit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import java.util.List;
+import java.util.Random;
+
+/** Windows of a cart that slows down by a drag, of which only the velocity is measured. */
+class FollowingTest {
+    private static final double NOISE = 0.002;
+    private static final double SPACING = 0.05;
+    private static final int SAMPLES = 400;
+
+    /** A model without the drag follows for a while only; that with it all the way. */
+    @ParameterizedTest
+    @CsvSource({"0.0, 8, 32", "3.0, 1, 1"})
+    void theyAreAsLongAsTheModelFollowsTheVelocity(double drag, int least, int most)
+            throws Exception {
+        MeasuredRun run = slowing();
+        Noise noise = Noise.of(List.of(run));
+        BelievedModel model = Cart.believed();
+        Hypothesis hypothesis =
+                new Hypothesis(
+                        List.of(new Cart(1, 0, 0).cause("linear_drag")),
+                        List.of(new double[] {drag}));
+
+        Fit fit =
+                Following.of(
+                        Stepping.exact(model), hypothesis, Misses.of(List.of(run), noise), noise);
+
+        List<Window> windows = fit.windows().getFirst();
+        assertThat(windows).hasSizeBetween(least, most);
+        assertThat(windows)
+                .allSatisfy(
+                        window ->
+                                assertThat(window.start().velocity().x())
+                                        .isBetween(
+                                                run.value(Channel.VELOCITY, window.to(), 0) - 0.1,
+                                                run.value(Channel.VELOCITY, window.from(), 0)
+                                                        + 0.1));
+    }
+
+    /** From 2 m/s, by 3 N s/m of 10 kg. */
+    private static MeasuredRun slowing() {
+        Random random = new Random(8);
+        MeasuredRunBuilder run = MeasuredRun.named("slowing").commands(List.of("motor"));
+        for (int k = 0; k < SAMPLES; k++) {
+            double v = 2 * Math.exp(-0.3 * k * SPACING);
+            run.at(k * SPACING)
+                    .measured(
+                            Channel.VELOCITY,
+                            v + NOISE * random.nextGaussian(),
+                            Double.NaN,
+                            Double.NaN)
+                    .command(0, 0);
+        }
+        return run.build();
+    }
+}

@@ -52,7 +52,7 @@ record Stepping(BelievedModel fine, BelievedModel model, BelievedModel rough, Co
 
     /** The same with differences in longer steps than those of predictions, alike. */
     List<Stepping> withLongerDifferences() {
-        double step = model.scenario().timeStep().delta();
+        double step = step(model);
         return LONGER.stream()
                 .map(by -> new Stepping(fine, model, model.stepping(by * step), Commands.EVENED))
                 .toList();
@@ -60,7 +60,13 @@ record Stepping(BelievedModel fine, BelievedModel model, BelievedModel rough, Co
 
     /** The same for a variant: longer steps would miss what acts on it for a few of the others. */
     Stepping of(Variant variant) {
-        return variant.body().effect().stream().anyMatch(Effect::isAbrupt) ? exact(fine) : this;
+        boolean isAbrupt = variant.body().effect().stream().anyMatch(Effect::isAbrupt);
+        boolean isLonger = step(rough) > step(fine);
+        return isAbrupt && (isLonger || passesBy()) ? exact(fine) : this;
+    }
+
+    private static double step(BelievedModel model) {
+        return model.scenario().timeStep().delta();
     }
 
     /** Whether predictions pass samples by. */

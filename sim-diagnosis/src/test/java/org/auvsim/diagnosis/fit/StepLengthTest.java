@@ -97,6 +97,24 @@ class StepLengthTest {
         assertThat(step(stepping.model())).isBetween(0.003, 0.026);
     }
 
+    /** An extended model may have a force that begins during the run. */
+    @Test
+    void stepsOfWhatSomethingAbruptActsOnAreHalved() throws Exception {
+        BelievedModel coarse = kicked(MeasuredVehicle.model(0.05));
+        MeasuredRun tumbling =
+                MeasuredVehicle.run(MeasuredVehicle.model(0.005), new Vec3(9, -2, 14));
+
+        Stepping stepping = StepLength.converged(following(coarse, tumbling));
+
+        assertThat(step(stepping.model())).isBetween(0.003, 0.026);
+    }
+
+    private static BelievedModel kicked(BelievedModel model) {
+        Effect kick = new Kick(new Vec3(1e-3, 0, 0), 1, 0.075);
+        Variant kicked = model.variant().with(body -> body.effect(kick));
+        return new BelievedModel(model.extended(kicked), model.body());
+    }
+
     @Test
     void whatTheEngineMustCutAnywayIsNotMadeLonger() throws Exception {
         BelievedModel stiff = thick(MeasuredVehicle.model(0.025), 1500);

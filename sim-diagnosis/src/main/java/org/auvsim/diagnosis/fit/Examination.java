@@ -174,7 +174,7 @@ public final class Examination {
                 gains,
                 course.goesOn() ? trial.horizons(best.fit().variant()) : List.of(),
                 usedHeldOut,
-                runs(found, best, before, after),
+                runs(found, best, after),
                 discrepancy,
                 verdict == Verdict.UNEXPLAINED ? approximation(found, gains) : Optional.empty(),
                 Optional.empty(),
@@ -216,19 +216,18 @@ public final class Examination {
                                 model.extended(found.best().fit().variant())));
     }
 
-    private List<DiagnosedRun> runs(Search.Found found, Judged best, Judged before, Judged after) {
+    private List<DiagnosedRun> runs(Search.Found found, Judged best, Judged after) {
         List<DiagnosedRun> runs = new ArrayList<>();
         course.at("looking at what is left", END);
-        runs.addAll(
-                runs(found, found.none(), best, best.fit().variant(), false)
-                        .subList(0, fit.size()));
-        runs.addAll(runs(found, before, after, best.fit().variant(), true));
+        Variant variant = best.fit().variant();
+        runs.addAll(runs(found, best, variant, false).subList(0, fit.size()));
+        runs.addAll(runs(found, after, variant, true));
         return runs;
     }
 
     private List<DiagnosedRun> runs(
-            Search.Found found, Judged before, Judged after, Variant variant, boolean areHeldOut) {
-        List<RigidMotion[]> motionBefore = before.fit().motions();
+            Search.Found found, Judged after, Variant variant, boolean areHeldOut) {
+        List<RigidMotion[]> motionBefore = after.fit().asBelieved().motions();
         List<RigidMotion[]> motionAfter = after.fit().motions();
         List<Misses> data = after.fit().data();
         return IntStream.range(0, data.size())

@@ -47,6 +47,11 @@ record Fit(
         return new Fit(stepping, data, other, moved, knowledge);
     }
 
+    /** The model as it is believed from the same starts: what it would have foretold from there. */
+    Fit asBelieved() {
+        return with(Hypothesis.NONE, windows);
+    }
+
     /** The same in steps of other lengths. */
     Fit in(Stepping other) {
         return new Fit(other, data, hypothesis, windows, knowledge);

@@ -7,18 +7,25 @@ import org.auvsim.diagnosis.run.Channel;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 
 /**
  * How well runs are foretold that had no part in the fit.
  *
- * @param gains root mean square errors by channel, in its unit, without and with what was found
+ * @param gains root mean square errors by channel, in its unit, without and with what was found,
+ *     both from the starts that suit what was found
  * @param isBetter whether they are foretold better with it than chance alone would have it
  */
 record Foretold(Map<Channel, Gain> gains, boolean isBetter) {
     /** Twice the logarithm of the likelihood grows by more for a number two deviations off. */
     private static final double CHANCE = 4;
 
-    /** Held-out runs. */
+    /**
+     * Held-out runs.
+     *
+     * @param before the model as it is believed, from the starts that suit it best
+     * @param after what was found, likewise
+     */
     static Foretold of(Judged before, Judged after, Noise noise) {
         return of(List.of(before), List.of(after), noise);
     }
@@ -29,8 +36,8 @@ record Foretold(Map<Channel, Gain> gains, boolean isBetter) {
     }
 
     private static Foretold of(List<Judged> before, List<Judged> after, Noise noise) {
-        Map<Channel, Squares> without = errors(before);
-        Map<Channel, Squares> with = errors(after);
+        Map<Channel, Squares> without = errors(after.stream().map(j -> j.fit().asBelieved()));
+        Map<Channel, Squares> with = errors(after.stream().map(Judged::fit));
         Map<Channel, Gain> gains = new EnumMap<>(Channel.class);
         for (Channel channel : with.keySet()) {
             gains.put(
@@ -44,11 +51,11 @@ record Foretold(Map<Channel, Gain> gains, boolean isBetter) {
     }
 
     /** Of all runs together. */
-    private static Map<Channel, Squares> errors(List<Judged> runs) {
+    private static Map<Channel, Squares> errors(Stream<Fit> runs) {
         Map<Channel, Squares> all = new EnumMap<>(Channel.class);
-        for (Judged run : runs) {
-            run.fit().errors().forEach((channel, of) -> all.merge(channel, of, Squares::plus));
-        }
+        runs.map(Fit::errors)
+                .forEach(
+                        run -> run.forEach((channel, of) -> all.merge(channel, of, Squares::plus)));
         return all;
     }
 

@@ -48,10 +48,9 @@ final class GainTables {
                         of.usedHeldOut()
                                 ? "Root mean square errors; the held-out runs had to be used for"
                                         + " the search, so each run was left out in turn."
-                                : "Root mean square errors; each model begins each run where it"
-                                      + " fits it best, and nothing else is fitted to these runs."
-                                      + " The noise is estimated: a true model's error is about as"
-                                      + " large."));
+                                : "Root mean square errors from the same start, which is all that"
+                                      + " was fitted to these runs. The noise is estimated: a true"
+                                      + " model's error is about as large."));
     }
 
     private List<String> row(Channel channel, Gain gain) {

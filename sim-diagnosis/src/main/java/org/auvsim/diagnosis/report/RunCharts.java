@@ -31,9 +31,8 @@ final class RunCharts {
     private static final String AXES = "xyz";
     private static final String TIME = "time (s)";
 
-    private static final String BEGINS_ELSEWHERE =
-            "Each model begins where it fits all of the run best. One that is wrong may begin far"
-                    + " from where the run did.";
+    private static final String BEGIN_ALIKE =
+            "Both models begin at the same start, that which suits the one with what was found.";
 
     private final MeasuredRun run;
     private final List<ForceResidual> forces;
@@ -75,7 +74,7 @@ final class RunCharts {
                             motion -> motion.position().z()));
         }
         if (!blocks.isEmpty()) {
-            blocks.addFirst(new Text(BEGINS_ELSEWHERE));
+            blocks.addFirst(new Text(BEGIN_ALIKE));
         }
         return blocks;
     }

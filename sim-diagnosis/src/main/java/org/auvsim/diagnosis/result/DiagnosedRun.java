@@ -9,8 +9,8 @@ import java.util.List;
  * A run beside what the model makes of it, sample by sample, as its sensors would tell.
  *
  * @param isHeldOut whether nothing was fitted to it but its start
- * @param before as the model was believed
- * @param after with what was found
+ * @param before as the model was believed, from the start of {@code after}
+ * @param after with what was found, from the start that suits it best
  * @param forces that are missing along it, in the order of time
  */
 public record DiagnosedRun(

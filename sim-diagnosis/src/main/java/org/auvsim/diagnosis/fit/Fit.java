@@ -93,7 +93,7 @@ record Fit(
                         new WindowBlock(
                                 model(),
                                 ofRun.subList(w, Math.min(ofRun.size(), w + perBlock)),
-                                data.get(r).shown(),
+                                data.get(r).shown(ofRun.get(w).window.from()),
                                 w == 0 ? data.get(r).run().start() : Optional.empty()));
             }
             all.add(blocks);

@@ -47,11 +47,6 @@ final class Following {
     private final Course course;
     private final List<Double> looseness;
 
-    /** The same of first and of later windows, but for what the run does not show: that stays. */
-    private final List<Double> shown;
-
-    private final List<Double> shownAfterwards;
-
     /** Of one run under a variant of the model. */
     Following(Shooting shooting, Noise noise) {
         this(shooting, noise, Course.UNHEARD);
@@ -66,8 +61,6 @@ final class Following {
         this.noise = noise;
         this.course = course;
         this.looseness = Looseness.of(run, noise);
-        this.shown = shown(looseness, data.shown());
-        this.shownAfterwards = shown(Looseness.afterwards(run, looseness), data.shown());
     }
 
     /** Windows that follow runs under a hypothesis. */
@@ -234,17 +227,22 @@ final class Following {
     }
 
     private Fitted fit(int from, int to, RigidMotion guess, int mostIterations) {
-        KnownStart near =
-                from == 0
-                        ? run.start().map(this::asFarAsKnown).orElse(new KnownStart(guess, shown))
-                        : new KnownStart(guess, shownAfterwards);
-        return fit(new Window(from, to, guess), near, mostIterations);
+        return fit(new Window(from, to, guess), near(from, guess), mostIterations);
     }
 
-    private static List<Double> shown(List<Double> looseness, boolean[] isShown) {
-        return IntStream.range(0, isShown.length)
-                .mapToObj(i -> isShown[i] ? looseness.get(i) : WindowBlock.NOTHING)
-                .toList();
+    /** What is known of the start of a window: what the run does not show of it stays. */
+    private KnownStart near(int from, RigidMotion guess) {
+        if (from == 0 && run.start().isPresent()) {
+            return asFarAsKnown(run.start().get());
+        }
+        boolean[] isShown = data.shown(from);
+        List<Double> loose =
+                from == 0 ? looseness : Looseness.afterwards(run, looseness, data.turns(from));
+        List<Double> deviations = new ArrayList<>();
+        for (int i = 0; i < isShown.length; i++) {
+            deviations.add(isShown[i] ? loose.get(i) : WindowBlock.NOTHING);
+        }
+        return new KnownStart(guess, deviations);
     }
 
     /** What is not known of a start is near what the model has: a body that is not upside down. */
@@ -277,7 +275,11 @@ final class Following {
         WindowDerivatives derivatives =
                 shooting.derivatives(from.window(), from.motion, 1, Moves.NONE);
         WindowBlock block =
-                new WindowBlock(model, List.of(derivatives), data.shown(), Optional.of(known));
+                new WindowBlock(
+                        model,
+                        List.of(derivatives),
+                        data.shown(from.window().from()),
+                        Optional.of(known));
         double share = 1;
         for (int halving = 0; halving < MOST_HALVINGS; halving++) {
             Fitted tried = judged(block.moved(new double[0], share).getFirst(), known);

@@ -58,12 +58,15 @@ final class Looseness {
         return deviations;
     }
 
-    /** The same of a start to which another window has led. */
-    static List<Double> afterwards(MeasuredRun run, List<Double> looseness) {
+    /**
+     * The same of a start to which another window has led.
+     *
+     * @param turns about which axes they were measured
+     */
+    static List<Double> afterwards(MeasuredRun run, List<Double> looseness, boolean[] turns) {
         List<Double> deviations = new ArrayList<>(looseness);
         for (int axis = 0; axis < 3; axis++) {
-            if (!run.measures(Channel.ORIENTATION, axis)
-                    && !run.measures(Channel.ANGULAR_VELOCITY)) {
+            if (!turns[axis] && !run.measures(Channel.ANGULAR_VELOCITY)) {
                 deviations.set(3 + axis, UNSEEN * looseness.get(3 + axis));
                 deviations.set(9 + axis, UNSEEN * looseness.get(9 + axis));
             }

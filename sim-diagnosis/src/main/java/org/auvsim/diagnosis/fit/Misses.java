@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * By how much simulated motions miss a measured run, in standard deviations: a row for each axis of
@@ -94,12 +95,13 @@ final class Misses {
     }
 
     /**
-     * Whether the run tells anything of each number of a start, directly or by where it led: a path
-     * in two dimensions also shows how a body is turned, if nothing tells of that. What it does not
-     * show is as the model has it, as are angles that are not measured where others are: a fit
-     * would misuse them to imitate something else.
+     * Whether the run tells anything of each number of a start at a sample, directly or by where it
+     * led: a path in two dimensions also shows how a body is turned, if nothing tells of that. What
+     * it does not show is as the model has it, as are angles that are not measured where others
+     * are: a fit would misuse them to imitate something else.
      */
-    boolean[] shown() {
+    boolean[] shown(int sample) {
+        boolean[] turns = turns(sample);
         boolean[] shown = new boolean[RigidMotion.SIZE];
         boolean showsTurns =
                 tells(Channel.ANGULAR_VELOCITY)
@@ -107,13 +109,52 @@ final class Misses {
         for (int axis = 0; axis < 3; axis++) {
             boolean isPlaced =
                     rows.contains(new Row(Channel.POSITION, axis)) || tells(Channel.VELOCITY);
-            boolean isTurned = rows.contains(new Row(Channel.ORIENTATION, axis)) || showsTurns;
+            boolean isTurned = turns[axis] || showsTurns;
             shown[axis] = isPlaced;
             shown[3 + axis] = isTurned;
             shown[6 + axis] = isPlaced;
             shown[9 + axis] = isTurned;
         }
         return shown;
+    }
+
+    /**
+     * About which of the world's axes turns are told: where they are told about the body's, about
+     * those that are nearest to these.
+     */
+    boolean[] turns(int sample) {
+        boolean[] turns = new boolean[3];
+        for (int axis = 0; axis < 3; axis++) {
+            if (rows.contains(new Row(Channel.ORIENTATION, axis))) {
+                turns[inWorld(axis, sample)] = true;
+            }
+        }
+        return turns;
+    }
+
+    private int inWorld(int axis, int sample) {
+        if (run.frame(Channel.ORIENTATION) == Frame.WORLD) {
+            return axis;
+        }
+        Vec3 unit = new Vec3(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+        Vec3 along = orientation(sample).rotate(unit);
+        int nearest = 0;
+        for (int i = 1; i < 3; i++) {
+            boolean isNearer = Math.abs(along.component(i)) > Math.abs(along.component(nearest));
+            nearest = isNearer ? i : nearest;
+        }
+        return nearest;
+    }
+
+    /** The first that is measured from a sample on, or else the last before it. */
+    private Quat orientation(int sample) {
+        return IntStream.concat(
+                        IntStream.range(sample, run.size()),
+                        IntStream.range(0, sample).map(k -> sample - 1 - k))
+                .mapToObj(run::orientation)
+                .flatMap(Optional::stream)
+                .findFirst()
+                .orElse(Quat.IDENTITY);
     }
 
     private boolean tells(Channel channel) {
@@ -262,10 +303,14 @@ final class Misses {
     private Vec3 told(Channel channel, int sample, RigidMotion told) {
         return switch (channel) {
             case POSITION -> told.position();
-            case ORIENTATION -> turn(run.orientation(sample).orElseThrow(), told.orientation());
+            case ORIENTATION -> turned(run.orientation(sample).orElseThrow(), told.orientation());
             case VELOCITY -> inFrame(told.velocity(), told.orientation(), channel);
             case ANGULAR_VELOCITY -> inFrame(told.angularVelocity(), told.orientation(), channel);
         };
+    }
+
+    private Vec3 turned(Quat measured, Quat told) {
+        return inFrame(turn(measured, told), measured, Channel.ORIENTATION);
     }
 
     private Vec3 inFrame(Vec3 world, Quat orientation, Channel channel) {

@@ -1,5 +1,8 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.core.entity.Frame;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
@@ -49,11 +52,14 @@ final class Series {
         int before = samples[i - 1];
         int after = samples[i];
         return channel == Channel.ORIENTATION
-                ? Misses.turn(
-                                run.orientation(before).orElseThrow(),
-                                run.orientation(after).orElseThrow())
+                ? turn(run.orientation(before).orElseThrow(), run.orientation(after).orElseThrow())
                         .component(axis)
                 : run.value(channel, after, axis) - run.value(channel, before, axis);
+    }
+
+    private Vec3 turn(Quat before, Quat after) {
+        Vec3 turn = Misses.turn(before, after);
+        return run.frame(channel) == Frame.BODY ? before.rotateInverse(turn) : turn;
     }
 
     /**

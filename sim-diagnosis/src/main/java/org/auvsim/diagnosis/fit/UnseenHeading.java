@@ -61,7 +61,7 @@ final class UnseenHeading {
         MeasuredRun run = data.run();
         return run.start().filter(start -> start.isKnown(YAW)).isEmpty()
                 && !run.measures(Channel.ORIENTATION)
-                && data.shown()[YAW]
+                && data.shown(0)[YAW]
                 && turnsFreely(stepping.model());
     }
 

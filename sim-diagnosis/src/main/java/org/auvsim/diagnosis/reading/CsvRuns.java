@@ -165,6 +165,7 @@ final class CsvRuns {
                             Axes.of(mapping.axes()),
                             layout.frame(Slots.U),
                             layout.frame(Slots.P),
+                            layout.ofAngles(),
                             body.usualOrientation(),
                             layout.lastingErrors());
             RunParts parts =

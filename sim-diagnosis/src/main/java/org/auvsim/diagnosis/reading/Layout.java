@@ -71,6 +71,17 @@ final class Layout {
         return inBody.stream().anyMatch(meant::contains) ? Frame.BODY : Frame.WORLD;
     }
 
+    /**
+     * The axes of angles: the body's, where roll or pitch is there without the other. Neither tells
+     * of a turn about an axis of the world, whatever the body heads for.
+     */
+    Frame ofAngles() {
+        boolean isQuaternion = of(Slots.QUATERNION).isPresent();
+        boolean isRoll = of(Slots.ANGLES).isPresent();
+        boolean isPitch = of(Slots.ANGLES + 1).isPresent();
+        return !isQuaternion && isRoll != isPitch ? Frame.BODY : Frame.WORLD;
+    }
+
     /** Errors that last, by the place of what they are of. */
     Map<Integer, List<LastingError>> lastingErrors() {
         return lasting;

@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.reading;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.core.entity.Actuator;
+import org.auvsim.core.entity.Frame;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.nio.file.Path;
@@ -94,7 +95,12 @@ final class RecordedRuns {
             throws DocumentException {
         RowSample samples =
                 new RowSample(
-                        Axes.ENU, rows.frame(), rows.frame(), body.usualOrientation(), Map.of());
+                        Axes.ENU,
+                        rows.frame(),
+                        rows.frame(),
+                        Frame.WORLD,
+                        body.usualOrientation(),
+                        Map.of());
         Extent extent =
                 new Extent(rows.measured().size(), rows.told().size(), interval(rows.measured()));
         RunParts parts =

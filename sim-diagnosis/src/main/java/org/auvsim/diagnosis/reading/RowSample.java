@@ -16,6 +16,7 @@ final class RowSample {
     private final Axes axes;
     private final Frame velocity;
     private final Frame angularVelocity;
+    private final Frame orientation;
     private final Vec3 usualAngles;
     private final Map<Integer, List<LastingError>> lasting;
 
@@ -24,6 +25,8 @@ final class RowSample {
      *
      * @param velocity the frame of velocities
      * @param angularVelocity that of angular velocities
+     * @param orientation that of angles: the body's, where roll or pitch is measured without the
+     *     other, whatever it heads for
      * @param usual the orientation (body to world) whose angles stand in for those that are not
      *     measured
      * @param lasting errors that last, by the place in a row of what they are of
@@ -32,18 +35,22 @@ final class RowSample {
             Axes axes,
             Frame velocity,
             Frame angularVelocity,
+            Frame orientation,
             Quat usual,
             Map<Integer, List<LastingError>> lasting) {
         this.axes = axes;
         this.velocity = velocity;
         this.angularVelocity = angularVelocity;
+        this.orientation = orientation;
         this.usualAngles = EulerAngles.of(axes.orientation(usual));
         this.lasting = lasting;
     }
 
     /** Says what the samples' axes are, and which errors last. */
     void tell(MeasuredRunBuilder run) {
-        run.frame(Channel.VELOCITY, velocity).frame(Channel.ANGULAR_VELOCITY, angularVelocity);
+        run.frame(Channel.VELOCITY, velocity)
+                .frame(Channel.ANGULAR_VELOCITY, angularVelocity)
+                .frame(Channel.ORIENTATION, orientation);
         for (Channel channel : Channel.values()) {
             for (int column = 0; column < 3; column++) {
                 boolean isSwapped = axes == Axes.NED && column < 2 && !isInBody(channel);
@@ -80,7 +87,8 @@ final class RowSample {
 
     private boolean isInBody(Channel channel) {
         return (channel == Channel.VELOCITY && velocity == Frame.BODY)
-                || (channel == Channel.ANGULAR_VELOCITY && angularVelocity == Frame.BODY);
+                || (channel == Channel.ANGULAR_VELOCITY && angularVelocity == Frame.BODY)
+                || (channel == Channel.ORIENTATION && orientation == Frame.BODY);
     }
 
     private void add(Channel channel, Frame frame, Vec3 measured, MeasuredRunBuilder to) {
@@ -109,8 +117,10 @@ final class RowSample {
                             roll ? angles.x() : usualAngles.x(),
                             pitch ? angles.y() : usualAngles.y(),
                             yaw ? angles.z() : usualAngles.z());
-            boolean isNed = axes == Axes.NED;
-            to.orientation(axes.orientation(q), isNed ? pitch : roll, isNed ? roll : pitch, yaw);
+            boolean isSwapped = axes == Axes.NED && !isInBody(Channel.ORIENTATION);
+            boolean x = isSwapped ? pitch : roll;
+            boolean y = isSwapped ? roll : pitch;
+            to.orientation(axes.orientation(q), x, y, yaw);
         }
     }
 

@@ -20,7 +20,7 @@ record Residuals(MeasuredRun run, List<RigidMotion> told) {
         return Math.min(run.size(), told.size());
     }
 
-    /** In the channel's unit; of orientations the rotation vector in the world's axes. */
+    /** In the channel's unit; of orientations the rotation vector. */
     Vec3 of(Channel channel, int sample) {
         RigidMotion motion = told.get(sample);
         return switch (channel) {
@@ -49,7 +49,9 @@ record Residuals(MeasuredRun run, List<RigidMotion> told) {
                                 motion.velocity(),
                                 motion.angularVelocity())
                         .minus(motion);
-        return new Vec3(error[3], error[4], error[5]);
+        Vec3 turn = new Vec3(error[3], error[4], error[5]);
+        boolean isInBody = run.frame(Channel.ORIENTATION) == Frame.BODY;
+        return isInBody ? measured.rotateInverse(turn) : turn;
     }
 
     private Vec3 inFrame(Channel channel, int sample, Vec3 world, Quat orientation) {

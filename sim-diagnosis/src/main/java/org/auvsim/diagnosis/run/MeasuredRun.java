@@ -116,8 +116,7 @@ public final class MeasuredRun {
 
     /**
      * A measured number, NaN where there is none. Of {@link Channel#ORIENTATION} it is not the
-     * angle, but 0 where the turn about this axis of the world was measured: {@link #orientation}
-     * has the value.
+     * angle, but 0 where the turn about this axis was measured: {@link #orientation} has the value.
      */
     public double value(Channel channel, int sample, int axis) {
         double[] values = measured.get(channel);
@@ -187,7 +186,7 @@ public final class MeasuredRun {
                 .anyMatch(k -> !Double.isNaN(accelerations[k]) && !Double.isNaN(rates[k]));
     }
 
-    /** The axes in which velocities of this channel were measured. */
+    /** The axes in which velocities or turns of this channel were measured. */
     public Frame frame(Channel channel) {
         return frames.getOrDefault(channel, Frame.WORLD);
     }

@@ -111,7 +111,7 @@ public final class MeasuredRunBuilder {
         return orientation(q, true, true, true);
     }
 
-    /** Orientation, of which the turns about some of the world's axes were measured. */
+    /** Orientation, of which the turns about some axes were measured: of its {@link #frame}. */
     public MeasuredRunBuilder orientation(Quat q, boolean x, boolean y, boolean z) {
         Quat unit = q.normalized();
         quaternions.setLast(4, new double[] {unit.w(), unit.x(), unit.y(), unit.z()});
@@ -152,7 +152,7 @@ public final class MeasuredRunBuilder {
         return this;
     }
 
-    /** In whose axes a velocity is measured; the world's, if nothing is said. */
+    /** In whose axes a velocity or a turn is measured; the world's, if nothing is said. */
     public MeasuredRunBuilder frame(Channel channel, Frame frame) {
         frames.put(channel, frame);
         return this;

@@ -84,7 +84,7 @@ class UnseenStartTest {
         }
         MeasuredRun measured = heading.build();
 
-        assertThat(new Misses(measured, Noise.of(List.of(measured))).shown())
+        assertThat(new Misses(measured, Noise.of(List.of(measured))).shown(0))
                 .containsExactly(
                         true, true, true, false, false, true, true, true, true, false, false, true);
     }

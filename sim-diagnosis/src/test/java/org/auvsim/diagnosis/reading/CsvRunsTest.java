@@ -22,6 +22,8 @@ import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 import java.nio.file.Path;
 import java.util.List;
@@ -105,6 +107,28 @@ class CsvRunsTest {
 
         Vec3 ahead = run.orientation(0).orElseThrow().rotate(AHEAD);
         assertThat(ahead.distance(new Vec3(0, 1, 0))).isLessThan(1e-12);
+    }
+
+    /** Whatever the vehicle heads for: about an axis of the world it would be its roll. */
+    @ParameterizedTest
+    @EnumSource
+    void pitchWithoutRollIsMeasuredAboutTheBodysAxes(MeasuredAxes axes) throws Exception {
+        MeasuredRun run =
+                Rov.run(
+                        folder,
+                        ColumnMapping.USUAL.in(axes),
+                        Rov.rows("pitch,sd_pitch", 20, i -> 0.01 * i + ",0.1"));
+        MeasuredRun both =
+                Rov.run(
+                        folder,
+                        ColumnMapping.USUAL.in(axes),
+                        Rov.rows("roll,pitch", 20, i -> "0.0," + 0.01 * i));
+
+        assertThat(run.frame(Channel.ORIENTATION)).isEqualTo(Frame.BODY);
+        assertThat(run.measures(Channel.ORIENTATION, 0)).isFalse();
+        assertThat(run.measures(Channel.ORIENTATION, 1)).isTrue();
+        assertThat(run.deviation(Channel.ORIENTATION, 3, 1)).isEqualTo(0.1);
+        assertThat(both.frame(Channel.ORIENTATION)).isEqualTo(Frame.WORLD);
     }
 
     @Test
@@ -298,7 +322,7 @@ class CsvRunsTest {
     }
 
     @Test
-    void errorsThatLastAreThoseOfTheSimulatorsAxes() throws Exception {
+    void errorsThatLastAreThoseOfTheRunsAxes() throws Exception {
         ColumnMapping mapping =
                 new ColumnMapping(
                         MeasuredAxes.NED,
@@ -314,7 +338,7 @@ class CsvRunsTest {
         assertThat(run.lastingErrors(Channel.POSITION, 2))
                 .containsExactly(new LastingError(0.2, 5));
         assertThat(run.lastingErrors(Channel.POSITION, 0)).isEmpty();
-        assertThat(run.lastingErrors(Channel.ORIENTATION, 1).getFirst().deviation())
+        assertThat(run.lastingErrors(Channel.ORIENTATION, 0).getFirst().deviation())
                 .isCloseTo(Math.toRadians(3), within(1e-12));
         assertThat(run.part("part", 2, 9).lastingErrors(Channel.POSITION, 1)).isNotEmpty();
     }

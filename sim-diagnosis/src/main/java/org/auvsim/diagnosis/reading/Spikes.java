@@ -14,9 +14,9 @@ import java.util.Set;
 import java.util.stream.IntStream;
 
 /**
- * Numbers that are no possible motion: for a row or a few they are far from all others, and the
- * next one is among these again. They are marks of what was not measured (-9999), or faults of a
- * sensor or of what wrote the file. No model could follow them.
+ * Numbers that are no possible motion: for a row or a few they are far from the one before, and the
+ * next one is near it again. They are marks of what was not measured (-9999), or faults of a sensor
+ * or of what wrote the file. No model could follow them.
  */
 final class Spikes {
     private static final int FEWEST = 20;
@@ -24,11 +24,14 @@ final class Spikes {
     /** So many rows in a row at most. */
     private static final int MOST_ROWS = 3;
 
-    /** So many times the range of the middle half of all numbers they are beside it at least. */
+    /** So many times the range of the middle half of all numbers they are off at least. */
     private static final double FAR = 30;
 
-    /** Before and after it others are beside that by less. */
+    /** By so much of it the next one may be off. */
     private static final double NEAR = 2;
+
+    /** They jump by more than so many times what those before and after them go in a row. */
+    private static final double QUICK = 10;
 
     private static final int AXES = 3;
 
@@ -78,33 +81,66 @@ final class Spikes {
         }
         List<Integer> found = new ArrayList<>();
         List<Double> others = new ArrayList<>();
-        int begin = 0;
         for (int i = 0; i < values.length; i++) {
-            if (isBeside(values[i], low, high, FAR * range)) {
-                continue;
+            int back = back(values, i, others, low, high);
+            for (; i < back; i++) {
+                found.add(samples[i]);
             }
-            boolean isBack =
-                    begin > 0
-                            && i - begin <= MOST_ROWS
-                            && !isBeside(values[begin - 1], low, high, NEAR * range)
-                            && !isBeside(values[i], low, high, NEAR * range);
-            for (int far = begin; far < i; far++) {
-                if (isBack) {
-                    found.add(samples[far]);
-                } else {
-                    others.add(values[far]);
-                }
+            if (i < values.length) {
+                others.add(values[i]);
             }
-            others.add(values[i]);
-            begin = i + 1;
-        }
-        for (int far = begin; far < values.length; far++) {
-            others.add(values[far]);
         }
         if (!found.isEmpty()) {
             found.forEach(sample -> all.add(new Reading(channel, sample, axis)));
             tell(channel, axis, found, others);
         }
+    }
+
+    /**
+     * Where numbers are back that are far off from one on: near the last before it; if there is
+     * none, or none after it, they are far from where most are, too. The number itself if it is not
+     * off, or none is back.
+     */
+    private static int back(
+            double[] values, int from, List<Double> before, double low, double high) {
+        double range = high - low;
+        double last = before.isEmpty() ? Double.NaN : before.getLast();
+        for (int back = from + 1; back <= from + MOST_ROWS && back <= values.length; back++) {
+            double next = back < values.length ? values[back] : Double.NaN;
+            boolean isEnd = Double.isNaN(last) || Double.isNaN(next);
+            double jump = Double.POSITIVE_INFINITY;
+            for (int i = from; i < back; i++) {
+                boolean isFar = !isEnd || isBeside(values[i], low, high, FAR * range);
+                double off = Math.min(distance(values[i], last), distance(values[i], next));
+                jump = isFar ? Math.min(jump, off) : 0;
+            }
+            double away = isEnd ? 0 : Math.abs(next - last);
+            double usual = Math.max(FAR * range, QUICK * usualStep(values, back, before));
+            if (jump > usual && away <= Math.max(NEAR * range, jump / QUICK)) {
+                return back;
+            }
+        }
+        return from;
+    }
+
+    /** From a number, or none. */
+    private static double distance(double value, double number) {
+        return Double.isNaN(number) ? Double.POSITIVE_INFINITY : Math.abs(value - number);
+    }
+
+    /** How far numbers go from row to row, before and after: the shorter way. */
+    private static double usualStep(double[] values, int back, List<Double> before) {
+        int count = before.size();
+        double until =
+                count > 1
+                        ? Math.abs(before.get(count - 1) - before.get(count - 2))
+                        : Double.POSITIVE_INFINITY;
+        double after =
+                back + 1 < values.length
+                        ? Math.abs(values[back + 1] - values[back])
+                        : Double.POSITIVE_INFINITY;
+        double step = Math.min(until, after);
+        return Double.isInfinite(step) ? 0 : step;
     }
 
     private static boolean isBeside(double value, double low, double high, double by) {

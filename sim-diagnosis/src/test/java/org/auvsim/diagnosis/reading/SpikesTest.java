@@ -53,6 +53,20 @@ class SpikesTest {
         assertThat(file.doubt()).isEqualTo(Doubt.NONE);
     }
 
+    /** Where it is far from where it mostly is, and at either end, as well as in between. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 3, 15, 199})
+    void whereverItIs(int row) throws Exception {
+        RunFile file = read(i -> i == row ? 1e30 : 0.01 * way(i) + 10 * Math.exp(-0.1 * i));
+
+        assertThat(unmeasured(file)).isEqualTo(1);
+        assertThat(file.notices())
+                .filteredOn(notice -> notice.contains("no possible motion"))
+                .singleElement()
+                .asString()
+                .startsWith(folder.resolve("run.csv") + ":" + (row + 2) + ": column 'x'");
+    }
+
     @Test
     void aMarkOfWhatWasNotMeasured() throws Exception {
         RunFile file = read(i -> i % 10 == 5 ? -9999 : way(i));

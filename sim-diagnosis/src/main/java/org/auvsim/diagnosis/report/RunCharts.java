@@ -28,6 +28,10 @@ import java.util.stream.Stream;
 /** Charts of one run: measured beside simulated, and what is left between them. */
 final class RunCharts {
     private static final int MOST_POINTS = 500;
+
+    /** A line may leave out this share of the numbers. */
+    private static final double MOST_ALONE = 0.1;
+
     private static final String AXES = "xyz";
     private static final String TIME = "time (s)";
 
@@ -211,7 +215,7 @@ final class RunCharts {
                 curves.add(
                         curve(
                                 AXES.substring(axis, axis + 1),
-                                Mark.LINE,
+                                isSparse(channel, axis) ? Mark.POINTS : Mark.LINE,
                                 residuals.size(),
                                 k ->
                                         new Point(
@@ -231,6 +235,29 @@ final class RunCharts {
                                 unit,
                                 Numbers.rounded(noise.getOrDefault(channel, Double.NaN)),
                                 unit));
+    }
+
+    /**
+     * Whether many numbers stand alone between rows without one: a line would show none of them.
+     */
+    private boolean isSparse(Channel channel, int axis) {
+        int numbers = 0;
+        int alone = 0;
+        for (int k = 0; k < run.size(); k++) {
+            if (isMeasured(channel, k, axis)) {
+                boolean isAlone =
+                        !isMeasured(channel, k - 1, axis) && !isMeasured(channel, k + 1, axis);
+                numbers++;
+                alone += isAlone ? 1 : 0;
+            }
+        }
+        return alone > MOST_ALONE * numbers;
+    }
+
+    private boolean isMeasured(Channel channel, int sample, int axis) {
+        return sample >= 0
+                && sample < run.size()
+                && !Double.isNaN(run.value(channel, sample, axis));
     }
 
     /** On one scale: what is left is as small as it looks. */

@@ -18,8 +18,12 @@ public record Curve(String name, Mark mark, List<Point> points) {
         DOTS
     }
 
-    /** A point of a curve. */
-    public record Point(double x, double y) {}
+    /** A point of a curve; where one of its numbers is not finite, a gap. */
+    public record Point(double x, double y) {
+        private boolean isGap() {
+            return !Double.isFinite(x) || !Double.isFinite(y);
+        }
+    }
 
     /** A curve whose points stay as they are. */
     public Curve {
@@ -35,7 +39,8 @@ public record Curve(String name, Mark mark, List<Point> points) {
      * The same with {@code most} points at most, those of a single-valued curve in the order of x:
      * of each of equal runs of points the lowest and the highest one stay, in their order, so that
      * no peak is lost; of points without a line between them every second, third ... one stays, so
-     * that they look as dense where they are.
+     * that they look as dense where they are. Gaps take no room from points; a line goes on over
+     * those that are shorter than such a run.
      *
      * @throws IllegalArgumentException if fewer than 4 may stay
      */
@@ -48,7 +53,7 @@ public record Curve(String name, Mark mark, List<Point> points) {
             return this;
         }
         if (mark == Mark.POINTS || mark == Mark.DOTS) {
-            return every(Math.ceilDiv(points.size(), most));
+            return every(points.stream().filter(point -> !point.isGap()).toList(), most);
         }
         int runs = (most - 2) / 2;
         int inner = points.size() - 2;
@@ -63,16 +68,23 @@ public record Curve(String name, Mark mark, List<Point> points) {
         return new Curve(name, mark, kept);
     }
 
-    private Curve every(int stride) {
+    private Curve every(List<Point> of, int most) {
+        int stride = Math.max(1, Math.ceilDiv(of.size(), most));
         return new Curve(
                 name,
                 mark,
-                IntStream.range(0, Math.ceilDiv(points.size(), stride))
-                        .mapToObj(i -> points.get(i * stride))
+                IntStream.range(0, Math.ceilDiv(of.size(), stride))
+                        .mapToObj(i -> of.get(i * stride))
                         .toList());
     }
 
-    private static void keepExtremes(List<Point> run, List<Point> kept) {
+    /** Of what is a gap from end to end, one. */
+    private static void keepExtremes(List<Point> all, List<Point> kept) {
+        List<Point> run = all.stream().filter(point -> !point.isGap()).toList();
+        if (run.isEmpty()) {
+            kept.add(all.getFirst());
+            return;
+        }
         int lowest = 0;
         int highest = 0;
         for (int i = 1; i < run.size(); i++) {

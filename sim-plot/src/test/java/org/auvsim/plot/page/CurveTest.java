@@ -48,6 +48,45 @@ class CurveTest {
                 .endsWith(new Point(999, 999 % 7));
     }
 
+    /** 90 of 900 rows have a number, none of them one that every second row would be. */
+    @Test
+    void ofDotsBetweenGapsNoneIsLost() {
+        Curve sparse =
+                new Curve(
+                        "sparse",
+                        Curve.Mark.DOTS,
+                        IntStream.range(0, 900)
+                                .mapToObj(i -> new Point(i, i % 10 == 5 ? i : Double.NaN))
+                                .toList());
+        assertThat(sparse.decimated(500).points())
+                .hasSize(90)
+                .startsWith(new Point(5, 5), new Point(15, 15))
+                .endsWith(new Point(895, 895));
+    }
+
+    @Test
+    void aLineThatLacksSinglePointsGoesOn() {
+        List<Point> course =
+                IntStream.range(0, 5_000)
+                        .mapToObj(i -> new Point(i, i % 3 == 0 ? Double.NaN : i % 7))
+                        .toList();
+        assertThat(Curve.line("holes", course).decimated(500).points().subList(1, 400))
+                .allMatch(point -> Double.isFinite(point.y()));
+    }
+
+    @Test
+    void aLongGapOfALineStays() {
+        List<Point> course =
+                IntStream.range(0, 5_000)
+                        .mapToObj(i -> new Point(i, i / 1_000 == 2 ? Double.NaN : i % 7))
+                        .toList();
+        List<Point> kept = Curve.line("gap", course).decimated(500).points();
+        List<Double> gaps =
+                kept.stream().filter(point -> Double.isNaN(point.y())).map(Point::x).toList();
+        assertThat(gaps).hasSizeBetween(40, 60).allMatch(x -> x >= 2_000 && x < 3_000);
+        assertThat(kept).filteredOn(point -> Double.isFinite(point.y())).hasSizeBetween(350, 450);
+    }
+
     @Test
     void tooFewPointsAreRefused() {
         assertThatIllegalArgumentException()

@@ -8,6 +8,7 @@ import org.auvsim.diagnosis.result.Discrepancy;
 
 import java.util.Arrays;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 
 /** Describes what no cause explains: where it shows, when, and whether it has a frequency. */
 final class Misfit {
@@ -15,6 +16,12 @@ final class Misfit {
 
     /** A frequency stands out that has this share of all power. */
     private static final double STANDS_OUT = 0.3;
+
+    /** Of fewer numbers any has. */
+    private static final int FEWEST = 8;
+
+    /** Numbers that are taken as evenly spaced may be off by this share of a swing. */
+    private static final double MOST_TURNED = 0.125;
 
     private Misfit() {}
 
@@ -29,7 +36,7 @@ final class Misfit {
         double worst = -1;
         for (int r = 0; r < judged.fit().data().size(); r++) {
             for (int row = 0; row < judged.fit().data().get(r).rows().size(); row++) {
-                double square = meanSquare(row(judged, r, row));
+                double square = meanSquare(numbers(judged, r, row));
                 if (square > worst) {
                     worst = square;
                     worstRun = r;
@@ -38,41 +45,56 @@ final class Misfit {
             }
         }
         Misses of = judged.fit().data().get(worstRun);
-        double[] misses = row(judged, worstRun, worstRow);
+        int[] samples = samples(of, worstRow);
+        double[] misses = numbers(judged, worstRun, worstRow);
         int peak = 0;
-        for (int k = 0; k < misses.length; k++) {
-            if (Math.abs(misses[k]) > Math.abs(misses[peak])) {
-                peak = k;
+        for (int i = 0; i < misses.length; i++) {
+            if (Math.abs(misses[i]) > Math.abs(misses[peak])) {
+                peak = i;
             }
         }
         Misses.Row row = of.rows().get(worstRow);
+        double[] times = Arrays.stream(samples).mapToDouble(of.run()::time).toArray();
         return new Discrepancy(
                 row.channel(),
                 AXES.charAt(row.axis()),
                 of.run().name(),
-                of.run().time(peak),
-                judged.fit().motions().get(worstRun)[peak].position(),
-                frequency(misses, of.run().duration()),
+                times[peak],
+                judged.fit().motions().get(worstRun)[samples[peak]].position(),
+                frequency(misses, times),
                 share);
     }
 
-    private static double[] row(Judged judged, int run, int row) {
-        int rows = judged.fit().data().get(run).rows().size();
+    /** Samples in which there is a number. */
+    private static int[] samples(Misses of, int row) {
+        int rows = of.rows().size();
+        return IntStream.range(0, of.run().size())
+                .filter(k -> of.isMeasured(k * rows + row))
+                .toArray();
+    }
+
+    /** What is missed of the numbers that were measured; the others are missed by nothing. */
+    private static double[] numbers(Judged judged, int run, int row) {
+        Misses of = judged.fit().data().get(run);
         double[] all = judged.outcome().misses().get(run);
-        double[] of = new double[all.length / rows];
-        for (int k = 0; k < of.length; k++) {
-            of[k] = all[k * rows + row];
-        }
-        return of;
+        return Arrays.stream(samples(of, row))
+                .mapToDouble(k -> all[k * of.rows().size() + row])
+                .toArray();
     }
 
     private static double meanSquare(double[] values) {
         return Arrays.stream(values).map(v -> v * v).average().orElse(0);
     }
 
-    /** The frequency (Hz) that has most of the power; samples are taken as evenly spaced. */
-    static OptionalDouble frequency(double[] misses, double duration) {
+    /**
+     * The frequency (Hz) that has most of the power; none where times are so uneven that it would
+     * be another one.
+     */
+    static OptionalDouble frequency(double[] misses, double[] times) {
         int size = Integer.highestOneBit(misses.length);
+        if (size < FEWEST) {
+            return OptionalDouble.empty();
+        }
         double mean = Arrays.stream(misses, 0, size).average().orElse(0);
         double[] centred = Arrays.stream(misses, 0, size).map(v -> v - mean).toArray();
         Complex[] spectrum =
@@ -88,10 +110,21 @@ final class Misfit {
             }
         }
         boolean standsOut =
-                size > 4
-                        && peak > 1
-                        && spectrum[peak].abs() * spectrum[peak].abs() > STANDS_OUT * sum;
-        double used = duration * size / (misses.length - 1);
-        return standsOut ? OptionalDouble.of(peak / used) : OptionalDouble.empty();
+                peak > 1 && spectrum[peak].abs() * spectrum[peak].abs() > STANDS_OUT * sum;
+        double spacing = (times[size - 1] - times[0]) / (size - 1);
+        double frequency = peak / (size * spacing);
+        return standsOut && unevenness(times, size) * frequency < MOST_TURNED
+                ? OptionalDouble.of(frequency)
+                : OptionalDouble.empty();
+    }
+
+    /** How far the first times are at most from evenly spaced ones between the same ends (s). */
+    private static double unevenness(double[] times, int size) {
+        double spacing = (times[size - 1] - times[0]) / (size - 1);
+        double most = 0;
+        for (int i = 0; i < size; i++) {
+            most = Math.max(most, Math.abs(times[i] - times[0] - i * spacing));
+        }
+        return most;
     }
 }

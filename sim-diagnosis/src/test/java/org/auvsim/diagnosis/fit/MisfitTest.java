@@ -3,16 +3,29 @@ package org.auvsim.diagnosis.fit;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.result.Discrepancy;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
 
+import java.util.List;
+import java.util.Random;
 import java.util.stream.IntStream;
 
 class MisfitTest {
     private static final double INTERVAL = 0.5;
 
-    private static double[] swing(int samples, double frequency) {
-        return IntStream.range(0, samples)
-                .mapToDouble(k -> Math.sin(2 * Math.PI * frequency * INTERVAL * k))
+    private static double[] times(int samples) {
+        return IntStream.range(0, samples).mapToDouble(k -> INTERVAL * k).toArray();
+    }
+
+    private static double[] swing(double[] times, double frequency) {
+        return IntStream.range(0, times.length)
+                .mapToDouble(k -> Math.sin(2 * Math.PI * frequency * times[k]))
                 .toArray();
     }
 
@@ -21,14 +34,62 @@ class MisfitTest {
     void aFrequencyIsThatOfTheSwing() {
         double frequency = 4 / (16 * INTERVAL);
 
-        assertThat(Misfit.frequency(swing(16, frequency), 15 * INTERVAL).orElseThrow())
-                .isCloseTo(frequency, within(1e-12));
-        assertThat(Misfit.frequency(swing(20, frequency), 19 * INTERVAL).orElseThrow())
-                .isCloseTo(frequency, within(1e-12));
+        for (int samples : List.of(16, 20)) {
+            double[] times = times(samples);
+            assertThat(Misfit.frequency(swing(times, frequency), times).orElseThrow())
+                    .isCloseTo(frequency, within(1e-12));
+        }
     }
 
     @Test
     void whatDoesNotSwingHasNone() {
-        assertThat(Misfit.frequency(new double[16], 15 * INTERVAL)).isEmpty();
+        assertThat(Misfit.frequency(new double[16], times(16))).isEmpty();
+    }
+
+    /** As if a fix of the position were lost for half of the time. */
+    @Test
+    void numbersWithALongGapHaveNone() {
+        double[] times = times(16);
+        for (int k = 8; k < times.length; k++) {
+            times[k] += 16 * INTERVAL;
+        }
+
+        assertThat(Misfit.frequency(swing(times(16), 4 / (16 * INTERVAL)), times)).isEmpty();
+    }
+
+    /** x swings by a metre at 0.1 Hz, y is off by half as much: with as much noise each. */
+    private static MeasuredRun run(int rowsPerFix) {
+        Random random = new Random(5);
+        MeasuredRunBuilder run = MeasuredRun.named("fixes");
+        for (int k = 0; k < 700; k++) {
+            double x = k % rowsPerFix == 0 ? Math.sin(2 * Math.PI * 0.1 * 0.1 * k) : Double.NaN;
+            run.at(0.1 * k).position(x, 0.5 * random.nextGaussian(), Double.NaN);
+            run.deviation(Channel.POSITION, 0.01, 0.01, 0.01);
+        }
+        return run.build();
+    }
+
+    /** The largest misfit of a body that stays where it is. */
+    private static Discrepancy largest(MeasuredRun run) throws Exception {
+        RigidMotion still = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
+        Fit fit =
+                new Fit(
+                        Stepping.exact(FreeSphere.believed(0.1)),
+                        List.of(new Misses(run, Noise.of(List.of(run)))),
+                        Hypothesis.NONE,
+                        List.of(List.of(new Window(0, run.size() - 1, still))),
+                        Knowledge.NONE);
+        return Misfit.largest(Judged.of(fit), 0);
+    }
+
+    /** It is as far off as one that is measured in every row; rows without it tell nothing. */
+    @Test
+    void whatIsMeasuredInSomeRowsOnlyIsNotDiluted() throws Exception {
+        Discrepancy misfit = largest(run(10));
+
+        assertThat(misfit.axis()).isEqualTo('x');
+        assertThat(misfit.frequency().orElseThrow()).isCloseTo(0.1, within(0.01));
+        assertThat(misfit.time() % 1).isCloseTo(0, within(1e-9));
+        assertThat(largest(run(1)).frequency().orElseThrow()).isCloseTo(0.1, within(0.01));
     }
 }

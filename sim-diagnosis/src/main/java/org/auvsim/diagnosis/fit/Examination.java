@@ -241,7 +241,8 @@ public final class Examination {
                                     told(of.run(), model.variant(), motionBefore.get(r)),
                                     told(of.run(), variant, motionAfter.get(r)),
                                     MissingForce.along(
-                                            found.stepping(), variant, of, found.noise(), course));
+                                            found.stepping(), variant, of, found.noise(), course),
+                                    of.uncounted());
                         })
                 .toList();
     }

@@ -8,6 +8,7 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -140,20 +141,32 @@ record Fit(
         return new Window(0, data.get(run).run().size() - 1, start);
     }
 
-    /** By how much that is off by channel, in its unit. */
+    /** By how much that is off by channel, in its unit, however far; but for outliers. */
     Map<Channel, Squares> errors() {
         List<RigidMotion[]> motions = motions();
         Variant variant = variant();
-        List<double[]> misses = new ArrayList<>();
+        Map<Channel, Squares> errors = new EnumMap<>(Channel.class);
         for (int r = 0; r < data.size(); r++) {
             Misses of = data.get(r);
             double[] off = of.plain(motions.get(r), variant.sensing(), 0, of.run().size());
-            for (int i = 0; i < off.length; i++) {
-                off[i] *= of.deviation(i);
+            for (int row = 0; row < of.rows().size(); row++) {
+                errors.merge(of.rows().get(row).channel(), errors(of, off, row), Squares::plus);
             }
-            misses.add(off);
         }
-        return Outcome.squares(data, misses);
+        return errors;
+    }
+
+    private static Squares errors(Misses of, double[] off, int row) {
+        double sum = 0;
+        int count = 0;
+        for (int i = row; i < off.length; i += of.rows().size()) {
+            if (of.counts(i)) {
+                double error = of.error(i, off[i]);
+                sum += error * error;
+                count++;
+            }
+        }
+        return new Squares(sum, count);
     }
 
     /** Sum of squares of the same, in standard deviations of the noise alone, whatever lasts. */

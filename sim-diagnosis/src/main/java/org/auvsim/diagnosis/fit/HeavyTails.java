@@ -39,17 +39,20 @@ final class HeavyTails {
     static Misses tamed(Misses of, Noise noise) {
         int rows = of.rows().size();
         double[] factors = new double[of.run().size() * rows];
+        boolean[] outliers = new boolean[factors.length];
         Arrays.fill(factors, 1);
         for (int row = 0; row < rows; row++) {
             Series series = series(of.run(), of.rows().get(row));
             double[] off = off(series, of.rows().get(row), noise);
             if (hasOutliers(off)) {
                 for (int i = 0; i < off.length; i++) {
-                    factors[series.sample(i + CUBIC / 2) * rows + row] = factor(off[i]);
+                    int number = series.sample(i + CUBIC / 2) * rows + row;
+                    factors[number] = factor(off[i]);
+                    outliers[number] = isBeyond(FAR, i, off);
                 }
             }
         }
-        return of.weighed(factors);
+        return of.weighed(factors, outliers);
     }
 
     /** What is told of the outliers of a run; empty where it has no more than chance brings. */
@@ -69,7 +72,7 @@ final class HeavyTails {
         return of.length() == 0
                 ? Optional.empty()
                 : Optional.of(
-                        "%d samples of %s: outliers, given less weight: %s"
+                        "%d samples of %s: outliers, given less weight and left out of errors: %s"
                                 .formatted(run.size(), run.name(), of));
     }
 
@@ -96,10 +99,11 @@ final class HeavyTails {
     }
 
     private static int beyond(double limit, double[] off) {
-        return (int)
-                IntStream.range(0, off.length)
-                        .filter(i -> Math.abs(off[i]) > limit && isAlone(i, off))
-                        .count();
+        return (int) IntStream.range(0, off.length).filter(i -> isBeyond(limit, i, off)).count();
+    }
+
+    private static boolean isBeyond(double limit, int i, double[] off) {
+        return Math.abs(off[i]) > limit && isAlone(i, off);
     }
 
     /**

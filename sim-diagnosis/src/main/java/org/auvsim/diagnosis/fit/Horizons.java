@@ -133,9 +133,9 @@ final class Horizons {
         int rows = of.rows().size();
         for (int r = 0; r < rows; r++) {
             int number = window.to() * rows + r;
-            if (of.isMeasured(number)) {
-                double miss = misses[number - window.from() * rows] * of.deviation(number);
-                errors.add(of.rows().get(r).channel(), horizon, miss);
+            if (of.counts(number)) {
+                double error = of.error(number, misses[number - window.from() * rows]);
+                errors.add(of.rows().get(r).channel(), horizon, error);
             }
         }
     }

@@ -6,12 +6,15 @@ import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.Sensing;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.Reading;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.IntStream;
 
 /**
@@ -30,6 +33,9 @@ final class Misses {
 
     /** By sample and row: the standard deviation, in the channel's unit. */
     private final double[] deviations;
+
+    /** By sample and row: whether it is a number that tells nothing of how right a motion is. */
+    private final boolean[] outliers;
 
     private final double independent;
 
@@ -54,6 +60,7 @@ final class Misses {
         }
         weights = new double[run.size() * rows.size()];
         deviations = new double[weights.length];
+        outliers = new boolean[weights.length];
         for (int k = 0; k < run.size(); k++) {
             for (int r = 0; r < rows.size(); r++) {
                 Row row = rows.get(r);
@@ -67,22 +74,23 @@ final class Misses {
         independent = countIndependent();
     }
 
-    private Misses(Misses of, double[] weights) {
+    private Misses(Misses of, double[] weights, boolean[] outliers) {
         this.run = of.run;
         this.deviations = of.deviations;
         this.rows.addAll(of.rows);
         this.whitenings.addAll(of.whitenings);
         this.weights = weights;
+        this.outliers = outliers;
         this.independent = countIndependent();
     }
 
     /** The same, each number weighed by a factor beside; numbers as {@link #isMeasured}. */
-    Misses weighed(double[] factors) {
+    Misses weighed(double[] factors, boolean[] areOutliers) {
         double[] product = weights.clone();
         for (int i = 0; i < product.length; i++) {
             product[i] *= factors[i];
         }
-        return new Misses(this, product);
+        return new Misses(this, product, areOutliers);
     }
 
     /** Whether what is missed of a sample tells of what is missed of those after it. */
@@ -212,6 +220,33 @@ final class Misses {
     /** Whether there is a number, counted row by row within each sample. */
     boolean isMeasured(int index) {
         return weights[index] > 0;
+    }
+
+    /** Whether there is a number that is no outlier: one of those that errors are told of. */
+    boolean counts(int index) {
+        return isMeasured(index) && !outliers[index];
+    }
+
+    /** A miss as {@link #plain} has it in the channel's unit, however little it weighs. */
+    double error(int index, double miss) {
+        return miss / weights[index];
+    }
+
+    /** Numbers of the run of which no errors are told: outliers, and all that never changes. */
+    Set<Reading> uncounted() {
+        Set<Reading> uncounted = new HashSet<>();
+        for (Channel channel : Channel.values()) {
+            for (int axis = 0; axis < 3; axis++) {
+                int row = rows.indexOf(new Row(channel, axis));
+                for (int k = 0; k < run.size(); k++) {
+                    boolean isMeasured = !Double.isNaN(run.value(channel, k, axis));
+                    if (isMeasured && (row < 0 || outliers[k * rows.size() + row])) {
+                        uncounted.add(new Reading(channel, k, axis));
+                    }
+                }
+            }
+        }
+        return uncounted;
     }
 
     /**

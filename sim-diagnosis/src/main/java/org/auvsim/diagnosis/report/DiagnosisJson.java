@@ -177,14 +177,15 @@ final class DiagnosisJson {
     private static RunPart run(NamedRun file, Map<Channel, Double> noise) {
         DiagnosedRun of = file.run();
         MeasuredRun run = of.run();
+        MeasuredRun counted = of.counted();
         Map<Channel, Gain> errors = new LinkedHashMap<>();
         for (Channel channel : Channel.values()) {
-            if (run.measures(channel)) {
+            if (counted.measures(channel)) {
                 errors.put(
                         channel,
                         new Gain(
-                                new Residuals(run, of.before()).rootMeanSquare(channel),
-                                new Residuals(run, of.after()).rootMeanSquare(channel),
+                                new Residuals(counted, of.before()).rootMeanSquare(channel),
+                                new Residuals(counted, of.after()).rootMeanSquare(channel),
                                 noise.getOrDefault(channel, Double.NaN)));
             }
         }

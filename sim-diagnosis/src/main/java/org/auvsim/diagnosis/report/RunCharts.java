@@ -39,6 +39,7 @@ final class RunCharts {
             "Both models begin at the same start, that which suits the one with what was found.";
 
     private final MeasuredRun run;
+    private final MeasuredRun counted;
     private final List<ForceResidual> forces;
     private final Map<Channel, Double> noise;
 
@@ -54,6 +55,7 @@ final class RunCharts {
      */
     RunCharts(DiagnosedRun of, Map<Channel, Double> noise, List<String> names) {
         this.run = of.run();
+        this.counted = of.counted();
         this.forces = of.forces();
         this.noise = noise;
         boolean isOnly = names.size() == 1;
@@ -231,7 +233,9 @@ final class RunCharts {
                 curves,
                 "Root mean square %s %s; noise %s %s."
                         .formatted(
-                                Numbers.rounded(residuals.rootMeanSquare(channel)),
+                                Numbers.rounded(
+                                        new Residuals(counted, model.told())
+                                                .rootMeanSquare(channel)),
                                 unit,
                                 Numbers.rounded(noise.getOrDefault(channel, Double.NaN)),
                                 unit));

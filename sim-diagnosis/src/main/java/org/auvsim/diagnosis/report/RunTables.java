@@ -7,12 +7,15 @@ import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.Reading;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.io.IOException;
 import java.io.Writer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.StringJoiner;
+import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 
@@ -42,7 +45,8 @@ final class RunTables {
     /**
      * What was measured less what the model tells, as it was believed and with what was found:
      * columns {@code position.x.before}, {@code position.x.after} and so on; of orientations the
-     * rotation vector. Fields are empty where nothing was measured or simulated.
+     * rotation vector. Fields are empty where nothing was measured or simulated. The last column
+     * has the names of the numbers, as {@code position.x}, that are left out of the errors told.
      */
     static void residuals(DiagnosedRun of, Writer out) throws IOException {
         MeasuredRun run = of.run();
@@ -59,9 +63,23 @@ final class RunTables {
                     numbers.add(number(after, channel, k, axis));
                 }
             }
-            row(csv, numbers.build());
+            List<String> cells = cells(numbers.build());
+            cells.add(uncounted(of, k));
+            csv.writeRecord(cells);
         }
         csv.flush();
+    }
+
+    private static String uncounted(DiagnosedRun of, int sample) {
+        StringJoiner names = new StringJoiner(" ");
+        for (Channel channel : of.uncounted().isEmpty() ? new Channel[0] : Channel.values()) {
+            for (int axis = 0; axis < AXES.size(); axis++) {
+                if (of.uncounted().contains(new Reading(channel, sample, axis))) {
+                    names.add("%s.%s".formatted(Names.of(channel), AXES.get(axis)));
+                }
+            }
+        }
+        return names.toString();
     }
 
     private static List<String> header(List<Channel> channels) {
@@ -72,6 +90,7 @@ final class RunTables {
                 header.add("%s.%s.after".formatted(Names.of(channel), axis));
             }
         }
+        header.add("left_out");
         return header;
     }
 
@@ -82,7 +101,11 @@ final class RunTables {
     }
 
     private static void row(CsvWriter csv, DoubleStream numbers) {
-        csv.writeRecord(
-                numbers.mapToObj(n -> Double.isFinite(n) ? Double.toString(n) : "").toList());
+        csv.writeRecord(cells(numbers));
+    }
+
+    private static List<String> cells(DoubleStream numbers) {
+        return numbers.mapToObj(n -> Double.isFinite(n) ? Double.toString(n) : "")
+                .collect(Collectors.toCollection(ArrayList::new));
     }
 }

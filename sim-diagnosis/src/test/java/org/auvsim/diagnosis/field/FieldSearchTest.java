@@ -59,7 +59,8 @@ class FieldSearchTest {
             forces.add(new ForceResidual(k, new Vec3(1, 0, k % 2), Vec3.ZERO));
         }
 
-        DiagnosedRun run = new DiagnosedRun(still.build(), false, List.of(), List.of(), forces);
+        DiagnosedRun run =
+                new DiagnosedRun(still.build(), false, List.of(), List.of(), forces, Set.of());
 
         assertThat(FieldSearch.field(List.of(run))).isEmpty();
     }

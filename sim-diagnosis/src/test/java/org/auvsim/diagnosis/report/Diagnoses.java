@@ -36,6 +36,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
+import java.util.Set;
 
 /**
  * Diagnoses made by hand: a sledge that turns and sinks, slowed by quadratic drag or by nothing.
@@ -166,7 +167,7 @@ final class Diagnoses {
                             new Vec3(0.02 * Math.cos(k), 0.02 * Math.sin(k), 0)));
         }
         return new DiagnosedRun(
-                run, isHeldOut, motions(samples, 0), motions(samples, drag), forces);
+                run, isHeldOut, motions(samples, 0), motions(samples, drag), forces, Set.of());
     }
 
     private static List<DiagnosedRun> runs(int samples, double drag) {
@@ -317,7 +318,7 @@ final class Diagnoses {
     static Diagnosis brokenOff() {
         List<DiagnosedRun> runs = new ArrayList<>(runs(50, 0));
         DiagnosedRun last = runs.removeLast();
-        runs.add(new DiagnosedRun(last.run(), true, List.of(), List.of(), List.of()));
+        runs.add(new DiagnosedRun(last.run(), true, List.of(), List.of(), List.of(), Set.of()));
         return diagnosis(
                 Verdict.NONE,
                 "Nothing",

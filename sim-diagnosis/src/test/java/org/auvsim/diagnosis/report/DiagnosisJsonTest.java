@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.report;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import com.networknt.schema.Error;
 import com.networknt.schema.InputFormat;
@@ -8,13 +9,27 @@ import com.networknt.schema.Schema;
 import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
 
+import de.siegmar.fastcsv.reader.CsvReader;
+import de.siegmar.fastcsv.reader.NamedCsvRecord;
+
+import org.auvsim.core.math.Quat;
+import org.auvsim.diagnosis.Investigation;
 import org.auvsim.diagnosis.PushedSphere;
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Library;
+import org.auvsim.diagnosis.fit.Progress;
+import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Alternative;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.Command;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.shaking.Imbalance;
 import org.auvsim.diagnosis.shaking.Shaking;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -71,6 +86,71 @@ class DiagnosisJsonTest {
 
         assertThat(json).contains("\"verdict\" : \"explained\"");
         assertThat(faults(json)).isEmpty();
+    }
+
+    /** A run whose x is far off in a few rows. */
+    private static MeasuredRun astray(MeasuredRun of) {
+        MeasuredRunBuilder run =
+                MeasuredRun.named(of.name())
+                        .commands(of.commands().stream().map(Command::name).toList());
+        for (int k = 0; k < of.size(); k++) {
+            double off = k % 60 == 30 ? 0.1 : 0;
+            run.at(of.time(k)).orientation(Quat.IDENTITY);
+            run.position(
+                    of.value(Channel.POSITION, k, 0) + off,
+                    of.value(Channel.POSITION, k, 1),
+                    of.value(Channel.POSITION, k, 2));
+            for (int c = 0; c < of.commands().size(); c++) {
+                run.command(c, of.commands().get(c).level(k));
+            }
+        }
+        return run.build();
+    }
+
+    /** Of the position, with what was found. */
+    private static double rootMeanSquare(Path residuals) throws IOException {
+        double sum = 0;
+        int count = 0;
+        for (NamedCsvRecord row : CsvReader.builder().ofNamedCsvRecord(residuals)) {
+            for (String axis : List.of("x", "y", "z")) {
+                String of = "position." + axis;
+                if (!List.of(row.getField("left_out").split(" ", -1)).contains(of)) {
+                    sum += Math.pow(Double.parseDouble(row.getField(of + ".after")), 2);
+                    count++;
+                }
+            }
+        }
+        return Math.sqrt(sum / count);
+    }
+
+    /** The same number in each place, which anyone can reckon. */
+    @Test
+    void errorsOfHeldOutRunsAreThoseOfTheirTables(@TempDir Path folder) throws IOException {
+        PushedSphere sphere =
+                new PushedSphere((_, v) -> new double[] {-8 * v[0], -8 * v[1], -8 * v[2]});
+        BelievedModel model = PushedSphere.model();
+        List<MeasuredRun> fit = List.of(sphere.run(1), sphere.run(2));
+        List<Cause> causes = Library.named(List.of("linear_drag"), Library.of(model, fit));
+        Report.write(
+                new Investigation(
+                                model,
+                                fit,
+                                List.of(astray(sphere.run(3))),
+                                causes,
+                                1,
+                                Progress.SILENT)
+                        .diagnose(),
+                folder);
+
+        JsonNode root = JsonMapper.shared().readTree(folder.resolve("diagnosis.json"));
+
+        double told = root.at("/heldout_rmse_after").asDouble();
+        assertThat(told).isBetween(0.0015, 0.0025);
+        assertThat(root.at("/runs/2/errors/position/after").asDouble())
+                .isCloseTo(told, within(1e-9));
+        assertThat(rootMeanSquare(folder.resolve(root.at("/runs/2/residuals").asString())))
+                .isCloseTo(told, within(1e-9));
+        assertThat(root.at("/runs/2/errors").propertyNames()).containsExactly("position");
     }
 
     @ParameterizedTest

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /** Charts of 90 s of rows at 10 Hz, in which the position is measured once a second. */
 class RunChartsTest {
@@ -35,7 +36,7 @@ class RunChartsTest {
             Vec3 place = new Vec3(SPEED * k / 10, 0, 0);
             told.add(new RigidMotion(place, Quat.IDENTITY, AHEAD, Vec3.ZERO));
         }
-        DiagnosedRun of = new DiagnosedRun(run.build(), false, told, told, List.of());
+        DiagnosedRun of = new DiagnosedRun(run.build(), false, told, told, List.of(), Set.of());
         return new RunCharts(of, Map.of(), List.of("simulated"))
                 .all().stream().filter(Chart.class::isInstance).map(Chart.class::cast).toList();
     }

@@ -9,12 +9,14 @@ import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.Reading;
 import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
 
 import java.io.IOException;
 import java.io.StringWriter;
 import java.util.List;
+import java.util.Set;
 
 class RunTablesTest {
     private static final double QUARTER = Math.PI / 2;
@@ -48,7 +50,8 @@ class RunTablesTest {
                 true,
                 List.of(motion(1, QUARTER, 2), motion(2, QUARTER, 2)),
                 List.of(motion(4, QUARTER + 0.25, 3)),
-                List.of());
+                List.of(),
+                Set.of(new Reading(Channel.POSITION, 1, 2), new Reading(Channel.VELOCITY, 1, 0)));
     }
 
     @Test
@@ -64,7 +67,7 @@ class RunTablesTest {
                                 + "orientation.y.before,orientation.y.after,"
                                 + "orientation.z.before,orientation.z.after,"
                                 + "velocity.x.before,velocity.x.after,velocity.y.before,"
-                                + "velocity.y.after,velocity.z.before,velocity.z.after");
+                                + "velocity.y.after,velocity.z.before,velocity.z.after,left_out");
         String[] first = lines[1].split(",", -1);
         assertThat(List.of(first).subList(0, 7))
                 .containsExactly("0.0", "", "", "", "", "0.5", "0.5");
@@ -72,7 +75,8 @@ class RunTablesTest {
         assertThat(Double.parseDouble(first[12])).isCloseTo(0, within(1e-12));
         assertThat(Double.parseDouble(first[13])).isCloseTo(1, within(1e-12));
         assertThat(Double.parseDouble(first[14])).isCloseTo(3 - 3 * Math.cos(0.25), within(1e-12));
-        assertThat(lines[2]).isEqualTo("1.0,,,,,0.75,,,,,,,,,,,,,");
+        assertThat(lines[2]).isEqualTo("1.0,,,,,0.75,,,,,,,,,,,,,,position.z velocity.x");
+        assertThat(lines[1]).endsWith(",");
     }
 
     private static Offset<Double> within(double offset) {
@@ -99,7 +103,8 @@ class RunTablesTest {
                                                 false,
                                                 List.of(),
                                                 List.of(),
-                                                List.of()))
+                                                List.of(),
+                                                Set.of()))
                         .toList();
         assertThat(NamedRun.of(runs))
                 .extracting(NamedRun::name)

@@ -4,6 +4,7 @@ import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.LUDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Parameter;
 import org.auvsim.diagnosis.cause.Quantity;
 
 import java.util.ArrayList;
@@ -103,18 +104,32 @@ final class Uncertainty {
                 .toList();
     }
 
+    /** How much each quantity changes with each number, over a small step to either side. */
     private static RealMatrix slopes(Cause cause, double[] theta) {
-        List<Quantity> here = cause.quantities(theta);
-        RealMatrix slopes = new Array2DRowRealMatrix(here.size(), theta.length);
+        RealMatrix slopes = new Array2DRowRealMatrix(cause.quantities(theta).size(), theta.length);
         for (int p = 0; p < theta.length; p++) {
-            double step = Cause.SMALL * cause.parameters().get(p).scale();
-            double[] moved = theta.clone();
-            moved[p] += step;
-            List<Quantity> there = new ArrayList<>(cause.quantities(moved));
-            for (int q = 0; q < here.size(); q++) {
-                slopes.setEntry(q, p, (there.get(q).value() - here.get(q).value()) / step);
+            Parameter of = cause.parameters().get(p);
+            double step = Cause.SMALL * of.scale();
+            double low = of.clipped(theta[p] - step);
+            double high = of.clipped(theta[p] + step);
+            List<Quantity> below = moved(cause, theta, p, low);
+            List<Quantity> above = moved(cause, theta, p, high);
+            for (int q = 0; q < below.size(); q++) {
+                slopes.setEntry(q, p, change(below.get(q), above.get(q)) / (high - low));
             }
         }
         return slopes;
+    }
+
+    private static List<Quantity> moved(Cause cause, double[] theta, int number, double to) {
+        double[] moved = theta.clone();
+        moved[number] = to;
+        return cause.quantities(moved);
+    }
+
+    /** An angle that is told with some half turns more is the same: what swings, swings back. */
+    private static double change(Quantity from, Quantity to) {
+        double change = to.value() - from.value();
+        return from.unit().equals("rad") ? StrictMath.IEEEremainder(change, Math.PI) : change;
     }
 }

@@ -1,0 +1,82 @@
+package org.auvsim.diagnosis.fit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Library;
+import org.auvsim.diagnosis.cause.Quantity;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.server.feedback.RigidMotion;
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+
+/** How well numbers are known of a sphere of 1 kg whose way in a plane is measured. */
+class UncertaintyTest {
+    private static final double NOISE = 0.01;
+
+    /** Where it is does not matter: only what would change it. */
+    private static MeasuredRun run() {
+        MeasuredRunBuilder run = MeasuredRun.named("still");
+        for (int k = 0; k < 100; k++) {
+            run.at(0.1 * k).position(NOISE * (k % 2), NOISE * (k % 2), Double.NaN);
+            run.deviation(Channel.POSITION, NOISE, NOISE, NOISE);
+        }
+        return run.build();
+    }
+
+    private static double deviation(String quantity, BelievedModel model, String id, double... of) {
+        MeasuredRun run = run();
+        Cause cause = Library.named(List.of(id), Library.of(model, List.of(run))).getFirst();
+        RigidMotion still = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
+        Fit fit =
+                new Fit(
+                        Stepping.exact(model),
+                        List.of(new Misses(run, Noise.of(List.of(run)))),
+                        new Hypothesis(List.of(cause), List.of(of)),
+                        List.of(List.of(new Window(0, run.size() - 1, still))),
+                        Knowledge.NONE);
+        List<Double> deviations = new Uncertainty(Judged.of(fit)).deviations().getFirst();
+        List<String> names = cause.quantities(of).stream().map(Quantity::name).toList();
+        return deviations.get(names.indexOf(quantity));
+    }
+
+    /** Waves of 0.5 N that run nearly along x, and as nearly to the other side of it. */
+    @Test
+    void aDirectionIsKnownAsWellOnEitherSideOfX() throws Exception {
+        BelievedModel model = FreeSphere.believed(0.1);
+        double left = deviation("direction", model, "wave_forcing", 0.5, 0, 1e-5, 2, 1);
+
+        assertThat(left).isBetween(0.1, 10.0);
+        assertThat(deviation("direction", model, "wave_forcing", 0.5, 0, -1e-5, 2, 1))
+                .isCloseTo(left, within(0.01 * left));
+    }
+
+    /** A phase of nearly half a turn, and as nearly of minus that. */
+    @Test
+    void aPhaseIsKnownAsWellOnEitherSideOfHalfATurn() throws Exception {
+        BelievedModel model = FreeSphere.believed(0.1);
+        double before = deviation("phase", model, "wave_forcing", -0.5, 1e-9, 0.3, 2, 1);
+
+        assertThat(before).isBetween(0.1, 10.0);
+        assertThat(deviation("phase", model, "wave_forcing", -0.5, -1e-9, 0.3, 2, 1))
+                .isCloseTo(before, within(0.01 * before));
+    }
+
+    /** A force that is the same everywhere is told half a turn off where it turns into a wave. */
+    @Test
+    void aForceThatIsTheSameEverywhereHasADirectionThatIsKnown() throws Exception {
+        BelievedModel model = FreeSphere.believed(0.1);
+        double left = deviation("direction", model, "wave_forcing", 0.5, 0, 0.01, 2, 0);
+
+        assertThat(left).isBetween(0.1, 10.0);
+        assertThat(deviation("direction", model, "wave_forcing", 0.5, 0, -0.01, 2, 0))
+                .isCloseTo(left, within(0.1 * left));
+    }
+}

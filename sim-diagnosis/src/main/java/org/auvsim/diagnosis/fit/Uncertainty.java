@@ -22,6 +22,9 @@ final class Uncertainty {
      */
     private static final double RIDGE = 1e-10;
 
+    /** A quantity that changes by less than this share of itself does so by rounding alone. */
+    private static final double UNCHANGED = 1e-6;
+
     private final Judged fitted;
     private final Tangents tangents;
     private final double[][] information;
@@ -51,7 +54,8 @@ final class Uncertainty {
 
     /**
      * The inverse, each number in its own standard deviation, so that units do not matter: what
-     * hardly differs from another's trace is then uncertain, where a pseudo-inverse has it exact.
+     * hardly differs from another's trace is then uncertain, where a pseudo-inverse has it exact. 0
+     * where a number leaves no trace: it makes no other uncertain.
      */
     private RealMatrix covariance() {
         int size = information.length;
@@ -75,7 +79,10 @@ final class Uncertainty {
         return inverse;
     }
 
-    /** Standard deviations of the quantities of all causes, as profiled. */
+    /**
+     * Standard deviations of the quantities of all causes, as profiled; NaN of those that depend on
+     * a number that leaves no trace.
+     */
     List<List<Double>> deviations() {
         RealMatrix covariance = covariance();
         double[] stretches = new Profile(fitted, tangents, covariance, excess).stretches();
@@ -91,17 +98,31 @@ final class Uncertainty {
             double[] theta = hypothesis.theta().get(c);
             int last = first + theta.length - 1;
             RealMatrix part = covariance.getSubMatrix(first, last, first, last);
-            deviations.add(ofQuantities(slopes(hypothesis.causes().get(c), theta), part));
+            deviations.add(ofQuantities(hypothesis.causes().get(c), theta, part, first));
             first = last + 1;
         }
         return deviations;
     }
 
-    private static List<Double> ofQuantities(RealMatrix slopes, RealMatrix covariance) {
+    /** Those of a cause whose first number is the so many-th of all. */
+    private List<Double> ofQuantities(
+            Cause cause, double[] theta, RealMatrix covariance, int first) {
+        RealMatrix slopes = slopes(cause, theta);
         RealMatrix ofQuantities = slopes.multiply(covariance).multiply(slopes.transpose());
-        return IntStream.range(0, ofQuantities.getRowDimension())
-                .mapToObj(q -> Math.sqrt(Math.max(0, ofQuantities.getEntry(q, q))))
-                .toList();
+        List<Quantity> quantities = cause.quantities(theta);
+        List<Double> deviations = new ArrayList<>();
+        for (int q = 0; q < quantities.size(); q++) {
+            double variance = Math.max(0, ofQuantities.getEntry(q, q));
+            double size = Math.abs(quantities.get(q).value());
+            boolean isTold = true;
+            for (int p = 0; p < theta.length; p++) {
+                double change = slopes.getEntry(q, p) * cause.parameters().get(p).scale();
+                boolean leavesATrace = information[first + p][first + p] > 0;
+                isTold &= leavesATrace || Math.abs(change) <= UNCHANGED * size;
+            }
+            deviations.add(isTold ? Math.sqrt(variance) : Double.NaN);
+        }
+        return deviations;
     }
 
     /** How much each quantity changes with each number, over a small step to either side. */

@@ -7,6 +7,7 @@ import org.auvsim.auvsml.message.learning.ModelCorrection;
 import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
+import org.auvsim.diagnosis.result.QuantityGroup;
 import org.auvsim.diagnosis.result.Ranked;
 
 import java.util.ArrayList;
@@ -52,6 +53,10 @@ final class Announcement {
 
     private static FoundCause cause(Finding finding) {
         List<FoundQuantity> quantities = new ArrayList<>();
+        List<Double> deviations =
+                QuantityGroup.of(finding).stream()
+                        .flatMap(group -> group.toldDeviations().stream())
+                        .toList();
         for (int i = 0; i < finding.quantities().size(); i++) {
             Quantity quantity = finding.quantities().get(i);
             quantities.add(
@@ -59,10 +64,15 @@ final class Announcement {
                             quantity.name(),
                             quantity.unit(),
                             quantity.value(),
-                            finding.deviations().isEmpty()
+                            deviations.isEmpty()
                                     ? OptionalDouble.empty()
-                                    : OptionalDouble.of(finding.deviations().get(i))));
+                                    : told(deviations.get(i))));
         }
         return new FoundCause(finding.name(), finding.share(), quantities);
+    }
+
+    /** None of what the data does not determine. */
+    private static OptionalDouble told(double deviation) {
+        return Double.isFinite(deviation) ? OptionalDouble.of(deviation) : OptionalDouble.empty();
     }
 }

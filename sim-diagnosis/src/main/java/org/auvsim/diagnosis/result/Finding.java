@@ -11,7 +11,8 @@ import java.util.Optional;
  * @param cause its id
  * @param subject the part of the body that it is about
  * @param quantities its numbers
- * @param deviations the standard deviation of each, in the same order; empty if none can be stated
+ * @param deviations the standard deviation of each, in the same order, NaN of what leaves no trace;
+ *     empty if none can be stated
  * @param share of all misfit beyond noise that goes when this cause is added last, 0 to 1; several
  *     causes' need not add up to 1
  * @param isOfModel whether it changes the model; not what sensors tell of it, which no scenario has

@@ -13,7 +13,8 @@ import java.util.stream.IntStream;
  *
  * @param name of the number or of the vector
  * @param unit 1 for pure numbers
- * @param deviations standard deviations of the values; empty if none can be stated
+ * @param deviations standard deviations of the values, NaN of what leaves no trace; empty if none
+ *     can be stated
  */
 public record QuantityGroup(
         String name, String unit, boolean isVector, List<Double> values, List<Double> deviations) {
@@ -110,7 +111,8 @@ public record QuantityGroup(
     }
 
     private boolean isDetermined(int i) {
-        return !(deviations.get(i) > FAR * largest());
+        double deviation = deviations.get(i);
+        return Double.isFinite(deviation) && deviation <= FAR * largest();
     }
 
     /** The largest number that is surely not 0; infinite if there is none. */

@@ -32,8 +32,18 @@ class UncertaintyTest {
     }
 
     private static double deviation(String quantity, BelievedModel model, String id, double... of) {
+        Cause cause = cause(model, id);
+        List<String> names = cause.quantities(of).stream().map(Quantity::name).toList();
+        return deviations(model, id, of).get(names.indexOf(quantity));
+    }
+
+    private static Cause cause(BelievedModel model, String id) {
+        return Library.named(List.of(id), Library.of(model, List.of(run()))).getFirst();
+    }
+
+    private static List<Double> deviations(BelievedModel model, String id, double... of) {
         MeasuredRun run = run();
-        Cause cause = Library.named(List.of(id), Library.of(model, List.of(run))).getFirst();
+        Cause cause = cause(model, id);
         RigidMotion still = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
         Fit fit =
                 new Fit(
@@ -42,9 +52,47 @@ class UncertaintyTest {
                         new Hypothesis(List.of(cause), List.of(of)),
                         List.of(List.of(new Window(0, run.size() - 1, still))),
                         Knowledge.NONE);
-        List<Double> deviations = new Uncertainty(Judged.of(fit)).deviations().getFirst();
-        List<String> names = cause.quantities(of).stream().map(Quantity::name).toList();
-        return deviations.get(names.indexOf(quantity));
+        return new Uncertainty(Judged.of(fit)).deviations().getFirst();
+    }
+
+    private static BelievedModel heldToX() throws Exception {
+        return Believed.model(
+                """
+                <scenario><time-step delta="0.1"/>
+                  <world-object name="sledge" mass="1"><sphere radius="0.1"/>
+                    <held y="1" z="1" turn-x="1" turn-y="1" turn-z="1"/>
+                    <isotropic-drag linear="1"/>
+                  </world-object>
+                </scenario>
+                """,
+                "sledge");
+    }
+
+    @Test
+    void ofAForceOnlyWhatABodyFeelsIsKnown() throws Exception {
+        assertThat(deviations(heldToX(), "step_force", 0.5, 0, 0, 3))
+                .satisfiesExactly(
+                        x -> assertThat(x).isBetween(1e-3, 10.0),
+                        y -> assertThat(y).isNaN(),
+                        z -> assertThat(z).isNaN(),
+                        from -> assertThat(from).isBetween(1e-3, 10.0));
+        assertThat(deviations(heldToX(), "current_constant", 0.5, 0, 0))
+                .satisfiesExactly(
+                        x -> assertThat(x).isBetween(1e-3, 10.0),
+                        y -> assertThat(y).isNaN(),
+                        z -> assertThat(z).isNaN());
+    }
+
+    /** What it does not feel of a force that swings changes neither its phase nor its size. */
+    @Test
+    void thePhaseOfAForceIsKnownByThePartThatABodyFeels() throws Exception {
+        assertThat(deviations(heldToX(), "periodic_force", 0.5, 0, 0, 0.2, 0, 0, 2))
+                .satisfiesExactly(
+                        x -> assertThat(x).isBetween(1e-3, 10.0),
+                        y -> assertThat(y).isNaN(),
+                        z -> assertThat(z).isNaN(),
+                        omega -> assertThat(omega).isBetween(1e-3, 10.0),
+                        phase -> assertThat(phase).isBetween(1e-3, 10.0));
     }
 
     /** Waves of 0.5 N that run nearly along x, and as nearly to the other side of it. */

@@ -24,6 +24,19 @@ class QuantityGroupTest {
                 .isEqualTo("(0.120 +- 0.010, -0.070 +- 0.010, not determined) m/s");
     }
 
+    /** A body that is held to x. */
+    @Test
+    void ofWhatLeavesNoTraceNoNumberIsTold() {
+        List<Double> deviations = List.of(0.01, Double.NaN, Double.NaN);
+        assertThat(text(List.of(0.12, 0.0, 0.0), deviations))
+                .isEqualTo("(0.120 +- 0.010, not determined, not determined) m/s");
+        assertThat(
+                        new QuantityGroup("u", "m/s", true, List.of(0.12, 0.0, 0.0), deviations)
+                                .toldDeviations())
+                .isEqualTo(deviations);
+        assertThat(text(List.of(0.1), List.of(Double.NaN))).isEqualTo("not determined m/s");
+    }
+
     @Test
     void whereNothingIsSureAllIsTold() {
         assertThat(text(List.of(0.12, 1.0), List.of(2.0, 30.0))).doesNotContain("not determined");

@@ -32,6 +32,14 @@ public interface Cause {
         return subject().map(of -> id() + " (" + of + ")").orElse(id());
     }
 
+    /**
+     * What tells it from all others, where several share a name: {@code thruster_misalignment (tilt
+     * of port)}; the name, where none does.
+     */
+    default String label() {
+        return name();
+    }
+
     /** What it depends on. */
     List<Parameter> parameters();
 

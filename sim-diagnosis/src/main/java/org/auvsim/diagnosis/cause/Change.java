@@ -18,6 +18,7 @@ import java.util.stream.IntStream;
 final class Change implements Cause {
     private final String id;
     private final Optional<String> subject;
+    private final Optional<String> aspect;
     private final List<Parameter> parameters;
     private final List<Guess> guesses;
     private final int[] strengths;
@@ -33,6 +34,7 @@ final class Change implements Cause {
     private Change(
             String id,
             Optional<String> subject,
+            Optional<String> aspect,
             List<Parameter> parameters,
             List<Guess> guesses,
             boolean generic,
@@ -40,6 +42,7 @@ final class Change implements Cause {
             Function<double[], List<Quantity>> telling) {
         this.id = id;
         this.subject = subject;
+        this.aspect = aspect;
         this.parameters = List.copyOf(parameters);
         this.guesses = List.copyOf(guesses);
         this.strengths =
@@ -57,6 +60,7 @@ final class Change implements Cause {
         int[] all = IntStream.range(0, parameters.size()).toArray();
         return new Change(
                 id,
+                Optional.empty(),
                 Optional.empty(),
                 parameters,
                 List.of(guess(parameters, new double[parameters.size()], all)),
@@ -93,22 +97,36 @@ final class Change implements Cause {
 
     /** The same about a part of the body. */
     Change about(String part) {
-        return new Change(id, Optional.of(part), parameters, guesses, generic, law, telling);
+        return with(Optional.of(part), aspect, guesses, generic, telling);
+    }
+
+    /** The same, one of several of the same part. */
+    Change by(String one) {
+        return with(subject, Optional.of(one), guesses, generic, telling);
+    }
+
+    private Change with(
+            Optional<String> part,
+            Optional<String> one,
+            List<Guess> begun,
+            boolean isGeneric,
+            Function<double[], List<Quantity>> told) {
+        return new Change(id, part, one, parameters, begun, isGeneric, law, told);
     }
 
     /** The same with other places to begin. */
     Change from(List<Guess> others) {
-        return new Change(id, subject, parameters, others, generic, law, telling);
+        return with(subject, aspect, others, generic, telling);
     }
 
     /** The same that counts only where nothing specific passes. */
     Change asGeneric() {
-        return new Change(id, subject, parameters, guesses, true, law, telling);
+        return with(subject, aspect, guesses, true, telling);
     }
 
     /** The same, its numbers told otherwise. */
     Change told(Function<double[], List<Quantity>> otherwise) {
-        return new Change(id, subject, parameters, guesses, generic, law, otherwise);
+        return with(subject, aspect, guesses, generic, otherwise);
     }
 
     /** The same, its numbers told as factors: 1 more. */
@@ -128,6 +146,13 @@ final class Change implements Cause {
     @Override
     public Optional<String> subject() {
         return subject;
+    }
+
+    @Override
+    public String label() {
+        return aspect.isPresent() && subject.isPresent()
+                ? "%s (%s of %s)".formatted(id, aspect.get(), subject.get())
+                : name();
     }
 
     @Override
@@ -162,6 +187,6 @@ final class Change implements Cause {
 
     @Override
     public String toString() {
-        return subject.map(of -> id + " (" + of + ")").orElse(id);
+        return label();
     }
 }

@@ -33,6 +33,11 @@ record Chosen(Cause cause, double less) implements Cause {
     }
 
     @Override
+    public String label() {
+        return cause.label();
+    }
+
+    @Override
     public List<Parameter> parameters() {
         return cause.parameters();
     }

@@ -61,8 +61,9 @@ public final class Library {
     }
 
     /**
-     * Those of a library that are named, by their ids or with what they are about as {@link
-     * Cause#name} has it. The fewer they are, the less each must gain to be believed.
+     * Those of a library that are named, by their ids, with what they are about as {@link
+     * Cause#name} has it, or as {@link Cause#label} does. The fewer they are, the less each must
+     * gain to be believed.
      *
      * @throws IllegalArgumentException if a name is that of none
      */
@@ -107,6 +108,6 @@ public final class Library {
     }
 
     private static boolean isNamed(Cause cause, String name) {
-        return cause.id().equals(name) || cause.name().equals(name);
+        return List.of(cause.id(), cause.name(), cause.label()).contains(name);
     }
 }

@@ -39,10 +39,10 @@ final class ThrusterCauses {
             Predicate<Propulsor> it = other -> other.name().equals(p.name());
             causes.add(gain(it).about(p.name()));
             if (pushesElsewhere(s, p, sideways(p))) {
-                causes.add(turned("angle", it, sideways(p)).about(p.name()));
+                causes.add(turned("angle", it, sideways(p), p.name()));
             }
             if (pushesElsewhere(s, p, upwards(p))) {
-                causes.add(turned("tilt", it, upwards(p)).about(p.name()));
+                causes.add(turned("tilt", it, upwards(p), p.name()));
             }
             causes.add(loss(s, it).about(p.name()));
         }
@@ -97,14 +97,18 @@ final class ThrusterCauses {
         return Setting.goes(s.body(), aside);
     }
 
-    private static Change turned(String name, Predicate<Propulsor> which, Vec3 axis) {
+    private static Change turned(
+            String angle, Predicate<Propulsor> which, Vec3 axis, String propulsor) {
         return Change.of(
-                "thruster_misalignment",
-                List.of(new Parameter(name, "rad", 0.05, -Math.PI / 2, Math.PI / 2)),
-                (v, t) -> {
-                    Quat turn = Quat.ofAxisAngle(axis, t[0]);
-                    return with(v, which, p -> p.mounted(turn.rotate(p.direction()), p.lag()));
-                });
+                        "thruster_misalignment",
+                        List.of(new Parameter(angle, "rad", 0.05, -Math.PI / 2, Math.PI / 2)),
+                        (v, t) -> {
+                            Quat turn = Quat.ofAxisAngle(axis, t[0]);
+                            return with(
+                                    v, which, p -> p.mounted(turn.rotate(p.direction()), p.lag()));
+                        })
+                .about(propulsor)
+                .by(angle);
     }
 
     private static Change loss(Setting s, Predicate<Propulsor> which) {

@@ -101,7 +101,7 @@ final class Alternatives {
     static Alternative alternative(Judged best, Judged other) {
         boolean isSame = areSame(best, other);
         return new Alternative(
-                other.fit().hypothesis().causes().stream().map(Cause::name).toList(),
+                other.fit().hypothesis().causes().stream().map(Cause::label).toList(),
                 isSame,
                 isSame ? determined(best.fit().hypothesis(), other.fit().hypothesis()) : "");
     }

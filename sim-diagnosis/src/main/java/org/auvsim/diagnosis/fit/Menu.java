@@ -127,7 +127,7 @@ final class Menu {
                 either.addAll(of.causes());
                 either.stream()
                         .filter(c -> !causes.contains(c) || !of.causes().contains(c))
-                        .forEach(cause -> separates.add(cause.name()));
+                        .forEach(cause -> separates.add(cause.label()));
                 least = Math.min(least, evidence);
                 told++;
             }

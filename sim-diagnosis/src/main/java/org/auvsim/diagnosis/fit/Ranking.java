@@ -78,7 +78,7 @@ final class Ranking {
         List<String> names = new ArrayList<>();
         List<List<Quantity>> quantities = new ArrayList<>();
         for (int c = 0; c < of.causes().size(); c++) {
-            names.add(of.causes().get(c).name());
+            names.add(of.causes().get(c).label());
             quantities.add(of.causes().get(c).quantities(of.theta().get(c)));
         }
         return new Ranked(names, quantities, judged.logEvidence(), probability, behind);

@@ -12,7 +12,6 @@ import org.auvsim.diagnosis.result.Identifiability;
 import org.auvsim.diagnosis.result.Identifiability.Confusion;
 import org.auvsim.diagnosis.result.Identifiability.Smallest;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
@@ -72,7 +71,7 @@ final class Traces {
 
     /** What is confused with the causes that were found, and what could not have been seen. */
     Identifiability identifiability(List<Cause> found) {
-        List<Confusion> confusions = new ArrayList<>();
+        Map<List<Cause>, Confusion> confusions = new LinkedHashMap<>();
         for (Seed seed : seeds) {
             if (!found.isEmpty() && !found.contains(seed.cause())) {
                 continue;
@@ -85,11 +84,19 @@ final class Traces {
                 }
                 double angle = angle(seed.columns(), other.columns());
                 if (angle < ALIKE) {
-                    confusions.add(new Confusion(seed.cause().name(), other.cause().name(), angle));
+                    confusions.merge(
+                            List.of(seed.cause(), other.cause()),
+                            new Confusion(seed.cause().label(), other.cause().label(), angle),
+                            (one, more) -> more.angle() < one.angle() ? more : one);
                 }
             }
         }
-        return new Identifiability(nearest(confusions), unseen(), smallest());
+        List<Confusion> nearest =
+                confusions.values().stream()
+                        .sorted(Comparator.comparingDouble(Confusion::angle))
+                        .limit(MOST)
+                        .toList();
+        return new Identifiability(nearest, unseen(), smallest());
     }
 
     /**
@@ -97,7 +104,7 @@ final class Traces {
      * guesses at it, that number shows best.
      */
     private List<Smallest> smallest() {
-        Map<List<String>, Smallest> smallest = new LinkedHashMap<>();
+        Map<List<Object>, Smallest> smallest = new LinkedHashMap<>();
         for (Seed seed : seeds) {
             Cause cause = seed.cause();
             if (beside.causes().contains(cause)) {
@@ -111,7 +118,7 @@ final class Traces {
                 boolean isSeen = size < MOST_SCALES * of.scale();
                 if (isSeen && size < Math.max(of.highest(), -of.lowest())) {
                     smallest.merge(
-                            List.of(cause.name(), of.name()),
+                            List.of(cause, of.name()),
                             new Smallest(cause.name(), of.name(), of.unit(), size),
                             (one, other) -> one.size() <= other.size() ? one : other);
                 }
@@ -161,35 +168,19 @@ final class Traces {
         return new int[0];
     }
 
-    private static List<Confusion> nearest(List<Confusion> all) {
-        List<Confusion> nearest = new ArrayList<>();
-        all.sort(Comparator.comparingDouble(Confusion::angle));
-        for (Confusion one : all) {
-            boolean isNew =
-                    nearest.stream()
-                            .noneMatch(
-                                    n ->
-                                            n.first().equals(one.first())
-                                                    && n.second().equals(one.second()));
-            if (isNew && nearest.size() < MOST) {
-                nearest.add(one);
-            }
-        }
-        return nearest;
-    }
-
-    /** Names of causes none of whose guesses leaves a trace. */
+    /** Labels of causes none of whose guesses leaves a trace. */
     private List<String> unseen() {
-        Set<String> seen = new HashSet<>();
+        Set<Cause> seen = new HashSet<>();
         for (Seed seed : seeds) {
             if (isSeen(seed)) {
-                seen.add(seed.cause().name());
+                seen.add(seed.cause());
             }
         }
         return seeds.stream()
-                .map(seed -> seed.cause().name())
+                .map(Seed::cause)
                 .distinct()
-                .filter(name -> !seen.contains(name))
+                .filter(cause -> !seen.contains(cause))
+                .map(Cause::label)
                 .toList();
     }
 

@@ -12,6 +12,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * Evolves sets of causes and their numbers: a population of models, slightly permuted from the
@@ -37,7 +38,7 @@ public record Evolution(long seed) implements Arena.Contest {
         }
         RandomGenerator lot = new Well19937c(seed);
         Heredity heredity = new Heredity(causes, arena.runs(), lot);
-        Map<List<String>, ModelGenome> best = new LinkedHashMap<>();
+        Map<Set<Cause>, ModelGenome> best = new LinkedHashMap<>();
         Breeding breeding = new Breeding(heredity, heredity, lot, born -> judge(arena, born, best));
         List<Chromosome> first = first(heredity, causes.size());
         int models = (int) Math.min(MOST_MODELS, MOST_SAMPLES / arena.samples());
@@ -70,7 +71,7 @@ public record Evolution(long seed) implements Arena.Contest {
 
     /** Gives fitness to those that have none, and keeps the best of each set of causes. */
     private static void judge(
-            Arena arena, List<Chromosome> born, Map<List<String>, ModelGenome> best) {
+            Arena arena, List<Chromosome> born, Map<Set<Cause>, ModelGenome> best) {
         List<ModelGenome> genomes =
                 born.stream()
                         .map(ModelGenome.class::cast)
@@ -84,7 +85,7 @@ public record Evolution(long seed) implements Arena.Contest {
             ModelGenome genome = genomes.get(i);
             genome.judge(fitness(genome, misfits[i], arena.count()));
             best.merge(
-                    genome.names(),
+                    genome.causes(),
                     genome,
                     (old, now) -> now.fitness() > old.fitness() ? now : old);
         }

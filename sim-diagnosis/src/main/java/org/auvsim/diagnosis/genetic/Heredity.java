@@ -57,25 +57,25 @@ final class Heredity implements CrossoverPolicy, MutationPolicy {
 
     @Override
     public ChromosomePair crossover(Chromosome first, Chromosome second) {
-        Map<String, Gene> one = new LinkedHashMap<>();
-        Map<String, Gene> other = new LinkedHashMap<>();
+        Map<Cause, Gene> one = new LinkedHashMap<>();
+        Map<Cause, Gene> other = new LinkedHashMap<>();
         share(((ModelGenome) first).genes(), one, other);
         share(((ModelGenome) second).genes(), other, one);
         return new ChromosomePair(child(one), child(other));
     }
 
-    private void share(List<Gene> genes, Map<String, Gene> one, Map<String, Gene> other) {
+    private void share(List<Gene> genes, Map<Cause, Gene> one, Map<Cause, Gene> other) {
         for (Gene gene : genes) {
             boolean isForOne = lot.nextBoolean();
-            Map<String, Gene> to = isForOne ? one : other;
-            Map<String, Gene> instead = isForOne ? other : one;
-            if (to.putIfAbsent(gene.cause().name(), gene) != null) {
-                instead.putIfAbsent(gene.cause().name(), gene);
+            Map<Cause, Gene> to = isForOne ? one : other;
+            Map<Cause, Gene> instead = isForOne ? other : one;
+            if (to.putIfAbsent(gene.cause(), gene) != null) {
+                instead.putIfAbsent(gene.cause(), gene);
             }
         }
     }
 
-    private static ModelGenome child(Map<String, Gene> genes) {
+    private static ModelGenome child(Map<Cause, Gene> genes) {
         return new ModelGenome(genes.values().stream().limit(MOST_GENES).toList());
     }
 

@@ -5,6 +5,8 @@ import org.auvsim.diagnosis.fit.Arena;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /** A model as a chromosome: which causes are active, and their numbers. */
 final class ModelGenome extends Genome {
@@ -33,15 +35,15 @@ final class ModelGenome extends Genome {
     /** Of these genes, each of another cause; their order means nothing. */
     ModelGenome(List<Gene> genes) {
         this.genes =
-                genes.stream().sorted(Comparator.comparing(gene -> gene.cause().name())).toList();
+                genes.stream().sorted(Comparator.comparing(gene -> gene.cause().label())).toList();
     }
 
     List<Gene> genes() {
         return genes;
     }
 
-    List<String> names() {
-        return genes.stream().map(gene -> gene.cause().name()).toList();
+    Set<Cause> causes() {
+        return genes.stream().map(Gene::cause).collect(Collectors.toUnmodifiableSet());
     }
 
     /** How many numbers it has. */

@@ -4,6 +4,7 @@ import org.auvsim.diagnosis.cause.Earth;
 import org.auvsim.diagnosis.cause.Quantity;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -14,6 +15,11 @@ public final class Phrases {
 
     private static final String ALIKE_EVERYWHERE =
             "An oscillating force, the same everywhere, is missing";
+
+    private static final String TURNED = "thruster_misalignment";
+
+    /** Which of the angles by which it is turned. */
+    private static final List<String> ASPECTS = List.of("angle", "tilt");
 
     /** Numbers are within so many of their standard deviations, in 95 of 100 measurements. */
     private static final double LIKELY = 2;
@@ -54,7 +60,7 @@ public final class Phrases {
         put("thruster_gain", "The thrust of %s is wrong");
         put("thruster_deadzone", "A dead zone of %s is missing");
         put("thruster_lag", "A lag of %s is missing");
-        put("thruster_misalignment", "The direction of %s is wrong");
+        put(TURNED, "The direction of %s is wrong");
         put("thruster_loss", "Thrust of %s is lost");
         put("propeller_imbalance", "A propeller is out of balance");
         put("fin_gain", "The lift of %s is wrong");
@@ -121,15 +127,24 @@ public final class Phrases {
         return phrase != null && isBelow(finding) && !phrase.words().equals(phrase.otherwise());
     }
 
-    /** Of a cause as {@link Finding#name} has it: {@code thruster_gain (port)}. */
-    public static String of(String name) {
-        int bracket = name.indexOf(" (");
-        return bracket < 0
-                ? of(name, Optional.empty(), false)
-                : of(
-                        name.substring(0, bracket),
-                        Optional.of(name.substring(bracket + 2, name.length() - 1)),
-                        false);
+    /**
+     * Of a cause as {@link org.auvsim.diagnosis.cause.Cause#label} has it: {@code thruster_gain
+     * (port)}.
+     */
+    public static String of(String label) {
+        int bracket = label.indexOf(" (");
+        if (bracket < 0) {
+            return of(label, Optional.empty(), false);
+        }
+        String id = label.substring(0, bracket);
+        String about = label.substring(bracket + 2, label.length() - 1);
+        for (String aspect : id.equals(TURNED) ? ASPECTS : List.<String>of()) {
+            String begin = aspect + " of ";
+            if (about.startsWith(begin)) {
+                return "The %s of '%s' is wrong".formatted(aspect, about.substring(begin.length()));
+            }
+        }
+        return of(id, Optional.of(about), false);
     }
 
     private static String of(String id, Optional<String> subject, boolean isBelow) {

@@ -283,12 +283,26 @@ class LibraryTest {
         assertThat(Library.named(List.of("thruster_misalignment (port)"), library))
                 .extracting(cause -> cause.parameters().getFirst().name())
                 .containsExactly("angle", "tilt");
+        assertThat(Library.named(List.of("thruster_misalignment (tilt of port)"), library))
+                .extracting(cause -> cause.parameters().getFirst().name())
+                .containsExactly("tilt");
         assertThatThrownBy(() -> Library.named(List.of("mess"), library))
                 .hasMessageContaining("thruster_misalignment (port), thruster_loss (port)");
         assertThatThrownBy(() -> Library.named(List.of("mass_error", "mess"), library))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("no cause 'mess' can be looked for in these runs")
                 .hasMessageContaining("thruster_gain (port)");
+    }
+
+    @Test
+    void noTwoCausesHaveOneLabel() {
+        assertThat(library(VEHICLE))
+                .extracting(Cause::label)
+                .doesNotHaveDuplicates()
+                .contains(
+                        "thruster_misalignment (angle of port)",
+                        "thruster_misalignment (tilt of port)",
+                        "thruster_gain (port)");
     }
 
     /** What one of many must gain by chance alone, one of few must not. */

@@ -1,9 +1,12 @@
 package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
 
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Guess;
+import org.auvsim.diagnosis.cause.Parameter;
+import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.Identifiability;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.junit.jupiter.api.Test;
@@ -44,6 +47,54 @@ class TracesTest {
                         .traces();
 
         assertThat(traces.alike(ofAxes)).containsExactly(drag);
+    }
+
+    /** Two causes of one name: both are seen, and none is confused with itself. */
+    @Test
+    void causesThatShareANameAreTwo() throws Exception {
+        Cause one = new Named(CART.cause("thruster_gain"), "one");
+        Cause other = new Named(CART.cause("linear_drag"), "other");
+        Cause third = new Named(CART.cause("thruster_gain"), "third");
+        Fit fit = CART.fit(Hypothesis.NONE).whole();
+
+        Identifiability told =
+                new Screen(
+                                fit,
+                                List.of(one, other, third),
+                                guesses(one, other, third),
+                                fit.outcome())
+                        .traces()
+                        .identifiability(List.of());
+
+        assertThat(told.pairs())
+                .extracting(Identifiability.Confusion::first, Identifiability.Confusion::second)
+                .contains(tuple("one", "third"));
+        assertThat(told.smallest())
+                .extracting(Identifiability.Smallest::parameter)
+                .containsExactlyInAnyOrder("factor", "c", "factor");
+    }
+
+    /** One that has its name with others in common. */
+    private record Named(Cause cause, String label) implements Cause {
+        @Override
+        public String id() {
+            return "same";
+        }
+
+        @Override
+        public List<Parameter> parameters() {
+            return cause.parameters();
+        }
+
+        @Override
+        public Variant in(Variant model, double[] theta) {
+            return cause.in(model, theta);
+        }
+
+        @Override
+        public List<Guess> guesses(List<MeasuredRun> runs) {
+            return cause.guesses(runs);
+        }
     }
 
     /** A failure shows best early in the run: that is the one that could least have been missed. */

@@ -168,6 +168,19 @@ class SentenceTest {
     }
 
     @Test
+    void theAnglesOfAThrusterAreToldApart() {
+        Finding angle =
+                found(
+                        "thruster_misalignment",
+                        List.of(new Quantity("angle", "rad", 0.1)),
+                        List.of(0.004));
+        Alternative tilt =
+                new Alternative(List.of("thruster_misalignment (tilt of port)"), true, "");
+        assertThat(sentence.explained(List.of(angle), 0.9, List.of(tilt)))
+                .contains("or the tilt of 'port' is wrong");
+    }
+
+    @Test
     void whatTheDataCannotTellApart() {
         Finding mass =
                 found("mass_error", List.of(new Quantity("factor", "1", 1.2)), List.of(0.004));

@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
+import org.apache.commons.math3.stat.descriptive.rank.Median;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
@@ -14,6 +15,7 @@ import java.util.stream.IntStream;
  * Takes their power from outliers: where a channel has more numbers far off than a normal
  * distribution has, each is weighed as under Student's t with few degrees of freedom (Lange, Little
  * &amp; Taylor 1989), by how far it is off a cubic through its four neighbours: without any model.
+ * What a run states of a number's error counts instead of the noise.
  */
 final class HeavyTails {
     private static final double FREEDOM = 4;
@@ -30,8 +32,8 @@ final class HeavyTails {
     /** Numbers that a cubic is taken of: each, and two to either side. */
     private static final int CUBIC = 5;
 
-    /** Of fourth differences (1, 4, 6, 4, 1), in standard deviations of one number. */
-    private static final double SPREAD = Math.sqrt(70);
+    /** Of a normal distribution: the median absolute deviation in standard deviations. */
+    private static final double NORMAL = 0.6745;
 
     private HeavyTails() {}
 
@@ -87,10 +89,22 @@ final class HeavyTails {
 
     /** By how many standard deviations numbers are off, but for the first two and the last. */
     private static double[] off(Series series, Misses.Row row, Noise noise) {
-        double scale = noise.of(row.channel(), row.axis()) * SPREAD;
-        return IntStream.range(0, Math.max(0, series.size() - CUBIC + 1))
-                .mapToDouble(i -> series.difference(i, CUBIC) / scale)
-                .toArray();
+        double ofRow = noise.of(row.channel(), row.axis());
+        double[] off =
+                IntStream.range(0, Math.max(0, series.size() - CUBIC + 1))
+                        .mapToDouble(
+                                i ->
+                                        series.difference(i, CUBIC)
+                                                / series.deviation(i, CUBIC, ofRow))
+                        .toArray();
+        return series.statesDeviations() ? usual(off) : off;
+    }
+
+    /** What most numbers are off makes no outlier, though less was stated. */
+    private static double[] usual(double[] off) {
+        double median = new Median().evaluate(Arrays.stream(off).map(Math::abs).toArray());
+        double scale = Math.max(1, median / NORMAL);
+        return Arrays.stream(off).map(z -> z / scale).toArray();
     }
 
     private static boolean hasOutliers(double[] off) {

@@ -78,6 +78,30 @@ final class Series {
         return sum;
     }
 
+    /**
+     * The standard deviation of such a difference: by those that the run states of the numbers, and
+     * by the noise where it states none.
+     */
+    double deviation(int from, int count, double noise) {
+        double[] weights = weights(from, count);
+        double sum = 0;
+        for (int j = 0; j < count; j++) {
+            double stated = stated(from + j);
+            double of = weights[j] * (Double.isNaN(stated) ? noise : stated);
+            sum += of * of;
+        }
+        return Math.sqrt(sum);
+    }
+
+    /** Whether the run states the standard deviation of any of the numbers. */
+    boolean statesDeviations() {
+        return IntStream.range(0, samples.length).anyMatch(i -> !Double.isNaN(stated(i)));
+    }
+
+    private double stated(int i) {
+        return run.deviation(channel, samples[i], axis);
+    }
+
     private double[] weights(int from, int count) {
         double[] weights = new double[count];
         double binomial = 1;

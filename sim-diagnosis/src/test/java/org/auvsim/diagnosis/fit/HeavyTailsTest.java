@@ -96,6 +96,45 @@ class HeavyTailsTest {
         assertThat(HeavyTails.notice(run, List.of(x()), Noise.of(List.of(run)))).isEmpty();
     }
 
+    /**
+     * A fix whose quality varies, and says so: every seventh number is ten times as far off as the
+     * others are.
+     *
+     * @param of what it says, as a share of what is so
+     * @param astray by how many of its deviations one number is off
+     */
+    private static MeasuredRun stated(double of, double astray) {
+        Random random = new Random(4);
+        MeasuredRunBuilder dive = MeasuredRun.named("dive");
+        for (int k = 0; k < SAMPLES; k++) {
+            double sigma = k % 7 == 3 ? 10 * NOISE : NOISE;
+            double off = (k == 201 ? astray : 0) + random.nextGaussian();
+            dive.at(0.1 * k).position(Math.sin(0.1 * k) + sigma * off, 0, Double.NaN);
+            dive.deviation(Channel.POSITION, of * sigma, Double.NaN, Double.NaN);
+        }
+        return dive.build();
+    }
+
+    @Test
+    void whatIsStatedToBeFarOffIsNoOutlier() {
+        for (double of : new double[] {0.3, 1, 3}) {
+            MeasuredRun run = stated(of, 0);
+            Noise noise = Noise.of(List.of(run));
+
+            assertThat(HeavyTails.notice(run, List.of(x()), noise)).as("%s", of).isEmpty();
+            assertThat(misses(Misses.of(List.of(run), noise).getFirst()))
+                    .isEqualTo(misses(new Misses(run, noise)));
+        }
+    }
+
+    @Test
+    void whatIsFurtherOffThanStatedIsAnOutlier() {
+        MeasuredRun run = stated(1, 30);
+
+        assertThat(HeavyTails.notice(run, List.of(x()), Noise.of(List.of(run))).orElseThrow())
+                .endsWith(": 1 of position x");
+    }
+
     @Test
     void noiseHasNoOutliers() {
         MeasuredRun run = run(2 * SAMPLES + 2);

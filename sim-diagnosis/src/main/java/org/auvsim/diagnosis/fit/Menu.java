@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.fit;
 
 import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.core.actuator.Propulsor;
+import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Cause;
@@ -50,6 +51,7 @@ final class Menu {
     private static final double DEEPER = 5;
 
     private final Stepping stepping;
+    private final List<MeasuredRun> runs;
     private final MeasuredRun first;
     private final Noise noise;
     private final double duration;
@@ -58,7 +60,8 @@ final class Menu {
 
     /** For a body that was measured so; its experiments begin where the first run did. */
     Menu(Fit fit, Noise noise) {
-        this.stepping = fit.stepping();
+        this.stepping = fit.stepping().idle();
+        this.runs = fit.data().stream().map(Misses::run).toList();
         this.first = fit.data().getFirst().run();
         this.noise = noise;
         double longest = 0;
@@ -114,7 +117,7 @@ final class Menu {
 
     /** Empty if it tells the best from no competitor. */
     private Optional<Told> experiment(Dish dish, Judged best, List<Judged> competitors) {
-        MeasuredRun run = measured(dish, best.fit().variant());
+        MeasuredRun run = measured(dish, best.fit().hypothesis().in(stepping.variant()));
         List<Cause> causes = best.fit().hypothesis().causes();
         double least = Double.POSITIVE_INFINITY;
         int told = 0;
@@ -188,8 +191,28 @@ final class Menu {
                     tells(Channel.ORIENTATION, 0),
                     tells(Channel.ORIENTATION, 1),
                     tells(Channel.ORIENTATION, 2));
+            tell(Channel.VELOCITY, told[k].velocity(), told[k].orientation(), run);
+            tell(Channel.ANGULAR_VELOCITY, told[k].angularVelocity(), told[k].orientation(), run);
         }
         return run.build();
+    }
+
+    /** In the axes in which the runs have it. */
+    private void tell(Channel channel, Vec3 world, Quat orientation, MeasuredRunBuilder run) {
+        Vec3 told = frame(channel) == Frame.BODY ? orientation.rotateInverse(world) : world;
+        run.measured(
+                channel,
+                tells(channel, 0) ? told.x() : Double.NaN,
+                tells(channel, 1) ? told.y() : Double.NaN,
+                tells(channel, 2) ? told.z() : Double.NaN);
+    }
+
+    private Frame frame(Channel channel) {
+        return runs.stream()
+                .filter(run -> run.measures(channel))
+                .findFirst()
+                .orElse(first)
+                .frame(channel);
     }
 
     private boolean tells(Channel channel, int axis) {
@@ -200,9 +223,10 @@ final class Menu {
     private MeasuredRunBuilder begun(Dish dish) {
         MeasuredRunBuilder run =
                 MeasuredRun.named(dish.id())
-                        .commands(dish.driven())
+                        .commands(commands(dish))
                         .differences(dish.differences());
         for (Channel channel : Channel.values()) {
+            run.frame(channel, frame(channel));
             for (int axis = 0; axis < AXES; axis++) {
                 for (LastingError error : first.lastingErrors(channel, axis)) {
                     run.lastingError(channel, axis, error);
@@ -210,6 +234,13 @@ final class Menu {
             }
         }
         return run;
+    }
+
+    /** What is driven, and then all that the runs commanded, which is told to do nothing. */
+    private List<String> commands(Dish dish) {
+        Set<String> commands = new LinkedHashSet<>(dish.driven());
+        runs.forEach(run -> run.commands().forEach(command -> commands.add(command.name())));
+        return List.copyOf(commands);
     }
 
     /** A sample, with what is commanded from it on. */

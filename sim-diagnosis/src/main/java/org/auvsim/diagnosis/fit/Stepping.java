@@ -69,6 +69,11 @@ record Stepping(BelievedModel fine, BelievedModel model, BelievedModel rough, Co
         return model.scenario().timeStep().delta();
     }
 
+    /** The same of a body that is idle but for what a run commands. */
+    Stepping idle() {
+        return new Stepping(Idle.of(fine), Idle.of(model), Idle.of(rough), commands);
+    }
+
     /** Whether predictions pass samples by. */
     boolean passesBy() {
         return !model.equals(fine);

@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.fit;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.auvsml.run.LastingError;
+import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Library;
@@ -10,8 +11,13 @@ import org.auvsim.diagnosis.cause.Parameter;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.result.NextExperiment;
+import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.List;
 import java.util.Optional;
@@ -103,6 +109,70 @@ class MenuTest {
         assertThat(currents("<held z=\"1\"/>")).isEmpty();
     }
 
+    /**
+     * Where nothing is driven nothing tells a weak motor from drag: not even the motor's level in
+     * the scenario, or its plan, which is no part of the run that is described.
+     */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "<propulsor name='motor' maximum-thrust='20' level='1'/>",
+                "<propulsor name='motor' maximum-thrust='20' level='1' lag='5'/>",
+                """
+                <propulsor name='motor' maximum-thrust='20'/>
+                <propulsor-schedule name='plan' propulsor='motor'>
+                  <timed-level at='0' level='1'/>
+                </propulsor-schedule>
+                """
+            })
+    void whatIsNotDrivenIsAtRest(String motor) throws Exception {
+        BelievedModel driven =
+                Believed.model(
+                        """
+                        <scenario><time-step delta="0.05"/>
+                          <world-object name="cart" mass="10"><sphere radius="0.2"/>
+                            <held y="1" z="1" turn-x="1" turn-y="1" turn-z="1"/>
+                            %s
+                          </world-object>
+                        </scenario>
+                        """
+                                .formatted(motor),
+                        "cart");
+
+        NextExperiment next =
+                next(judged(driven, "thruster_gain", -0.2), judged(driven, "linear_drag", 0.02))
+                        .orElseThrow();
+
+        assertThat(next.description()).startsWith("drive 'motor' alone at 0.7 from rest");
+    }
+
+    /** The cart's speed alone is measured, along an axis of its own. */
+    @ParameterizedTest
+    @EnumSource(Frame.class)
+    void whereVelocitiesAreMeasuredTheyTellModelsApart(Frame frame) throws Exception {
+        MeasuredRun positions = CART.run();
+        MeasuredRunBuilder speeds =
+                MeasuredRun.named("speeds")
+                        .commands(List.of("motor"))
+                        .frame(Channel.VELOCITY, frame);
+        for (int k = 1; k < positions.size(); k++) {
+            double way =
+                    positions.value(Channel.POSITION, k, 0)
+                            - positions.value(Channel.POSITION, k - 1, 0);
+            double time = positions.time(k) - positions.time(k - 1);
+            speeds.at(positions.time(k))
+                    .measured(Channel.VELOCITY, way / time, Double.NaN, Double.NaN);
+            speeds.command(0, positions.commands().getFirst().level(k));
+        }
+        MeasuredRun run = speeds.build();
+
+        NextExperiment next =
+                next(judged(run, "thruster_gain", -0.2), judged(run, "mass_error", 0.25))
+                        .orElseThrow();
+
+        assertThat(next.id()).isEqualTo("known_mass");
+    }
+
     private static Optional<NextExperiment> currents(String held) throws Exception {
         BelievedModel dragged =
                 Believed.model(
@@ -118,20 +188,20 @@ class MenuTest {
                                 .formatted(held),
                         "cart");
         return next(
-                current(dragged, "current_constant", 0, 0, 0),
-                current(dragged, "current_shear", 0.1, 0));
+                judged(dragged, "current_constant", 0, 0, 0),
+                judged(dragged, "current_shear", 0.1, 0));
     }
 
-    private static Judged current(BelievedModel dragged, String id, double... numbers) {
+    private static Judged judged(BelievedModel model, String id, double... numbers) {
         List<MeasuredRun> runs = List.of(CART.run());
         Cause cause =
-                Library.of(dragged, runs).stream()
+                Library.of(model, runs).stream()
                         .filter(c -> c.id().equals(id))
                         .findFirst()
                         .orElseThrow();
         Noise noise = Noise.of(runs);
         Hypothesis of = new Hypothesis(List.of(cause), List.of(numbers));
-        Stepping stepping = Stepping.longer(dragged).getFirst();
+        Stepping stepping = Stepping.longer(model).getFirst();
         return Judged.of(Following.of(stepping, of, Misses.of(runs, noise), noise).whole());
     }
 }

@@ -5,6 +5,7 @@ import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.core.math.Quat;
+import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -133,11 +134,21 @@ public final class HiddenCase {
         return Math.sqrt(sum / of.size());
     }
 
-    /** Whether a finding is a hidden effect: the same cause, of the same part of the body. */
+    /**
+     * Whether a finding is a hidden effect: the same cause, of the same part of the body, with the
+     * same numbers, whatever these are: a thruster's tilt is not its angle.
+     */
     public boolean isHit(HiddenEffect effect, Finding found) {
         return effect.cause().equals(found.cause())
                 && (effect.subject().equals(found.subject())
-                        || scene.plant().thrusters().size() == 1);
+                        || scene.plant().thrusters().size() == 1)
+                && effect.parameters().keySet().stream().allMatch(name -> tells(found, name));
+    }
+
+    private static boolean tells(Finding found, String name) {
+        return found.quantities().stream()
+                .map(Quantity::name)
+                .anyMatch(of -> of.equals(name) || of.startsWith(name + "."));
     }
 
     /** How it can be made again. */

@@ -55,13 +55,16 @@ public record Outcome(
         baseline = List.copyOf(baseline);
     }
 
-    /** Whether the diagnosis does what is wanted of it. */
+    /**
+     * Whether the diagnosis does what is wanted of it. Of two causes that the data can tell apart
+     * that is to name the right one; of two that it cannot, to name either, and to say so.
+     */
     public boolean isRight() {
         return switch (kind) {
             case NULL -> said.verdict() == Verdict.NONE;
             case UNCOVERED -> said.verdict() == Verdict.UNEXPLAINED;
             case PAIR -> exact;
-            case ALIAS -> alias.told() == alias.so();
+            case ALIAS -> alias.so() ? alias.told() : first && !alias.told();
             case SINGLE, WEAK -> first;
         };
     }

@@ -112,7 +112,8 @@ public final class HiddenCase {
 
     /**
      * How far a prediction of a held-out run is from the truth, in shares of the motion's range
-     * (root mean square of positions, and of attitudes where they are measured).
+     * (root mean square of positions, and of attitudes where they are measured); infinite if it
+     * gets lost.
      */
     public double error(int run, List<RigidMotion> predicted) {
         List<Pose> of = truth().get(run);
@@ -131,7 +132,7 @@ public final class HiddenCase {
                 sum += turned * turned;
             }
         }
-        return Math.sqrt(sum / of.size());
+        return Double.isNaN(sum) ? Double.POSITIVE_INFINITY : Math.sqrt(sum / of.size());
     }
 
     /**

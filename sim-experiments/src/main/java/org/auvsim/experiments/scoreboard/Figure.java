@@ -3,6 +3,7 @@ package org.auvsim.experiments.scoreboard;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 
 /** The figures of a scoreboard, with what is wanted of them at noises of 0.1, 1 and 5 %. */
 public enum Figure {
@@ -106,7 +107,7 @@ public enum Figure {
                 parts.put("of", share.of());
             }
             case Double d when !Double.isNaN(d) -> {
-                parts.put("value", d);
+                parts.put("value", Optional.of(d).filter(Double::isFinite));
                 parts.put("unit", this == SECONDS ? "s" : "1");
             }
             case Object _ -> parts.put("of", 0);

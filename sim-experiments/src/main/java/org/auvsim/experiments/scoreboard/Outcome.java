@@ -19,8 +19,8 @@ import java.util.List;
  *     smaller
  * @param covered of their numbers so many are within the 95 % intervals
  * @param stated of their numbers so many have one
- * @param errorLeft of the model on held-out runs against the truth: 0 perfect, 1 no gain; NaN if
- *     nothing was hidden
+ * @param errorLeft of the model on held-out runs against the truth: 0 perfect, 1 no gain, infinite
+ *     if a prediction gets lost; NaN if nothing was hidden
  * @param alias what was said of an alias
  * @param baseline causes that sparse regression selects
  * @param isBaselineRight whether that is exact

@@ -116,6 +116,11 @@ final class Referee {
                 run++;
             }
         }
-        return Math.sqrt(after / before);
+        return left(before, after);
+    }
+
+    /** Of squared errors: what is lost now is not excused by having been lost before. */
+    static double left(double before, double after) {
+        return Double.isInfinite(after) ? after : Math.sqrt(after / before);
     }
 }

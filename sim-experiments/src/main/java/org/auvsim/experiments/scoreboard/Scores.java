@@ -1,6 +1,5 @@
 package org.auvsim.experiments.scoreboard;
 
-import org.apache.commons.math3.stat.descriptive.rank.Median;
 import org.auvsim.diagnosis.Method;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.experiments.hidden.CaseKind;
@@ -24,7 +23,8 @@ import java.util.function.Predicate;
  * @param parameterError median of relative errors; NaN of none
  * @param expectedError what deviations that are stated lead one to expect of it; NaN of none
  * @param coverage of 95 % intervals
- * @param errorLeft median of model errors left on held-out runs; NaN of none
+ * @param errorLeft median of model errors left on held-out runs, infinite if most predictions get
+ *     lost; NaN of none
  * @param baselineNamed single effects that sparse regression names, and nothing else
  * @param baselinePairs pairs that it names
  * @param baselineFalseAlarms nulls in which it names something
@@ -122,7 +122,10 @@ public record Scores(
         return new Share((int) outcomes.stream().filter(hit).count(), outcomes.size());
     }
 
-    private static double median(List<Double> values) {
-        return new Median().evaluate(values.stream().mapToDouble(Double::doubleValue).toArray());
+    /** NaN of none; what is infinite is worse than all others, and is not left out. */
+    static double median(List<Double> values) {
+        double[] sorted = values.stream().mapToDouble(Double::doubleValue).sorted().toArray();
+        int size = sorted.length;
+        return size == 0 ? Double.NaN : (sorted[(size - 1) / 2] + sorted[size / 2]) / 2;
     }
 }

@@ -61,6 +61,7 @@ class ScoreFilesTest {
         assertThat(Files.readString(folder.resolve("scores.json"), UTF_8).replaceAll("\\s+", ""))
                 .contains("\"complete\":false,\"diagnoses\":6,\"judged\":3")
                 .contains("\"noise\":0.01,\"method\":\"shooting\",\"judged\":2")
+                .contains("\"error_left\":{\"value\":0.004,\"unit\":\"1\"}")
                 .contains("\"noise\":0.05,\"method\":\"shooting\",\"judged\":1");
         assertThat(folder.resolve("report.html"))
                 .content()

@@ -89,7 +89,7 @@ final class Learner implements Companion {
 
     @Override
     public void corrected(FeedbackMessage feedback, AppliedFeedback applied) {
-        watcher.corrected(feedback, applied);
+        watcher.corrected(applied);
     }
 
     @Override

@@ -1,6 +1,6 @@
 package org.auvsim.diagnosis.online;
 
-import org.auvsim.auvsml.message.feedback.Measurement;
+import org.apache.commons.math3.linear.RealMatrix;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.run.Channel;
@@ -145,36 +145,33 @@ final class Logbook {
         target.orientation().ifPresent(run::orientation);
         target.velocity().ifPresent(v -> measure(run, Channel.VELOCITY, v));
         target.angularVelocity().ifPresent(w -> measure(run, Channel.ANGULAR_VELOCITY, w));
-        deviations(run, measured.message().measurement());
+        target.covariance().ifPresent(covariance -> deviations(run, target, covariance));
     }
 
     private static void measure(MeasuredRunBuilder run, Channel channel, Vec3 value) {
         run.measured(channel, value.x(), value.y(), value.z());
     }
 
-    /** The mean variance of a channel is the same in all axes, whichever it is stated in. */
-    private static void deviations(MeasuredRunBuilder run, Measurement measurement) {
-        if (measurement.covariance().isEmpty()) {
-            return;
-        }
-        double[][] elements = measurement.covariance().get().elements();
+    /** Along each axis of the world, as the target has them. */
+    private static void deviations(MeasuredRunBuilder run, Target target, RealMatrix covariance) {
         int row = 0;
-        for (Channel channel : channels(measurement)) {
-            double variances = 0;
-            for (int i = 0; i < 3; i++, row++) {
-                variances += elements[row][row];
-            }
-            double deviation = Math.sqrt(variances / 3);
-            run.deviation(channel, deviation, deviation, deviation);
+        for (Channel channel : channels(target)) {
+            run.deviation(
+                    channel,
+                    Math.sqrt(covariance.getEntry(row, row)),
+                    Math.sqrt(covariance.getEntry(row + 1, row + 1)),
+                    Math.sqrt(covariance.getEntry(row + 2, row + 2)));
+            row += 3;
         }
     }
 
-    private static List<Channel> channels(Measurement measurement) {
+    /** In the order of the covariance. */
+    private static List<Channel> channels(Target target) {
         List<Channel> channels = new ArrayList<>();
-        measurement.position().ifPresent(_ -> channels.add(Channel.POSITION));
-        measurement.orientation().ifPresent(_ -> channels.add(Channel.ORIENTATION));
-        measurement.velocity().ifPresent(_ -> channels.add(Channel.VELOCITY));
-        measurement.angularVelocity().ifPresent(_ -> channels.add(Channel.ANGULAR_VELOCITY));
+        target.position().ifPresent(_ -> channels.add(Channel.POSITION));
+        target.orientation().ifPresent(_ -> channels.add(Channel.ORIENTATION));
+        target.velocity().ifPresent(_ -> channels.add(Channel.VELOCITY));
+        target.angularVelocity().ifPresent(_ -> channels.add(Channel.ANGULAR_VELOCITY));
         return channels;
     }
 }

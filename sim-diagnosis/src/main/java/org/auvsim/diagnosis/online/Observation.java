@@ -1,6 +1,5 @@
 package org.auvsim.diagnosis.online;
 
-import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.server.feedback.Target;
 
@@ -21,10 +20,9 @@ sealed interface Observation {
     /**
      * What was measured at a time (s).
      *
-     * @param message as it came
-     * @param target the same in the world's axes
+     * @param target in the world's axes
      */
-    record Measured(double time, FeedbackMessage message, Target target) implements Observation {}
+    record Measured(double time, Target target) implements Observation {}
 
     /**
      * The world's time has jumped, or something could not be heard: what follows has nothing to do

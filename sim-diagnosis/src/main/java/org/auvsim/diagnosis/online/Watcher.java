@@ -1,6 +1,5 @@
 package org.auvsim.diagnosis.online;
 
-import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.core.entity.Actuator;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObject;
@@ -40,8 +39,8 @@ final class Watcher {
         this.hears = hears;
     }
 
-    void corrected(FeedbackMessage feedback, AppliedFeedback applied) {
-        measured.add(new Observation.Measured(applied.time(), feedback, applied.target()));
+    void corrected(AppliedFeedback applied) {
+        measured.add(new Observation.Measured(applied.time(), applied.target()));
     }
 
     /** What was told was told before the step; what was measured, at its end. */

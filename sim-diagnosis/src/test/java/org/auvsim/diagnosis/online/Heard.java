@@ -1,11 +1,15 @@
 package org.auvsim.diagnosis.online;
 
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.MatrixUtils;
+import org.apache.commons.math3.linear.RealMatrix;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.auvsml.message.feedback.Measurement;
 import org.auvsim.auvsml.message.feedback.MeasurementFrame;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObjectDefinition;
+import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Sphere;
 import org.auvsim.core.world.World;
@@ -13,6 +17,7 @@ import org.auvsim.server.feedback.AppliedFeedback;
 import org.auvsim.server.feedback.MeasurementErrors;
 import org.auvsim.server.feedback.Target;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -31,7 +36,7 @@ final class Heard {
     /**
      * A position (m).
      *
-     * @param read is run when it is read
+     * @param read is run when its covariance, of 1 m along each axis, is read
      */
     record Positioned(double timestamp, Vec3 position, Runnable read) implements FeedbackMessage {
         @Override
@@ -46,7 +51,6 @@ final class Heard {
 
         @Override
         public Measurement measurement() {
-            read.run();
             return new Measurement(
                     MeasurementFrame.WORLD,
                     Optional.of(position),
@@ -97,12 +101,34 @@ final class Heard {
                 Optional.empty(),
                 Optional.empty(),
                 Optional.empty(),
-                Optional.empty());
+                Optional.of(covariance(feedback.read())));
+    }
+
+    private static RealMatrix covariance(Runnable read) {
+        return new Array2DRowRealMatrix(MatrixUtils.createRealIdentityMatrix(3).getData()) {
+            @Override
+            public double getEntry(int row, int column) {
+                read.run();
+                return super.getEntry(row, column);
+            }
+        };
     }
 
     static Observation measured(double time) {
-        Positioned feedback = feedback(time);
-        return new Observation.Measured(time, feedback, target(feedback));
+        return new Observation.Measured(time, target(feedback(time)));
+    }
+
+    /** All of a motion at rest, with standard deviations along the world's axes. */
+    static Observation measured(double time, double... deviations) {
+        double[] variances = Arrays.stream(deviations).map(d -> d * d).toArray();
+        return new Observation.Measured(
+                time,
+                new Target(
+                        Optional.of(Vec3.ZERO),
+                        Optional.of(Quat.IDENTITY),
+                        Optional.of(Vec3.ZERO),
+                        Optional.of(Vec3.ZERO),
+                        Optional.of(MatrixUtils.createRealDiagonalMatrix(variances))));
     }
 
     /** A level of the actuator {@code screw}. */

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.junit.jupiter.api.Test;
 
@@ -128,5 +129,22 @@ class LogbookTest {
         logbook.add(Heard.told(1, 0));
 
         assertThat(logbook.forces()).containsExactly(push);
+    }
+
+    @Test
+    void eachAxisIsAsSureAsItsVarianceSays() {
+        double[] deviations = {1, 2, 0.01, 0.1, 0.2, 0.001, 3, 4, 5, 6, 7, 8};
+        for (int second = 0; second < LEAST; second++) {
+            logbook.add(Heard.measured(second, deviations));
+        }
+
+        MeasuredRun run = logbook.runs().getFirst();
+        for (Channel channel : Channel.values()) {
+            for (int axis = 0; axis < 3; axis++) {
+                assertThat(run.deviation(channel, 5, axis))
+                        .as("%s %s", channel, axis)
+                        .isCloseTo(deviations[3 * channel.ordinal() + axis], within(1e-12));
+            }
+        }
     }
 }

@@ -27,7 +27,7 @@ class WatcherTest {
 
     private void watch() {
         Heard.Positioned feedback = Heard.feedback(world.time());
-        watcher.corrected(feedback, Heard.applied(feedback));
+        watcher.corrected(Heard.applied(feedback));
         watcher.stepMade(world);
     }
 

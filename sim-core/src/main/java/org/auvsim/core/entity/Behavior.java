@@ -10,4 +10,13 @@ public interface Behavior extends Component {
      * (s) and the object's state.
      */
     void act(double time, WorldObject self);
+
+    /**
+     * Whether it tells an actuator of its object what to do: one that it needs, unless it says
+     * otherwise. Where a log tells what the actuator was told, as in a diagnosis, the behavior does
+     * not act.
+     */
+    default boolean directs(Actuator actuator) {
+        return needs().filter(need -> need.isMetBy(actuator)).isPresent();
+    }
 }

@@ -40,7 +40,8 @@ public record Need(Class<? extends Component> type, Optional<String> name) {
         }
     }
 
-    private boolean isMetBy(Component component) {
+    /** Whether a component is what is needed. */
+    boolean isMetBy(Component component) {
         return type.isInstance(component)
                 && name.filter(n -> !n.equals(component.name())).isEmpty();
     }

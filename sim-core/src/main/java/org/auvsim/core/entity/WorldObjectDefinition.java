@@ -136,6 +136,11 @@ public record WorldObjectDefinition(
         return massProperties(mass, volume, inertia);
     }
 
+    /** Whether a behavior of its own tells an actuator what to do. */
+    public boolean directs(Actuator actuator) {
+        return component.stream().anyMatch(c -> c instanceof Behavior b && b.directs(actuator));
+    }
+
     /** Mass about the origin in full; empty for a plain body, and for a fixed one. */
     Optional<SpatialInertia> spatialInertia() {
         Vec3 centre = centreOfMass.orElse(volume.centreOfMass());

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.auvsim.core.math.Near.assertNear;
 
+import org.auvsim.core.actuator.Battery;
 import org.auvsim.core.actuator.Fin;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.behavior.ControlSurfaceSchedule.TimedAngle;
@@ -112,6 +113,17 @@ class BehaviorTest {
         assertThat(self.components(Propulsor.class).getFirst().level()).isEqualTo(0.25);
         schedule.act(3, self);
         assertThat(self.components(Propulsor.class).getFirst().level()).isEqualTo(-1);
+    }
+
+    @Test
+    void aBehaviorDirectsTheActuatorThatItNeeds() {
+        Propulsor screw = self.components(Propulsor.class).getFirst();
+
+        assertThat(new PropulsorSchedule("plan", "screw", List.of()).directs(screw)).isTrue();
+        assertThat(new PropulsorSchedule("plan", "other", List.of()).directs(screw)).isFalse();
+        assertThat(new ControlSurfaceSchedule("turn", "screw", List.of()).directs(screw)).isFalse();
+        assertThat(new GoToPoint("home", 10, 0.1, X).directs(screw)).isFalse();
+        assertThat(new Battery("cells", 9, 9).directs(screw)).isFalse();
     }
 
     @Test

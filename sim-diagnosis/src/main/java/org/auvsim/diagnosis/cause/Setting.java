@@ -4,7 +4,6 @@ import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.effect.Buoyancy;
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.Actuator;
-import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Component;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.Mount;
@@ -90,11 +89,10 @@ record Setting(BelievedModel model, List<MeasuredRun> runs, Path path, double ra
 
     /** The propulsors that push in any of the runs. */
     List<Propulsor> propulsors() {
-        boolean isLedByItself = body().component().stream().anyMatch(Behavior.class::isInstance);
         return body().component().stream()
                 .filter(Propulsor.class::isInstance)
                 .map(Propulsor.class::cast)
-                .filter(p -> isLedByItself || p.level() != 0 || isCommanded(p))
+                .filter(p -> body().directs(p) || p.level() != 0 || isCommanded(p))
                 .toList();
     }
 

@@ -2,7 +2,6 @@ package org.auvsim.diagnosis.reading;
 
 import org.auvsim.core.actuator.Fin;
 import org.auvsim.core.entity.Actuator;
-import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Quat;
 
@@ -32,12 +31,11 @@ final class MeasuredBody {
         return definition.orientation();
     }
 
-    /** The actuators that nothing tells what to do. */
+    /** The actuators that nothing tells what to do, no behavior either. */
     List<Actuator> undirected(List<String> told) {
-        boolean actsByItself = definition.component().stream().anyMatch(Behavior.class::isInstance);
-        return actsByItself
-                ? List.of()
-                : commands.actuators().stream().filter(a -> !told.contains(a.name())).toList();
+        return commands.actuators().stream()
+                .filter(a -> !told.contains(a.name()) && !definition.directs(a))
+                .toList();
     }
 
     /** Whether they are all that drives it; fins may well be fixed. */

@@ -324,6 +324,31 @@ class LibraryTest {
                 .isEqualTo(all);
     }
 
+    private static List<String> thrustersInDoubt(String behavior) {
+        BelievedModel model =
+                Tank.model(
+                        "",
+                        "<propulsor name='idle' maximum-thrust='20'/>"
+                                + "<propulsor name='main' maximum-thrust='20' level='0.5'/>"
+                                + behavior);
+        return library(model).stream()
+                .filter(c -> c.id().equals("thruster_gain"))
+                .flatMap(c -> c.subject().stream())
+                .toList();
+    }
+
+    /** A battery is a behavior, but sets no thruster going. */
+    @Test
+    void aThrusterThatNothingDirectsHasNoCauses() {
+        assertThat(thrustersInDoubt("<battery name='cells' capacity='9' charge='9'/>"))
+                .containsExactly("main");
+        assertThat(
+                        thrustersInDoubt(
+                                "<propulsor-schedule name='plan' propulsor='idle'>"
+                                        + "<timed-level at='1' level='1'/></propulsor-schedule>"))
+                .containsExactly("idle", "main");
+    }
+
     @Test
     void thrusterCausesAreAboutOneOfThemOrAll() {
         assertThat(

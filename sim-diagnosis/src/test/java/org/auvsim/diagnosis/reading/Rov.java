@@ -43,12 +43,28 @@ final class Rov {
     private Rov() {}
 
     static BelievedModel model() {
+        return model(SCENARIO);
+    }
+
+    private static BelievedModel model(String scenario) {
         try {
             return new BelievedModel(
-                    ScenarioLoader.load(LOADER).parse(SCENARIO.getBytes(UTF_8)), "Rov");
+                    ScenarioLoader.load(LOADER).parse(scenario.getBytes(UTF_8)), "Rov");
         } catch (AuvsmlException e) {
             throw new IllegalStateException(e);
         }
+    }
+
+    /** A scenario with one more component of the body. */
+    static String with(String component) {
+        return SCENARIO.replaceFirst("</world-object>", component + "</world-object>");
+    }
+
+    /** What is read of a text with a scenario of its own. */
+    static RunFile read(Path folder, String scenario, String text)
+            throws IOException, DocumentException {
+        return new RunReader(model(scenario), ColumnMapping.USUAL, MAPPER)
+                .read(write(folder.resolve("run.csv"), text));
     }
 
     /** A reader with a mapping. */

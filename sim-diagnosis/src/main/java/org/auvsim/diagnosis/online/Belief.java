@@ -5,6 +5,7 @@ import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.entity.AddFieldCommand;
 import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
 import org.auvsim.auvsml.message.entity.ReviseWorldObjectCommand;
+import org.auvsim.core.actuator.Battery;
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Component;
 import org.auvsim.core.entity.Field;
@@ -23,7 +24,8 @@ import java.util.Optional;
  * What a running simulation believed of one of its objects before anything was learned, and what it
  * has learned since. All that is measured is diagnosed against the former: so what was learned from
  * little is learned again from more, and not added to. Behaviors are left out of it: what they tell
- * actuators is among the commands.
+ * actuators is among the commands. A battery tells them nothing, and stays: propulsors draw from
+ * it.
  *
  * @param first before anything was learned
  * @param behaviors that the object has
@@ -41,7 +43,9 @@ record Belief(
     static Belief of(World world, long objectId) {
         WorldObjectDefinition object = world.object(objectId).presentDefinition();
         List<Component> behaviors =
-                object.component().stream().filter(Behavior.class::isInstance).toList();
+                object.component().stream()
+                        .filter(c -> c instanceof Behavior && !(c instanceof Battery))
+                        .toList();
         List<Component> others = new ArrayList<>(object.component());
         others.removeAll(behaviors);
         WorldObjectDefinition body = object.toBuilder().components(others).build();

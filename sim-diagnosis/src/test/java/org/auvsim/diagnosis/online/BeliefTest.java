@@ -7,6 +7,10 @@ import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.entity.AddFieldCommand;
 import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
 import org.auvsim.auvsml.message.entity.ReviseWorldObjectCommand;
+import org.auvsim.core.actuator.Battery;
+import org.auvsim.core.actuator.PowerDraw;
+import org.auvsim.core.actuator.Propulsor;
+import org.auvsim.core.behavior.GoToPoint;
 import org.auvsim.core.effect.IsotropicDrag;
 import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Effect;
@@ -28,6 +32,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 /** What a running world gets when it is learned, and when the same is learned again from more. */
 class BeliefTest {
@@ -134,6 +139,42 @@ class BeliefTest {
                     .usingRecursiveFieldByFieldElementComparatorIgnoringFields("id")
                     .isEqualTo(found);
         }
+    }
+
+    private static Propulsor drawing(String battery) {
+        return new Propulsor(
+                "screw",
+                5,
+                0,
+                Vec3.ZERO,
+                new Vec3(1, 0, 0),
+                Optional.empty(),
+                0,
+                0,
+                0,
+                Optional.empty(),
+                Optional.of(new PowerDraw(battery, 20, 0, true)),
+                Optional.empty(),
+                Optional.empty());
+    }
+
+    /** Its behavior does not act in diagnoses, and stays in the world when something is learned. */
+    @Test
+    void aVehicleThatDrawsFromABatteryLearnsToo() {
+        Battery cells = new Battery("cells", 9e6, 9e6);
+        GoToPoint home = new GoToPoint("home", 1, 0.1, Vec3.ZERO);
+        world.object(1).add(cells);
+        world.object(1).add(drawing("cells"));
+        world.object(1).add(home);
+        belief = Belief.of(world, 1);
+        assertThat(belief.first().variant().body().component())
+                .contains(cells)
+                .doesNotContain(home);
+
+        learn(Vec3.ZERO, DRAG);
+
+        assertThat(drags()).containsExactly(new IsotropicDrag(0, DRAG, 0));
+        assertThat(world.object(1).components()).contains(cells, home);
     }
 
     @Test

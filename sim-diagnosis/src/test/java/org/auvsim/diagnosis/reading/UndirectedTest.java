@@ -28,7 +28,7 @@ class UndirectedTest {
         String scenario =
                 Rov.with(
                         "<go-to-point name='home' force='1'><target x='9' y='0'"
-                            + " z='0'/></go-to-point>");
+                                + " z='0'/></go-to-point>");
 
         assertThat(Rov.read(folder, scenario, ROWS).notices())
                 .singleElement()

@@ -92,8 +92,18 @@ record Setting(BelievedModel model, List<MeasuredRun> runs, Path path, double ra
         return body().component().stream()
                 .filter(Propulsor.class::isInstance)
                 .map(Propulsor.class::cast)
-                .filter(p -> body().directs(p) || p.level() != 0 || isCommanded(p))
+                .filter(p -> isDirected(p) || p.level() != 0 || isCommanded(p))
                 .toList();
+    }
+
+    /** Whether a behavior tells a propulsor what to do, where no run's commands do. */
+    private boolean isDirected(Propulsor propulsor) {
+        return body().directs(propulsor)
+                && runs.stream()
+                        .anyMatch(
+                                run ->
+                                        run.commands().stream()
+                                                .noneMatch(c -> c.name().equals(propulsor.name())));
     }
 
     private boolean isCommanded(Component component) {

@@ -1,12 +1,15 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.core.entity.Behavior;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.StringJoiner;
 
 /** What is to be known of runs, and limits what they say. */
@@ -31,7 +34,7 @@ final class Notices {
 
     /** Steps that follow data which no model fits tell of that data, not of the scenario. */
     List<String> of(Search.Found found, Verdict verdict, Foretold foretold) {
-        List<String> notices = new ArrayList<>();
+        List<String> notices = new ArrayList<>(overruled());
         boolean isTested = !foretold.gains().isEmpty();
         if (verdict == Verdict.EXPLAINED && isTested && !foretold.isBetter()) {
             notices.add(NO_GAIN);
@@ -56,6 +59,32 @@ final class Notices {
             HeavyTails.notice(of.run(), of.rows(), found.noise()).ifPresent(notices::add);
         }
         return notices;
+    }
+
+    /** Behaviors of the scenario that do not act, in all runs or in some. */
+    private List<String> overruled() {
+        Map<List<String>, List<String>> runs = new LinkedHashMap<>();
+        for (MeasuredRun run : all) {
+            List<String> names = model.overruledBy(run).stream().map(Behavior::name).toList();
+            if (!names.isEmpty()) {
+                runs.computeIfAbsent(names, _ -> new ArrayList<>()).add(run.name());
+            }
+        }
+        List<String> notices = new ArrayList<>();
+        runs.forEach((names, where) -> notices.add(overruled(names, where)));
+        return notices;
+    }
+
+    private String overruled(List<String> behaviors, List<String> runs) {
+        boolean isOne = behaviors.size() == 1;
+        boolean isEverywhere = runs.size() == all.size();
+        return "the scenario's '%s' %s not act%s: %s have the commands that %s would give"
+                .formatted(
+                        String.join("', '", behaviors),
+                        isOne ? "does" : "do",
+                        isEverywhere ? "" : " in " + String.join(", ", runs),
+                        isEverywhere ? "the runs" : "they",
+                        isOne ? "it" : "these");
     }
 
     /** What never changes in a run, but does in others. */

@@ -3,10 +3,12 @@ package org.auvsim.diagnosis.model;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.TimeStep;
 import org.auvsim.auvsml.mapping.Names;
+import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.Mount;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
@@ -114,6 +116,11 @@ public record BelievedModel(Scenario scenario, String body) {
     /** The body as it is believed. */
     public Variant variant() {
         return new Variant(definition(scenario, body), List.of(), Sensing.EXACT);
+    }
+
+    /** Behaviors of the body that do not act in a run, as it tells what they would. */
+    public List<Behavior> overruledBy(MeasuredRun run) {
+        return new Inputs(run, definition(scenario, body)).overruled();
     }
 
     /** The same, in steps of at most so long (s). */

@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.model;
 
 import org.auvsim.core.entity.Actuator;
+import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.entity.Component;
 import org.auvsim.core.entity.NamedForce;
 import org.auvsim.core.entity.WorldObject;
@@ -23,6 +24,7 @@ final class Inputs {
     private final MeasuredRun run;
     private final List<Command> ofActuators = new ArrayList<>();
     private final List<CommandedForce> ofForces = new ArrayList<>();
+    private final List<Behavior> overruled;
 
     /** Variants share most actuators: what was commanded before is worked out once for each. */
     private final IdentityHashMap<Component, Component> commandedBefore = new IdentityHashMap<>();
@@ -65,6 +67,33 @@ final class Inputs {
                 ofForces.add(new CommandedForce(force, byAxis));
             }
         }
+        overruled =
+                body.component().stream()
+                        .filter(Behavior.class::isInstance)
+                        .map(Behavior.class::cast)
+                        .filter(b -> isCommanded(b, body) || isPushed(b.name()))
+                        .toList();
+    }
+
+    /** Whether the run commands an actuator that a behavior directs. */
+    private boolean isCommanded(Behavior behavior, WorldObjectDefinition body) {
+        return body.component().stream()
+                .anyMatch(
+                        c ->
+                                c instanceof Actuator actuator
+                                        && behavior.directs(actuator)
+                                        && command(c.name()).isPresent());
+    }
+
+    /** Whether the run tells the force of a name, which that of a behavior would replace. */
+    private boolean isPushed(String name) {
+        return ofForces.stream().anyMatch(force -> force.force().name().equals(name))
+                || run.forces().stream().anyMatch(f -> f.force().name().equals(name));
+    }
+
+    /** Behaviors that do not act, as the run tells what they would. */
+    List<Behavior> overruled() {
+        return overruled;
     }
 
     private Optional<Command> command(String name) {
@@ -76,9 +105,10 @@ final class Inputs {
                 .anyMatch(c -> c instanceof Actuator && c.name().equals(name));
     }
 
-    /** Components as the commands before a sample left them; always the same sample. */
+    /** Components that act, as the commands before a sample left them; always the same sample. */
     List<Component> before(int sample, List<Component> components) {
         List<Component> now = new ArrayList<>(components);
+        now.removeAll(overruled);
         for (Command command : ofActuators) {
             now.replaceAll(
                     component ->

@@ -6,6 +6,7 @@ import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Quat;
 
 import java.util.List;
+import java.util.Set;
 
 /** What of a measured body's model matters to its measurements. */
 final class MeasuredBody {
@@ -35,6 +36,16 @@ final class MeasuredBody {
     List<Actuator> undirected(List<String> told) {
         return commands.actuators().stream()
                 .filter(a -> !told.contains(a.name()) && !definition.directs(a))
+                .toList();
+    }
+
+    /**
+     * The actuators of which a recording has all commands: those that it names, and those that no
+     * behavior directs.
+     */
+    List<Actuator> told(Set<String> named) {
+        return commands.actuators().stream()
+                .filter(a -> named.contains(a.name()) || !definition.directs(a))
                 .toList();
     }
 

@@ -11,9 +11,11 @@ import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.NavigableMap;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 
 /**
@@ -26,6 +28,7 @@ final class RecordedRows implements RecordedFeedback.Listener {
     private final long each;
     private final NavigableMap<Double, double[]> measured = new TreeMap<>();
     private final NavigableMap<Double, double[]> told = new TreeMap<>();
+    private final Set<String> names = new HashSet<>();
     private Optional<Frame> frame = Optional.empty();
     private double time = Double.NEGATIVE_INFINITY;
     private long times;
@@ -58,6 +61,7 @@ final class RecordedRows implements RecordedFeedback.Listener {
     }
 
     private void tell(double at, String name, double level) {
+        names.add(name);
         int i = actuators.indexOf(name);
         if (i >= 0) {
             told.computeIfAbsent(at, _ -> nothing(actuators.size()))[i] = level;
@@ -159,6 +163,11 @@ final class RecordedRows implements RecordedFeedback.Listener {
     /** What was measured, by time (s). */
     NavigableMap<Double, double[]> measured() {
         return measured;
+    }
+
+    /** Of all that was told anything, be it asked for or not. */
+    Set<String> names() {
+        return names;
     }
 
     /** What actuators were told, by time (s); NaN for those that were not. */

@@ -42,10 +42,10 @@ final class RecordedRuns {
     List<MeasuredRun> read() throws DocumentException {
         RecordedFeedback feedback = new RecordedFeedback(file, mapper);
         long id = feedback.idOf(body.name());
-        List<String> actuators = body.commands().actuators().stream().map(Actuator::name).toList();
-        long times = count(feedback, id);
-        long each = (times + RunParts.MOST - 1) / RunParts.MOST;
-        RecordedRows rows = new RecordedRows(id, actuators, each);
+        RecordedRows all = all(feedback, id);
+        long each = (all.times() + RunParts.MOST - 1) / RunParts.MOST;
+        List<Actuator> told = body.told(all.names());
+        RecordedRows rows = new RecordedRows(id, told.stream().map(Actuator::name).toList(), each);
         RecordedPushes pushes = new RecordedPushes(id);
         feedback.tell(
                 (time, message) -> {
@@ -53,7 +53,7 @@ final class RecordedRuns {
                     pushes.sent(time, message);
                 });
         tell(feedback, rows, each);
-        return runs(rows, actuators, pushes);
+        return runs(rows, told, pushes);
     }
 
     /** What was done to the data, and what could not be used. */
@@ -61,7 +61,8 @@ final class RecordedRuns {
         return notices;
     }
 
-    private long count(RecordedFeedback feedback, long id) throws DocumentException {
+    /** How much there is of it. */
+    private RecordedRows all(RecordedFeedback feedback, long id) throws DocumentException {
         RecordedRows all = new RecordedRows(id, List.of(), Long.MAX_VALUE);
         feedback.tell(all);
         if (all.times() < RunParts.FEWEST) {
@@ -69,7 +70,7 @@ final class RecordedRuns {
                     "%s: expected feedback for '%s' at %d instants at least, but found %d"
                             .formatted(file, body.name(), RunParts.FEWEST, all.times()));
         }
-        return all.times();
+        return all;
     }
 
     private void tell(RecordedFeedback feedback, RecordedRows rows, long each) {
@@ -91,7 +92,7 @@ final class RecordedRuns {
         }
     }
 
-    private List<MeasuredRun> runs(RecordedRows rows, List<String> actuators, RecordedPushes pushes)
+    private List<MeasuredRun> runs(RecordedRows rows, List<Actuator> told, RecordedPushes pushes)
             throws DocumentException {
         RowSample samples =
                 new RowSample(
@@ -107,15 +108,14 @@ final class RecordedRuns {
                 new RunParts(
                         name,
                         Source.of(file),
-                        actuators,
+                        told.stream().map(Actuator::name).toList(),
                         samples,
                         extent,
                         run -> {
                             known.tell(run);
                             pushes.forces().forEach(run::force);
                         });
-        double[] levels =
-                body.commands().actuators().stream().mapToDouble(Actuator::command).toArray();
+        double[] levels = told.stream().mapToDouble(Actuator::command).toArray();
         add(rows, levels, parts);
         List<MeasuredRun> runs = parts.runs();
         notices.addAll(parts.notices());

@@ -349,6 +349,24 @@ class LibraryTest {
                 .containsExactly("idle", "main");
     }
 
+    /** The schedule does not act in a run with commands, and these leave the thruster at rest. */
+    @Test
+    void aThrusterThatIsToldToRestHasNoCauses() {
+        BelievedModel model =
+                Tank.model(
+                        "",
+                        "<propulsor name='idle' maximum-thrust='20'/>"
+                                + "<propulsor-schedule name='plan' propulsor='idle'>"
+                                + "<timed-level at='1' level='1'/></propulsor-schedule>");
+        MeasuredRunBuilder run = MeasuredRun.named("run").commands(List.of("idle"));
+        for (int k = 0; k < SAMPLES; k++) {
+            run.at(k).position(k, 0, 0).command(0, 0);
+        }
+
+        assertThat(Library.of(model, List.of(run.build())).stream().map(Cause::id))
+                .doesNotContain("thruster_gain");
+    }
+
     @Test
     void thrusterCausesAreAboutOneOfThemOrAll() {
         assertThat(

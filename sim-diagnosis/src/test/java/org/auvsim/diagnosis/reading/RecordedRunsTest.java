@@ -18,11 +18,15 @@ import org.junit.jupiter.api.io.TempDir;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 
 /** Recordings written by hand, in the form of docs/recording.md. */
 class RecordedRunsTest {
     private static final double STEP = 0.1;
+    private static final String PLAN =
+            "<propulsor-schedule name='plan' propulsor='main'>"
+                    + "<timed-level at='0' level='1'/></propulsor-schedule>";
 
     @TempDir private Path folder;
     private final StringBuilder text =
@@ -104,6 +108,24 @@ class RecordedRunsTest {
         assertThat(levelAt(run, main, 1.0)).isEqualTo(0.2);
         assertThat(levelAt(run, main, 1.1)).isEqualTo(0.3);
         assertThat(run.commands().getLast().level(19)).as("rudder").isZero();
+    }
+
+    /** That it was never told anything does not mean that it stood still. */
+    @Test
+    void whatAScheduleDirectsIsToldByClientsAlone() throws Exception {
+        text.replace(text.indexOf(Rov.SCENARIO), text.length(), Rov.with(PLAN));
+        steps(20);
+        assertThat(commands()).containsExactly("rudder");
+
+        sent(false, level("main", 0.2));
+        steps(1);
+        assertThat(commands()).containsExactly("main", "rudder");
+    }
+
+    private List<String> commands() throws IOException, DocumentException {
+        Path file = Rov.write(folder.resolve("dive.auvsml"), text.toString());
+        MeasuredRun run = Rov.reader(Rov.with(PLAN)).read(file).runs().getFirst();
+        return run.commands().stream().map(Command::name).toList();
     }
 
     private static String level(String name, double level) {

@@ -63,8 +63,12 @@ final class Rov {
     /** What is read of a text with a scenario of its own. */
     static RunFile read(Path folder, String scenario, String text)
             throws IOException, DocumentException {
-        return new RunReader(model(scenario), ColumnMapping.USUAL, MAPPER)
-                .read(write(folder.resolve("run.csv"), text));
+        return reader(scenario).read(write(folder.resolve("run.csv"), text));
+    }
+
+    /** A reader for a scenario of its own. */
+    static RunReader reader(String scenario) {
+        return new RunReader(model(scenario), ColumnMapping.USUAL, MAPPER);
     }
 
     /** A reader with a mapping. */

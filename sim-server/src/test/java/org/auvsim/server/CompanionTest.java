@@ -2,7 +2,6 @@ package org.auvsim.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.entity.AddFieldCommand;
 import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
@@ -18,6 +17,7 @@ import org.auvsim.server.feedback.SimpleFixedTimeFeedbackTimestepper;
 import org.auvsim.server.net.TcpTransport;
 import org.auvsim.server.simulator.AccompaniedProcessor;
 import org.auvsim.server.simulator.Companion;
+import org.auvsim.server.simulator.Messenger;
 import org.auvsim.server.simulator.Simulator;
 import org.auvsim.server.simulator.StepMade;
 import org.junit.jupiter.api.Test;
@@ -25,10 +25,10 @@ import org.junit.jupiter.api.Timeout;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Consumer;
 
 /** What sits beside a simulation changes its world, and is told what is refused. */
 @Timeout(60)
@@ -36,9 +36,24 @@ class CompanionTest {
     private static final UniformCurrent CURRENT =
             new UniformCurrent(9, "Tide", new Vec3(0.5, 0, 0));
 
-    /** Wants a current, and an entity taken away that there is not. */
+    /** Wants an entity taken away that there is not, and a current, twice. */
     private static final class Meddler implements AccompaniedProcessor {
         private final BlockingQueue<ErrorResponse> refused = new LinkedBlockingQueue<>();
+        private final BlockingQueue<List<Optional<ErrorResponse>>> answers =
+                new LinkedBlockingQueue<>();
+
+        private void meddle(Messenger toSimulator) {
+            try {
+                answers.add(
+                        toSimulator.send(
+                                List.of(
+                                        new RemoveEntityCommand(77),
+                                        new AddFieldCommand(CURRENT),
+                                        new AddFieldCommand(CURRENT))));
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }
 
         @Override
         public Phase phase() {
@@ -51,15 +66,8 @@ class CompanionTest {
         }
 
         @Override
-        public Companion companion(
-                World world, long objectId, Consumer<List<Message>> toSimulator) {
-            Thread.ofVirtual()
-                    .start(
-                            () ->
-                                    toSimulator.accept(
-                                            List.of(
-                                                    new AddFieldCommand(CURRENT),
-                                                    new RemoveEntityCommand(77))));
+        public Companion companion(World world, long objectId, Messenger toSimulator) {
+            Thread.ofVirtual().start(() -> meddle(toSimulator));
             return new Companion() {
                 @Override
                 public void corrected(FeedbackMessage feedback, AppliedFeedback applied) {
@@ -125,6 +133,9 @@ class CompanionTest {
 
             assertThat(refused).isNotNull();
             assertThat(refused.text()).contains("77");
+            assertThat(meddler.answers.poll(30, TimeUnit.SECONDS))
+                    .extracting(Optional::isEmpty)
+                    .containsExactly(false, true, false);
             assertThat(simulator.<Object>ask(World::fields)).isEqualTo(List.of(CURRENT));
         }
     }

@@ -39,6 +39,9 @@ record Belief(
         List<Field<?>> fields,
         Optional<WorldObjectDefinition> body,
         int given) {
+    /** Fields that are learned have ids from here on, beside those of the world. */
+    private static final long FIRST_ID = 1_000_001;
+
     /** That of an object in a world as it is now. */
     static Belief of(World world, long objectId) {
         WorldObjectDefinition object = world.object(objectId).presentDefinition();
@@ -72,37 +75,90 @@ record Belief(
                 scenario.with(scenario.field(), List.of(object.build())), first.body());
     }
 
-    /** What makes the running world believe what a diagnosis of a model has found. */
-    List<Message> changes(BelievedModel diagnosed, Scenario found) {
+    /** With what a diagnosis of a model has found in place of all that was learned before. */
+    Belief learning(BelievedModel diagnosed, Scenario found) {
+        List<Field<?>> added = new ArrayList<>(found.field());
+        added.removeAll(diagnosed.scenario().field());
+        WorldObjectDefinition object = new BelievedModel(found, first.body()).variant().body();
+        boolean isOther = !object.equals(diagnosed.variant().body());
+        return new Belief(
+                first,
+                behaviors,
+                numbered(added),
+                isOther ? Optional.of(object) : Optional.empty(),
+                given + added.size());
+    }
+
+    /** Whether anything was learned of the world. */
+    boolean hasLearned() {
+        return !fields.isEmpty() || body.isPresent();
+    }
+
+    /** What makes the running world, which has this, have another one. */
+    List<Message> changes(Belief next) {
         List<Message> changes = new ArrayList<>();
-        fields.forEach(field -> changes.add(new RemoveEntityCommand(field.id())));
-        added(diagnosed, found).forEach(field -> changes.add(new AddFieldCommand(field)));
-        WorldObjectDefinition before = body.orElse(diagnosed.variant().body());
-        WorldObjectDefinition after = body(found);
-        if (!after.equals(before)) {
-            List<Component> components = new ArrayList<>(after.component());
-            components.addAll(behaviors);
-            changes.add(
-                    new ReviseWorldObjectCommand(after.toBuilder().components(components).build()));
+        for (Field<?> field : fields) {
+            if (!next.fields.contains(field)) {
+                changes.add(new RemoveEntityCommand(field.id()));
+            }
+        }
+        for (Field<?> field : next.fields) {
+            if (!fields.contains(field)) {
+                changes.add(new AddFieldCommand(field));
+            }
+        }
+        if (!next.object().equals(object())) {
+            changes.add(new ReviseWorldObjectCommand(next.acting()));
         }
         return changes;
     }
 
-    /** When the running world has them. */
-    Belief after(BelievedModel diagnosed, Scenario found) {
-        List<Field<?>> added = added(diagnosed, found);
-        return new Belief(first, behaviors, added, Optional.of(body(found)), given + added.size());
+    /**
+     * What the world has after some of the changes to another one.
+     *
+     * @param made those that were carried out
+     */
+    Belief partWay(Belief next, List<Message> made) {
+        List<Field<?>> there = new ArrayList<>(fields);
+        Optional<WorldObjectDefinition> now = body;
+        for (Message change : made) {
+            switch (change) {
+                case RemoveEntityCommand(long id) -> there.removeIf(field -> field.id() == id);
+                case AddFieldCommand(Field<?> field) -> there.add(field);
+                default -> now = next.body;
+            }
+        }
+        return new Belief(first, behaviors, there, now, next.given);
     }
 
-    /** Diagnoses begin with the same ids each time: they are counted on from those given before. */
-    private List<Field<?>> added(BelievedModel diagnosed, Scenario found) {
-        List<Field<?>> added = new ArrayList<>(found.field());
-        added.removeAll(diagnosed.scenario().field());
-        added.replaceAll(field -> Renumbered.field(field, field.id() + given));
-        return added;
+    /** What was there before, as the world can have it again: what has left is another one then. */
+    Belief again(Belief before) {
+        List<Field<?>> left = new ArrayList<>(before.fields);
+        left.removeAll(fields);
+        List<Field<?>> all = new ArrayList<>(before.fields);
+        all.retainAll(fields);
+        all.addAll(numbered(left));
+        return new Belief(first, behaviors, all, before.body, given + left.size());
     }
 
-    private WorldObjectDefinition body(Scenario found) {
-        return new BelievedModel(found, first.body()).variant().body();
+    /** Under ids that were not used before: those of entities that have left are not free. */
+    private List<Field<?>> numbered(List<Field<?>> some) {
+        long next = FIRST_ID + first.scenario().field().size() + given;
+        List<Field<?>> numbered = new ArrayList<>();
+        for (Field<?> field : some) {
+            numbered.add(Renumbered.field(field, next + numbered.size()));
+        }
+        return numbered;
+    }
+
+    private WorldObjectDefinition object() {
+        return body.orElseGet(() -> first.variant().body());
+    }
+
+    /** With its behaviors. */
+    private WorldObjectDefinition acting() {
+        List<Component> components = new ArrayList<>(object().component());
+        components.addAll(behaviors);
+        return object().toBuilder().components(components).build();
     }
 }

@@ -1,8 +1,8 @@
 package org.auvsim.diagnosis.online;
 
-import org.auvsim.auvsml.message.Message;
 import org.auvsim.auvsml.message.command.AnnounceModelCorrectionCommand;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
+import org.auvsim.auvsml.message.learning.ModelCorrection;
 import org.auvsim.auvsml.message.session.ErrorResponse;
 import org.auvsim.diagnosis.Investigation;
 import org.auvsim.diagnosis.cause.Library;
@@ -14,6 +14,7 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.Split;
 import org.auvsim.server.feedback.AppliedFeedback;
 import org.auvsim.server.simulator.Companion;
+import org.auvsim.server.simulator.Messenger;
 import org.auvsim.server.simulator.StepMade;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -23,7 +24,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
-import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
@@ -41,7 +41,7 @@ final class Learner implements Companion {
 
     private final long objectId;
     private final LearningPlan plan;
-    private final Consumer<List<Message>> toSimulator;
+    private final Messenger toSimulator;
     private final Function<Investigation, Diagnosis> diagnoses;
     private final BlockingQueue<Observation> heard = new ArrayBlockingQueue<>(MOST_WAITING);
     private final Watcher watcher;
@@ -52,14 +52,14 @@ final class Learner implements Companion {
     /** Belongs to the simulation thread. */
     private boolean hasMissed;
 
-    /** Belongs to the learner's thread. */
-    private Belief belief;
+    /** Belongs to the learner's thread, as what follows does. */
+    private final Extension extension;
 
     private List<String> announced = List.of();
     private String stage = "";
 
     /** Begins to learn. */
-    Learner(long objectId, Belief belief, LearningPlan plan, Consumer<List<Message>> toSimulator) {
+    Learner(long objectId, Belief belief, LearningPlan plan, Messenger toSimulator) {
         this(objectId, belief, plan, toSimulator, Investigation::diagnose);
     }
 
@@ -68,10 +68,10 @@ final class Learner implements Companion {
             long objectId,
             Belief belief,
             LearningPlan plan,
-            Consumer<List<Message>> toSimulator,
+            Messenger toSimulator,
             Function<Investigation, Diagnosis> diagnoses) {
         this.objectId = objectId;
-        this.belief = belief;
+        this.extension = new Extension(belief, toSimulator);
         this.plan = plan;
         this.toSimulator = toSimulator;
         this.diagnoses = diagnoses;
@@ -141,8 +141,8 @@ final class Learner implements Companion {
     }
 
     /** From what there is, if that is enough. A fault of it is no hindrance to learn from more. */
-    private void learn() {
-        String body = belief.first().body();
+    private void learn() throws InterruptedException {
+        String body = body();
         try {
             Optional<Split> split = split(logbook.runs());
             if (split.isEmpty()) {
@@ -151,7 +151,7 @@ final class Learner implements Companion {
                 }
                 return;
             }
-            learn(belief.under(logbook.forces()), split.get());
+            learn(extension.belief().under(logbook.forces()), split.get());
         } catch (RuntimeException e) {
             LOG.error("nothing is learned of '{}' until more is measured", body, e);
         }
@@ -168,7 +168,7 @@ final class Learner implements Companion {
         }
     }
 
-    private void learn(BelievedModel model, Split split) {
+    private void learn(BelievedModel model, Split split) throws InterruptedException {
         Diagnosis found = diagnoses.apply(investigation(model, split));
         if (closed) {
             LOG.info("'{}': the diagnosis was stopped", model.body());
@@ -194,7 +194,7 @@ final class Learner implements Companion {
     /** Tells each new stage of a diagnosis; whether anybody still wants to know. */
     private boolean goesOn(String now, double share) {
         if (isNew(now)) {
-            LOG.info("'{}': {} ({} %)", belief.first().body(), now, Math.round(100 * share));
+            LOG.info("'{}': {} ({} %)", body(), now, Math.round(100 * share));
         }
         return !closed;
     }
@@ -205,20 +205,27 @@ final class Learner implements Companion {
         return isNew;
     }
 
-    private void tell(BelievedModel diagnosed, Diagnosis found) {
+    private String body() {
+        return extension.belief().first().body();
+    }
+
+    private void tell(BelievedModel diagnosed, Diagnosis found) throws InterruptedException {
         List<String> causes = found.selected().stream().map(Finding::name).toList();
         if (!plan.extendsWorld() && causes.equals(announced)) {
             return;
         }
         announced = causes;
-        List<Message> messages = new ArrayList<>();
-        if (plan.extendsWorld()) {
-            messages.addAll(belief.changes(diagnosed, found.extended()));
-            belief = belief.after(diagnosed, found.extended());
-        }
-        boolean isExtended = !messages.isEmpty(); // what was found of sensors changes no world
-        messages.add(
-                new AnnounceModelCorrectionCommand(objectId, Announcement.of(found, isExtended)));
-        toSimulator.accept(messages);
+        announce(Announcement.of(found, plan.extendsWorld() && isPutIntoWorld(diagnosed, found)));
+    }
+
+    /** What was found of sensors alone changes no world. */
+    private boolean isPutIntoWorld(BelievedModel diagnosed, Diagnosis found)
+            throws InterruptedException {
+        Belief next = extension.belief().learning(diagnosed, found.extended());
+        return extension.reaches(next) && next.hasLearned();
+    }
+
+    private void announce(ModelCorrection what) throws InterruptedException {
+        toSimulator.send(List.of(new AnnounceModelCorrectionCommand(objectId, what)));
     }
 }

@@ -1,15 +1,12 @@
 package org.auvsim.diagnosis.online;
 
 import org.auvsim.auvsml.document.FeedbackProcessing;
-import org.auvsim.auvsml.message.Message;
 import org.auvsim.core.world.World;
 import org.auvsim.diagnosis.Method;
 import org.auvsim.server.feedback.Correction;
 import org.auvsim.server.simulator.AccompaniedProcessor;
 import org.auvsim.server.simulator.Companion;
-
-import java.util.List;
-import java.util.function.Consumer;
+import org.auvsim.server.simulator.Messenger;
 
 /** Corrects an object as another processor does, and lets a learner go along. */
 interface LearningProcessor extends FeedbackProcessing, AccompaniedProcessor {
@@ -47,7 +44,7 @@ interface LearningProcessor extends FeedbackProcessing, AccompaniedProcessor {
     }
 
     @Override
-    default Companion companion(World world, long objectId, Consumer<List<Message>> toSimulator) {
+    default Companion companion(World world, long objectId, Messenger toSimulator) {
         LearningPlan plan = new LearningPlan(extendsWorld(), after(), keep(), seed(), method());
         return new Learner(objectId, Belief.of(world, objectId), plan, toSimulator);
     }

@@ -3,10 +3,6 @@ package org.auvsim.diagnosis.online;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import org.auvsim.auvsml.message.Message;
-import org.auvsim.auvsml.message.entity.AddFieldCommand;
-import org.auvsim.auvsml.message.entity.RemoveEntityCommand;
-import org.auvsim.auvsml.message.entity.ReviseWorldObjectCommand;
 import org.auvsim.core.actuator.Battery;
 import org.auvsim.core.actuator.PowerDraw;
 import org.auvsim.core.actuator.Propulsor;
@@ -14,7 +10,6 @@ import org.auvsim.core.behavior.GoToPoint;
 import org.auvsim.core.effect.IsotropicDrag;
 import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Effect;
-import org.auvsim.core.entity.Field;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.field.UniformCurrent;
 import org.auvsim.core.math.Vec3;
@@ -66,10 +61,9 @@ class BeliefTest {
                         .findFirst()
                         .orElseThrow();
         found = flow.in(found, theta);
-        for (Message change : belief.changes(model, model.extended(found))) {
-            carryOut(change);
-        }
-        belief = belief.after(model, model.extended(found));
+        Belief next = belief.learning(model, model.extended(found));
+        belief.changes(next).forEach(new ObedientWorld(world)::carryOut);
+        belief = next;
         return found.currents();
     }
 
@@ -79,15 +73,6 @@ class BeliefTest {
             run.at(0.1 * k).position(0.1 * k, Math.sin(k), 0);
         }
         return run.build();
-    }
-
-    private void carryOut(Message change) {
-        switch (change) {
-            case RemoveEntityCommand(long id) -> world.remove(id);
-            case AddFieldCommand(Field<?> field) -> world.add(field);
-            case ReviseWorldObjectCommand(WorldObjectDefinition object) -> world.revise(object);
-            default -> throw new AssertionError(change);
-        }
     }
 
     private List<Effect> drags() {

@@ -31,7 +31,7 @@ class LearnerTest {
     private final BlockingQueue<Investigation> investigations = new LinkedBlockingQueue<>();
     private volatile CountDownLatch gate = new CountDownLatch(0);
     private final Learner learner =
-            new Learner(1, Belief.of(world, 1), PLAN, _ -> {}, this::diagnosis);
+            new Learner(1, Belief.of(world, 1), PLAN, _ -> List.of(), this::diagnosis);
 
     /** There is none: a fault of each, as soon as that may be. */
     private Diagnosis diagnosis(Investigation of) {

@@ -11,7 +11,6 @@ import org.auvsim.auvsml.message.session.LaggingSide;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
 import java.util.regex.Pattern;
 
 /**
@@ -32,7 +31,7 @@ public final class ClientSession {
     private final Role role;
     private final AuvsmlWriter writer;
     private final boolean ofThePast;
-    private final Optional<Consumer<Message>> ear;
+    private final Optional<Ear> ear;
     private final Outbox outbox =
             new Outbox(MOST_STATES, MOST_CONTROL, (long) MOST_CONTROL_MIB << 20);
     private final Registrations registrations = new Registrations();
@@ -55,7 +54,7 @@ public final class ClientSession {
             Role role,
             AuvsmlWriter writer,
             boolean ofThePast,
-            Optional<Consumer<Message>> ear) {
+            Optional<Ear> ear) {
         this.id = id;
         this.peer = peer;
         this.name = givenName(id);
@@ -73,13 +72,16 @@ public final class ClientSession {
         return session;
     }
 
-    /**
-     * That of a client within this program, which registers for nothing.
-     *
-     * @param ear hears answers, on the simulation thread
-     */
+    /** Hears what is sent to a client within this program, on the simulation thread. */
+    @FunctionalInterface
+    public interface Ear {
+        /** A message; with the id of the client's request that it answers, if it does. */
+        void hear(Optional<String> requestId, Message message);
+    }
+
+    /** That of a client within this program, which registers for nothing. */
     public static ClientSession within(
-            long id, String peer, Role role, AuvsmlWriter writer, Consumer<Message> ear) {
+            long id, String peer, Role role, AuvsmlWriter writer, Ear ear) {
         return new ClientSession(id, peer, role, writer, /* ofThePast= */ false, Optional.of(ear));
     }
 
@@ -176,7 +178,7 @@ public final class ClientSession {
      */
     public void send(Optional<String> requestId, List<? extends Message> messages) {
         if (ear.isPresent()) {
-            messages.forEach(ear.get());
+            messages.forEach(message -> ear.get().hear(requestId, message));
             return;
         }
         flush();

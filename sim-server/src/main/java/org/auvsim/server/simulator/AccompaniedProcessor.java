@@ -1,11 +1,7 @@
 package org.auvsim.server.simulator;
 
-import org.auvsim.auvsml.message.Message;
 import org.auvsim.core.world.World;
 import org.auvsim.server.feedback.FeedbackProcessor;
-
-import java.util.List;
-import java.util.function.Consumer;
 
 /**
  * A feedback processor that has a {@link Companion} for each world object that it corrects. What
@@ -17,8 +13,7 @@ public interface AccompaniedProcessor extends FeedbackProcessor {
      * A companion, from the first correction of an object on.
      *
      * @param world as it is then; only to be read, and only now
-     * @param toSimulator takes messages that are carried out together, as those of an
-     *     administrator; for every thread but the simulation's
+     * @param toSimulator takes what the companion wants there
      */
-    Companion companion(World world, long objectId, Consumer<List<Message>> toSimulator);
+    Companion companion(World world, long objectId, Messenger toSimulator);
 }

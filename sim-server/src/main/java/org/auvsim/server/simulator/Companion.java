@@ -15,7 +15,10 @@ public interface Companion extends AutoCloseable {
     /** A step is over, before what clients want of the next one is carried out. */
     void stepMade(StepMade step);
 
-    /** What it wanted of the simulation is refused; on the simulation thread. */
+    /**
+     * What it wanted of the simulation is refused, at once or when the past is corrected; on the
+     * simulation thread.
+     */
     void refused(ErrorResponse why);
 
     /** The simulation has ended. */

@@ -21,7 +21,7 @@ final class Announcement {
     /**
      * What was found.
      *
-     * @param isExtended whether the running world gets it
+     * @param isExtended whether the running world has it
      */
     static ModelCorrection of(Diagnosis diagnosis, boolean isExtended) {
         return new ModelCorrection(

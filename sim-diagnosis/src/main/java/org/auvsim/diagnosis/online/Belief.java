@@ -89,6 +89,11 @@ record Belief(
                 given + added.size());
     }
 
+    /** As it was before anything was learned. */
+    Belief unlearning() {
+        return new Belief(first, behaviors, List.of(), Optional.empty(), given);
+    }
+
     /** Whether anything was learned of the world. */
     boolean hasLearned() {
         return !fields.isEmpty() || body.isPresent();

@@ -9,7 +9,6 @@ import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
-import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.Split;
 import org.auvsim.server.feedback.AppliedFeedback;
@@ -175,8 +174,10 @@ final class Learner implements Companion {
             return;
         }
         LOG.info("'{}': {}", model.body(), found.sentence());
-        if (found.verdict() == Verdict.EXPLAINED) {
-            tell(model, found);
+        switch (found.verdict()) {
+            case EXPLAINED -> tell(model, found);
+            case NONE -> takeBack(found);
+            case UNEXPLAINED -> LOG.debug("'{}': what was learned before stays", model.body());
         }
     }
 
@@ -223,6 +224,19 @@ final class Learner implements Companion {
             throws InterruptedException {
         Belief next = extension.belief().learning(diagnosed, found.extended());
         return extension.reaches(next) && next.hasLearned();
+    }
+
+    /**
+     * What was learned from less, as by all that was measured the first model lacks nothing. If
+     * that is refused, the next diagnosis will say so again.
+     */
+    private void takeBack(Diagnosis found) throws InterruptedException {
+        boolean isExtended = extension.belief().hasLearned();
+        boolean isKnown = isExtended || !announced.isEmpty();
+        if (found.isComplete() && isKnown && extension.reaches(extension.belief().unlearning())) {
+            announced = List.of();
+            announce(Announcement.of(found, isExtended));
+        }
     }
 
     private void announce(ModelCorrection what) throws InterruptedException {

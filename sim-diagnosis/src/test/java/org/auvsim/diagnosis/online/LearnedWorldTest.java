@@ -62,10 +62,16 @@ class LearnedWorldTest {
                                         new UniformCurrent(
                                                 1_000_001,
                                                 "found current 1",
-                                                new Vec3(current, 0, 0)))));
+                                                new Vec3(current, 0, 0)))),
+                true);
     }
 
-    private static Diagnosis diagnosis(Verdict verdict, List<String> causes, Scenario extended) {
+    private Diagnosis nothing() {
+        return diagnosis(Verdict.NONE, List.of(), Scenario.of(measured), true);
+    }
+
+    private static Diagnosis diagnosis(
+            Verdict verdict, List<String> causes, Scenario extended, boolean isComplete) {
         List<Quantity> numbers = List.of(new Quantity("k", "1", 1));
         return new Diagnosis(
                 verdict,
@@ -96,7 +102,7 @@ class LearnedWorldTest {
                 extended,
                 List.of(),
                 1,
-                true);
+                isComplete);
     }
 
     private Diagnosis diagnosis(Investigation of) {
@@ -185,5 +191,55 @@ class LearnedWorldTest {
         assertThat(announced(model -> found(model, 9, 0.3)).extended()).isTrue();
         assertThat(effects()).containsExactly(new IsotropicDrag(0, 9, 0));
         assertThat(currents()).containsExactly(0.3);
+    }
+
+    @Test
+    void whatMoreDataDoesNotBearOutIsTakenBack() throws Exception {
+        announced(model -> found(model, 7, 0.1));
+
+        ModelCorrection said = announced(_ -> nothing());
+
+        assertThat(said.cause()).isEmpty();
+        assertThat(said.extended()).isTrue();
+        assertThat(said.evidence()).isZero();
+        assertThat(effects()).isEmpty();
+        assertThat(currents()).isEmpty();
+        assertThat(announced(model -> found(model, 9, 0.3)).extended()).isTrue();
+        assertThat(currents()).containsExactly(0.3);
+    }
+
+    @Test
+    void whatCannotBeTakenBackIsTriedAgain() throws Exception {
+        announced(model -> found(model, 7, 0.1));
+        running.refuse(ReviseWorldObjectCommand.class::isInstance);
+        diagnosed(_ -> nothing());
+
+        ModelCorrection said =
+                announced(
+                        _ -> {
+                            running.refuse(_ -> false);
+                            return nothing();
+                        });
+
+        assertThat(said.cause()).isEmpty();
+        assertThat(effects()).isEmpty();
+        assertThat(currents()).isEmpty();
+    }
+
+    /** A search that was stopped has not looked at all that may be missing. */
+    @Test
+    void aStoppedSearchTakesNothingBack() throws Exception {
+        announced(model -> found(model, 7, 0.1));
+        diagnosed(_ -> diagnosis(Verdict.NONE, List.of(), Scenario.of(measured), false));
+
+        assertThat(announced(model -> found(model, 8, 0.2)).cause()).hasSize(2);
+        assertThat(currents()).containsExactly(0.2);
+    }
+
+    @Test
+    void thatNothingIsMissingIsNoNews() throws Exception {
+        diagnosed(_ -> nothing());
+
+        assertThat(announced(model -> found(model, 7, 0.1)).cause()).hasSize(2);
     }
 }

@@ -7,8 +7,8 @@ import java.util.List;
  *
  * @param sentence for people
  * @param evidence natural logarithm of how much more likely the data is with it than without
- * @param extended whether the running world gets it
- * @param cause what was found
+ * @param extended whether the running world has it
+ * @param cause what was found; none if what was found before is taken back
  * @param gain so far, on data that was not used to find it
  */
 public record ModelCorrection(

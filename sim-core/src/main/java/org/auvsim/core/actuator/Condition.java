@@ -6,10 +6,12 @@ import org.auvsim.core.entity.Domain;
 import java.util.Optional;
 
 /**
- * What a propulsor does otherwise than its data sheet says: a worn or fouled screw, friction of its
- * shaft, a failure.
+ * What a propulsor does otherwise than its data sheet says: a worn or fouled screw, one that runs
+ * backwards, friction of its shaft, a failure.
  *
- * @param gain share of its thrust that it gives, 0 or more; above 1 it is stronger than it should
+ * @param gain share of its thrust that it gives; above 1 it is stronger than it should; below 0 it
+ *     runs backwards, as one that is wired wrongly (-1): it gives such a share of its thrust at the
+ *     opposite level
  * @param lostLevel of each commanded level this much is lost, 0 to below 1: of level x, sign(x)
  *     max(|x| - lost, 0) is left, which then passes the dead zone
  * @param failure of some of what is left, from some time on
@@ -25,7 +27,7 @@ public record Condition(
      * @throws IllegalArgumentException naming the number that is out of its range
      */
     public Condition {
-        Domain.atLeast0("the condition of a propulsor", "gain", gain, "");
+        Domain.finite("the condition of a propulsor", "gain", gain, "");
         Domain.require(
                 0 <= lostLevel && lostLevel < 1,
                 "the condition of a propulsor",
@@ -35,8 +37,14 @@ public record Condition(
                 "");
     }
 
-    /** The share of its thrust that it gives at a time (s). */
+    /** The share of its thrust that it gives at a time (s), to whichever side. */
     double shareAt(double time) {
-        return failure.isEmpty() ? gain : gain * failure.get().leftAt(time);
+        double size = Math.abs(gain);
+        return failure.isEmpty() ? size : size * failure.get().leftAt(time);
+    }
+
+    /** The level of the same propulsor in a sound condition that turns to the same side. */
+    double turning(double level) {
+        return gain < 0 ? -level : level;
     }
 }

@@ -220,8 +220,13 @@ public record Propulsor(
     }
 
     private double thrust(double level, double time) {
-        double sound = soundThrust(level);
+        double sound = soundThrust(turning(level));
         return condition.isEmpty() ? sound : sound * condition.get().shareAt(time);
+    }
+
+    /** A level, or the opposite one if its condition is to run backwards. */
+    private double turning(double level) {
+        return condition.isEmpty() ? level : condition.get().turning(level);
     }
 
     private double soundThrust(double level) {
@@ -260,8 +265,8 @@ public record Propulsor(
         double along = reactionTorque * thrust;
         double spin = 0;
         if (rotor.isPresent()) {
-            along -= rotor.get().spin(course.slope(left));
-            spin = rotor.get().spin(course.level(left));
+            along -= rotor.get().spin(turning(course.slope(left)));
+            spin = rotor.get().spin(turning(course.level(left)));
         }
         // The rotor's angular momentum h turns with the body: the torque on the body is -w x h.
         double hx = spin * direction.x();

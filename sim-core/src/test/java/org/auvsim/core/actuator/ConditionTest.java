@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+import java.util.List;
 import java.util.Optional;
 
 class ConditionTest {
@@ -28,6 +29,36 @@ class ConditionTest {
 
         double expected = 0.8 * 0.5 * THRUST / MASS * world.time();
         assertThat(body(world).velocity().x()).isCloseTo(expected, within(1e-12));
+    }
+
+    /** It bites less astern: wired backwards that is what it does when it is told to go ahead. */
+    @ParameterizedTest
+    @CsvSource({"1, -4", "0.5, -2", "-0.5, 6", "-1, 12"})
+    void aScrewThatIsWiredBackwardsTurnsToTheOtherSide(double commanded, double thrust) {
+        ThrustTable biting =
+                new ThrustTable(
+                        List.of(
+                                new ThrustTable.ThrustPoint(-1, -4),
+                                new ThrustTable.ThrustPoint(0, 0),
+                                new ThrustTable.ThrustPoint(1, 12)));
+        Propulsor screw = Screws.lagging(commanded, 0, Optional.of(biting));
+        Condition backwards = new Condition(-1, 0, Optional.empty());
+
+        assertThat(screw.in(backwards).thrustAt(0)).isCloseTo(thrust, within(1e-12));
+        assertThat(screw.in(new Condition(-0.5, 0, Optional.empty())).thrustAt(0))
+                .isCloseTo(0.5 * thrust, within(1e-12));
+    }
+
+    @Test
+    void theWorldFeelsTheScrewThatRunsBackwards() {
+        World ahead = Screws.world(Screws.plain(-0.5));
+        World backwards =
+                Screws.world(Screws.plain(0.5).in(new Condition(-1, 0, Optional.empty())));
+
+        advance(ahead, 20);
+        advance(backwards, 20);
+
+        assertThat(body(backwards).velocity()).isEqualTo(body(ahead).velocity());
     }
 
     @ParameterizedTest
@@ -53,8 +84,8 @@ class ConditionTest {
     @Test
     void whatIsOutOfRangeIsRefused() {
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> new Condition(-1, 0, Optional.empty()))
-                .withMessageContaining("the gain of the condition of a propulsor must be 0");
+                .isThrownBy(() -> new Condition(Double.NaN, 0, Optional.empty()))
+                .withMessageContaining("the gain of the condition of a propulsor must be finite");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Condition(1, 1, Optional.empty()))
                 .withMessageContaining("the lost level of the condition of a propulsor must be 0");

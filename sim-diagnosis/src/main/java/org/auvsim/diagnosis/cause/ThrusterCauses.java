@@ -20,6 +20,10 @@ final class ThrusterCauses {
     private static final double STEEP = 0.9;
 
     private static final int FAILURES = 8;
+
+    /** One that runs backwards gives no more than twice what it should. */
+    private static final double BACKWARDS = -2;
+
     private static final Vec3 UP = new Vec3(0, 0, 1);
     private static final Vec3 LEFT = new Vec3(0, 1, 0);
     private static final Vec3 AHEAD = new Vec3(1, 0, 0);
@@ -66,7 +70,7 @@ final class ThrusterCauses {
     private static Change gain(Predicate<Propulsor> which) {
         return Change.of(
                         "thruster_gain",
-                        List.of(new Parameter("factor", "1", 0.1, -1, 100)),
+                        List.of(new Parameter("factor", "1", 0.1, BACKWARDS - 1, 100)),
                         (v, t) -> with(v, which, p -> amplified(p, 1 + t[0])))
                 .toldAsFactors();
     }

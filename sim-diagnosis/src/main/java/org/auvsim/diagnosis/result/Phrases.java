@@ -30,7 +30,7 @@ public final class Phrases {
      * Words for a cause.
      *
      * @param words in which {@code %s} stands for what it is about, in quotation marks as a name,
-     *     and {@code %2$s} for the same without them
+     *     {@code %2$s} for the same without them, and {@code %3$s} for what that does, or all do
      * @param otherwise if its first number is below 0
      */
     private record Phrase(String words, String otherwise) {}
@@ -57,7 +57,7 @@ public final class Phrases {
         put("cob_offset", "The centre of buoyancy is misplaced");
         put("mass_error", "The mass is wrong");
         put("inertia_error", "The moments of inertia are wrong");
-        put("thruster_gain", "The thrust of %s is wrong");
+        put("thruster_gain", "The thrust of %s is wrong", "%s %3$s backwards");
         put("thruster_deadzone", "A dead zone of %s is missing");
         put("thruster_lag", "A lag of %s is missing");
         put(TURNED, "The direction of %s is wrong");
@@ -155,8 +155,12 @@ public final class Phrases {
                     + " is missing";
         }
         String about = subject.orElse("all thrusters");
-        return (isBelow ? phrase.otherwise() : phrase.words())
-                .formatted(subject.map("'%s'"::formatted).orElse(about), about);
+        return capitalised(
+                (isBelow ? phrase.otherwise() : phrase.words())
+                        .formatted(
+                                subject.map("'%s'"::formatted).orElse(about),
+                                about,
+                                subject.isPresent() ? "runs" : "run"));
     }
 
     private static String capitalised(String words) {

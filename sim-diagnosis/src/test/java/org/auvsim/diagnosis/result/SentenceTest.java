@@ -314,6 +314,19 @@ class SentenceTest {
     }
 
     @Test
+    void aThrusterWithAFactorBelow0RunsBackwards() {
+        List<Quantity> factor = List.of(new Quantity("factor", "1", -1.02));
+        Finding all = found("thruster_gain", factor, List.of(0.02));
+        Finding one =
+                new Finding("thruster_gain", Optional.of("port"), factor, List.of(0.02), 0.9, true);
+
+        assertThat(sentence.explained(List.of(one), 0.9, List.of()))
+                .startsWith("'port' runs backwards: -1.02 +- 0.02 times what the model has; ");
+        assertThat(sentence.explained(List.of(all), 0.9, List.of()))
+                .startsWith("All thrusters run backwards: -1.02 +- 0.02 times what the model has");
+    }
+
+    @Test
     void whatThereIsTooMuchOfAndWhoseItIs() {
         Finding less = found("linear_drag", List.of(new Quantity("c", "N s/m", -3)), List.of(0.1));
         assertThat(sentence.explained(List.of(less), 0.9, List.of()))

@@ -56,12 +56,14 @@ record Shooting(Stepping stepping, Variant variant, Misses of) {
         return derivatives(window, motion(window), group, moves);
     }
 
-    /** The same where its motion is known. */
+    /**
+     * The same where its motion is known: by shorter steps if it gets lost in longer ones alone.
+     */
     WindowDerivatives derivatives(Window window, RigidMotion[] motion, int group, Moves moves) {
         List<Entrant> entrants = entrants(window.start(), moves);
         Knots knots = knots(window);
         RigidMotion[][] rough =
-                motion[0].equals(Ensemble.LOST)
+                isLost(motion)
                         ? Ensemble.lost(entrants.size(), knots.samples().length)
                         : Ensemble.neighbours(
                                 stepping.rough(),
@@ -69,6 +71,11 @@ record Shooting(Stepping stepping, Variant variant, Misses of) {
                                 knots.samples(),
                                 entrants,
                                 stepping.commands());
+        boolean isRough = !stepping.rough().equals(stepping.fine());
+        if (isRough && isLost(rough[0]) && !isLost(motion)) {
+            return new Shooting(Stepping.exact(stepping.fine()), variant, of)
+                    .derivatives(window, motion, group, moves);
+        }
         double[] missed = misses(window, entrants.getFirst(), motion, group);
         RigidMotion end = motion[window.length()];
         double[][] slopes = new double[rough.length - 1][];
@@ -81,6 +88,10 @@ record Shooting(Stepping stepping, Variant variant, Misses of) {
             endSlopes[i] = slope(moved[window.length()].minus(end), step);
         }
         return new WindowDerivatives(window, motion, missed, slopes, endSlopes);
+    }
+
+    private static boolean isLost(RigidMotion[] motion) {
+        return motion[0].equals(Ensemble.LOST);
     }
 
     /** The motion in a window as the steps of differences have it. */

@@ -1,17 +1,22 @@
 package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.core.effect.Damping;
+import org.auvsim.core.effect.MagnusForce;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Parameter;
+import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble;
+import org.auvsim.diagnosis.model.Ensemble.Commands;
 import org.auvsim.diagnosis.model.Partings.Leg;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
 
@@ -72,6 +77,40 @@ class LostMotionTest {
 
         assertThat(told[0]).doesNotContain(Ensemble.LOST).isEqualTo(told[2]);
         assertThat(told[1]).containsOnly(Ensemble.LOST);
+    }
+
+    /** Steps that do for the model as it is believed may be too long for what was found. */
+    @Test
+    void whatGetsLostInLongStepsAloneIsDifferentiatedInShorterOnes() throws Exception {
+        BelievedModel model =
+                Believed.model(
+                        """
+                        <scenario><time-step delta="0.01"/>
+                          <world-object name="ball" mass="0.145"><sphere radius="0.037"/><gravity/>
+                          </world-object>
+                        </scenario>
+                        """,
+                        "ball");
+        MeasuredRunBuilder thrown = MeasuredRun.named("thrown");
+        for (int k = 0; k < 180; k++) {
+            double t = k / 120.0;
+            thrown.at(t).position(12 * t + 1e-3 * (k % 3), 0, 6 * t - 4.9 * t * t);
+        }
+        List<MeasuredRun> runs = List.of(thrown.build());
+        Misses of = Misses.of(runs, Noise.of(runs)).getFirst();
+        Variant spinning = model.variant().with(b -> b.effect(new MagnusForce(4e-4)));
+        RigidMotion start =
+                new RigidMotion(
+                        Vec3.ZERO, Quat.IDENTITY, new Vec3(12, 0, 6), new Vec3(0, 1e-9, 60));
+        Stepping far = new Stepping(model, model, model.stepping(0.17), Commands.EVENED);
+        Shooting shooting = new Shooting(far, spinning, of);
+        Window window = new Window(0, 179, start);
+
+        WindowDerivatives derivatives = shooting.derivatives(window, 1, Moves.NONE);
+
+        assertThat(shooting.rough(window, shooting.motion(window))).containsOnly(Ensemble.LOST);
+        assertThat(derivatives.byStart[0][0])
+                .isCloseTo(1 / of.deviation(0), within(0.01 / of.deviation(0)));
     }
 
     @Test

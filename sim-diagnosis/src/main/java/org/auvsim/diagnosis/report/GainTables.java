@@ -91,7 +91,7 @@ final class GainTables {
                 curves.stream()
                         .flatMap(curve -> curve.points().stream())
                         .anyMatch(point -> Double.isInfinite(point.y()));
-        return new Chart(
+        return Chart.logarithmic(
                 "Error of the %s by how far ahead is predicted".formatted(Sentence.words(channel)),
                 "ahead (s)",
                 "error (%s)".formatted(Sentence.unit(channel)),

@@ -200,6 +200,16 @@ class ReportTest {
         assertThat(page(Diagnoses.explained())).doesNotContain("gets lost");
     }
 
+    /** How far ahead grows by factors, and so does the error of a model that is wrong. */
+    @Test
+    void errorsByHowFarAheadAreByPowersOfTen() throws IOException {
+        assertThat(page(Diagnoses.explained()))
+                .contains(
+                        "\"title\":\"Error of the position by how far ahead is"
+                            + " predicted\",\"x\":\"ahead (s)\",\"y\":\"error"
+                            + " (m)\",\"axes\":\"logarithmic\"");
+    }
+
     @Test
     void aModelThatBreaksOffLeavesMeasurementsAlone() throws IOException {
         assertThat(page(Diagnoses.brokenOff())).contains("<h3>Heading over time</h3>");

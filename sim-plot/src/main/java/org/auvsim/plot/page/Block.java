@@ -42,7 +42,7 @@ public sealed interface Block {
     /**
      * Curves over two axes.
      *
-     * @param isMap whether a unit is as long across as it is up
+     * @param axes how their scales are divided
      * @param x what the axis across shows, with its unit
      * @param y what the axis up shows, with its unit
      * @param alsoUp what the axis up shows besides the curves, so that charts beside each other may
@@ -53,11 +53,21 @@ public sealed interface Block {
             String title,
             String x,
             String y,
-            boolean isMap,
+            Axes axes,
             List<Double> alsoUp,
             List<Curve> curves,
             String reading)
             implements Block {
+        /** How the scales of the axes are divided. */
+        public enum Axes {
+            /** Evenly, each as it suits. */
+            EVEN,
+            /** Evenly and alike: a unit is as long across as it is up. */
+            MAP,
+            /** Each by powers of ten, so that what is not above 0 has no point. */
+            LOGARITHMIC
+        }
+
         /** A chart whose curves stay as they are. */
         public Chart {
             alsoUp = List.copyOf(alsoUp);
@@ -66,23 +76,29 @@ public sealed interface Block {
 
         /** One whose axes have scales of their own. */
         public Chart(String title, String x, String y, List<Curve> curves, String reading) {
-            this(title, x, y, false, List.of(), curves, reading);
+            this(title, x, y, Axes.EVEN, List.of(), curves, reading);
         }
 
         /** One of two lengths, as long across as they are up. */
         public static Chart map(
                 String title, String x, String y, List<Curve> curves, String reading) {
-            return new Chart(title, x, y, true, List.of(), curves, reading);
+            return new Chart(title, x, y, Axes.MAP, List.of(), curves, reading);
+        }
+
+        /** One of what grows by factors: by powers of ten, across and up. */
+        public static Chart logarithmic(
+                String title, String x, String y, List<Curve> curves, String reading) {
+            return new Chart(title, x, y, Axes.LOGARITHMIC, List.of(), curves, reading);
         }
 
         /** The same with other curves. */
         Chart with(List<Curve> others) {
-            return new Chart(title, x, y, isMap, alsoUp, others, reading);
+            return new Chart(title, x, y, axes, alsoUp, others, reading);
         }
 
         /** The same, its axis up at least as long as to show these values, too. */
         public Chart showing(List<Double> values) {
-            return new Chart(title, x, y, isMap, values, curves, reading);
+            return new Chart(title, x, y, axes, values, curves, reading);
         }
     }
 }

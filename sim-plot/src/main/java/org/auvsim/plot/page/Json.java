@@ -18,12 +18,12 @@ final class Json {
     }
 
     private static String chart(Chart chart) {
-        return "{\"title\":%s,\"x\":%s,\"y\":%s,\"map\":%s,\"alsoUp\":%s,\"curves\":%s}"
+        return "{\"title\":%s,\"x\":%s,\"y\":%s,\"axes\":%s,\"alsoUp\":%s,\"curves\":%s}"
                 .formatted(
                         text(chart.title()),
                         text(chart.x()),
                         text(chart.y()),
-                        chart.isMap(),
+                        text(chart.axes().name().toLowerCase(Locale.ROOT)),
                         array(chart.alsoUp(), Json::number),
                         array(chart.curves(), Json::curve));
     }

@@ -27,10 +27,19 @@
     backgroundColor: paint(curve, k),
   });
 
-  const axis = text => ({
-    type: 'linear',
+  // Over more than a power of ten 1, 2 and 5 are enough.
+  const power = (value, _, ticks) =>
+    ticks.at(-1).value < 10 * ticks[0].value || /^[125]e/.test(Number(value.toPrecision(3)).toExponential())
+      ? String(Number(value.toPrecision(3))) : '';
+
+  const axis = (text, axes) => ({
+    type: axes === 'logarithmic' ? 'logarithmic' : 'linear',
     title: { display: true, text, color: colour('--quiet') },
-    ticks: { color: colour('--quiet'), includeBounds: false },
+    ticks: {
+      color: colour('--quiet'),
+      includeBounds: false,
+      ...(axes === 'logarithmic' ? { callback: power } : {}),
+    },
     grid: { color: colour('--rule') },
   });
 
@@ -105,12 +114,15 @@
       options: {
         animation: false,
         maintainAspectRatio: false,
-        onResize: chart.map ? rescale : undefined,
-        scales: { x: axis(chart.x), y: { ...axis(chart.y), ...also(chart.alsoUp) } },
+        onResize: chart.axes === 'map' ? rescale : undefined,
+        scales: {
+          x: axis(chart.x, chart.axes),
+          y: { ...axis(chart.y, chart.axes), ...also(chart.alsoUp) },
+        },
         plugins: { legend: { labels: legend(chart.curves) } },
       },
     });
-    if (chart.map) scaleAlike(place);
+    if (chart.axes === 'map') scaleAlike(place);
   };
 
   // What is folded away is drawn when it is opened.

@@ -72,7 +72,7 @@ class ReportPageTest {
         assertThat(page)
                 .contains(
                         "[{\"title\":\"Curves\",\"x\":\"t (s)\",\"y\":\"y \\u0022(m)\\u0022\","
-                            + "\"map\":false,\"alsoUp\":[-2.0,3.0],\"curves\":[{\"name\":\"\\u003c/script\\u003e\","
+                            + "\"axes\":\"even\",\"alsoUp\":[-2.0,3.0],\"curves\":[{\"name\":\"\\u003c/script\\u003e\","
                             + "\"mark\":\"dashed\",\"x\":[0.0,0.5],\"y\":[1.0,null]}]}]");
     }
 
@@ -137,6 +137,23 @@ class ReportPageTest {
                         </div>
                         </details>
                         """);
+    }
+
+    @Test
+    void whatGrowsByFactorsHasAxesOfPowersOfTen() {
+        Chart grows = Chart.logarithmic("Growth", "t (s)", "y (m)", List.of(), "");
+        assertThat(ReportPage.html(new Report("", "", List.of(Section.of("", grows)))))
+                .contains("\"y\":\"y (m)\",\"axes\":\"logarithmic\"")
+                .contains("axes === 'logarithmic' ? 'logarithmic' : 'linear'");
+    }
+
+    /** A shade at its edge says that there is more. */
+    @Test
+    void aTableThatIsWiderThanAPhoneIsScrolledByItself() {
+        assertThat(first("<style>(.*?)</style>", page))
+                .containsSubsequence(".wide {", "overflow-x: auto;", "no-repeat local")
+                .contains("@media (max-width: 40rem)");
+        assertThat(page).contains("<div class=\"wide\"><table>");
     }
 
     @Test

@@ -9,13 +9,11 @@ import org.auvsim.diagnosis.genetic.Evolution;
 import org.auvsim.diagnosis.genetic.FormulaSearch;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
-import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.Split;
 import org.auvsim.diagnosis.shaking.Imbalance;
 import org.auvsim.diagnosis.shaking.SoundRuns;
 
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -100,8 +98,9 @@ public record Investigation(
         Optional<Arena.Contest> contest =
                 method == Method.GENETIC ? Optional.of(new Evolution(seed)) : Optional.empty();
         Diagnosis diagnosis =
-                new Examination(model, fit, heldOut, causes, seed, contest, progress).diagnosis();
-        return shaken(proposing(diagnosis)).toldAsFarAsItCame();
+                new Examination(model, fit, heldOut, causes, seed, contest, progress)
+                        .diagnosis(List.of(new FormulaSearch(seed), new FieldSearch()));
+        return shaken(diagnosis).toldAsFarAsItCame();
     }
 
     /** With what the body's shaking says, all of each run long. */
@@ -120,22 +119,5 @@ public record Investigation(
                 .compared(whole)
                 .map(shaking -> Imbalance.judged(diagnosis, shaking))
                 .orElseGet(() -> diagnosis.noticing(List.of(NOT_COMPARED)));
-    }
-
-    /** With what imitates the misfit, where nothing that is known fits and the search ended. */
-    private Diagnosis proposing(Diagnosis diagnosis) {
-        if (diagnosis.verdict() != Verdict.UNEXPLAINED
-                || diagnosis.proposal().isPresent()
-                || !diagnosis.isComplete()
-                || !progress.at("looking for a formula or a field", 0.95)) {
-            return diagnosis;
-        }
-        return Stream.of(
-                        new FormulaSearch(model, seed).proposal(diagnosis),
-                        new FieldSearch(model).proposal(diagnosis))
-                .flatMap(Optional::stream)
-                .min(Comparator.comparingDouble(proposal -> proposal.heldOut().after()))
-                .map(diagnosis::proposing)
-                .orElse(diagnosis);
     }
 }

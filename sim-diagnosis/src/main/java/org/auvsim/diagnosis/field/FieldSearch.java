@@ -4,10 +4,9 @@ import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.ArrayRealVector;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.RealVector;
-import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
-import org.auvsim.diagnosis.fit.Imitation;
-import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.fit.ImitationTrial;
+import org.auvsim.diagnosis.fit.Imitator;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.ForceResidual;
@@ -22,7 +21,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.function.UnaryOperator;
+import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 
 /**
@@ -30,7 +29,7 @@ import java.util.stream.IntStream;
  * potentials along the paths. The map is a patch; it says nothing of where no run has been. It may
  * leave more than noise, as it changes no verdict: it has to halve the held-out error.
  */
-public final class FieldSearch {
+public final class FieldSearch implements Imitator {
     /** Widths that are tried, as shares of the paths' range. */
     private static final int WIDTHS = 10;
 
@@ -52,36 +51,33 @@ public final class FieldSearch {
     /** The error on held-out runs must fall to this share: by chance it does not. */
     private static final double MOST_LEFT = 0.5;
 
-    private final BelievedModel model;
-
-    /** For what a model lacks. */
-    public FieldSearch(BelievedModel model) {
-        this.model = model;
-    }
-
     /** Where a force was missing. */
     private record Sample(Vec3 place, Vec3 force) {}
 
     /** A field, and how much it has for itself. */
     private record Found(PotentialField field, double evidence) {}
 
-    /** A field that halves the error on held-out runs at least; empty if none does. */
-    public Optional<Proposal> proposal(Diagnosis diagnosis) {
+    /** A field that halves the error on held-out runs at least. */
+    @Override
+    public Optional<Proposal> proposal(Diagnosis diagnosis, ImitationTrial trial) {
         List<DiagnosedRun> fit = diagnosis.runs().stream().filter(r -> !r.isHeldOut()).toList();
-        return field(fit)
+        return field(fit, trial::goesOn)
                 .flatMap(
                         field ->
-                                gain(field, diagnosis)
+                                gain(field, trial)
                                         .filter(g -> g.after() < MOST_LEFT * g.before())
                                         .map(g -> proposal(field, samples(fit), g)));
     }
 
-    /** The field along runs; empty if they say too little, or noise imitates it as well. */
-    static Optional<PotentialField> field(List<DiagnosedRun> runs) {
+    /**
+     * The field along runs; empty if they say too little, or noise imitates it as well; of the
+     * narrow ones that were tried once it is stopped.
+     */
+    static Optional<PotentialField> field(List<DiagnosedRun> runs, BooleanSupplier goesOn) {
         List<Sample> samples = samples(runs);
         return samples.size() < FEWEST
                 ? Optional.empty()
-                : found(samples, places(runs.stream().map(DiagnosedRun::run).toList()));
+                : found(samples, places(runs.stream().map(DiagnosedRun::run).toList()), goesOn);
     }
 
     private static List<Sample> samples(List<DiagnosedRun> runs) {
@@ -126,13 +122,15 @@ public final class FieldSearch {
     }
 
     /** The field that imitates the forces best; empty if noise does as well. */
-    private static Optional<PotentialField> found(List<Sample> samples, List<Vec3> places) {
+    private static Optional<PotentialField> found(
+            List<Sample> samples, List<Vec3> places, BooleanSupplier goesOn) {
         RealVector forces = forces(samples);
         double range = range(places);
         if (!(range > 0)) {
             return Optional.empty(); // a body that stays where it is shows nothing of other places
         }
         return IntStream.range(0, WIDTHS)
+                .takeWhile(_ -> goesOn.getAsBoolean())
                 .mapToDouble(
                         i -> NARROWEST * StrictMath.pow(WIDEST / NARROWEST, i / (WIDTHS - 1.0)))
                 .mapToObj(share -> field(samples, forces, places, share * range))
@@ -195,9 +193,7 @@ public final class FieldSearch {
     }
 
     /** On held-out runs, of the position. */
-    private Optional<Gain> gain(PotentialField field, Diagnosis diagnosis) {
-        UnaryOperator<WorldObjectDefinition.Builder> forced = body -> body.effect(field);
-        Imitation imitation = new Imitation(variant -> variant.with(forced));
-        return imitation.positionGain(model, diagnosis);
+    private static Optional<Gain> gain(PotentialField field, ImitationTrial trial) {
+        return trial.positionGain(variant -> variant.with(body -> body.effect(field)));
     }
 }

@@ -17,6 +17,7 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -74,6 +75,11 @@ public final class Examination {
 
     /** What the runs say of the model. */
     public Diagnosis diagnosis() {
+        return diagnosis(List.of());
+    }
+
+    /** The same, with what imitates the misfit best where nothing that is known explains it. */
+    public Diagnosis diagnosis(List<Imitator> imitators) {
         Search.Found found = new Search(model, fit, causes, contest, course).found();
         course.at("judging by held-out runs", Search.END);
         Judgement judgement =
@@ -87,7 +93,24 @@ public final class Examination {
                 return diagnosis(judgement.convinced(all), Optional.of(turns));
             }
         }
-        return diagnosis(judgement.orAsBelieved(), Optional.empty());
+        Diagnosis diagnosis = diagnosis(judgement.orAsBelieved(), Optional.empty());
+        ImitationTrial trial = new ImitationTrial(found.stepping(), heldOut, found.noise(), course);
+        return imitated(diagnosis, trial, imitators);
+    }
+
+    /** Only once the search has come to its end: a known cause is worth more. */
+    private Diagnosis imitated(
+            Diagnosis diagnosis, ImitationTrial trial, List<Imitator> imitators) {
+        if (diagnosis.verdict() != Verdict.UNEXPLAINED
+                || !diagnosis.isComplete()
+                || !course.at("looking for a formula or a field", END)) {
+            return diagnosis;
+        }
+        return imitators.stream()
+                .flatMap(imitator -> imitator.proposal(diagnosis, trial).stream())
+                .min(Comparator.comparingDouble(proposal -> proposal.heldOut().after()))
+                .map(diagnosis::proposing)
+                .orElse(diagnosis);
     }
 
     /**

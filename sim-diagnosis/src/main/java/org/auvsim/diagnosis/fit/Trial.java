@@ -33,8 +33,14 @@ final class Trial {
 
     /** Held-out runs from starts of their own, the hypothesis as it is. */
     Judged prediction(Hypothesis hypothesis) {
-        Fit fit = Following.of(stepping, hypothesis.settled(), data, noise);
-        return Descent.of(Refinement.approach(fit, 1)).steps(STEPS);
+        return prediction(hypothesis, Course.UNHEARD);
+    }
+
+    /** The same, as far as it has come once it was told to stop. */
+    Judged prediction(Hypothesis hypothesis, Course course) {
+        Fit fit = Following.of(stepping, hypothesis.settled(), data, noise, course);
+        Judged near = Refinement.approach(fit, 1, Double.POSITIVE_INFINITY, course).judged();
+        return Descent.of(near).steps(STEPS, Double.POSITIVE_INFINITY, course);
     }
 
     /**

@@ -1,12 +1,10 @@
 package org.auvsim.diagnosis.genetic;
 
 import org.apache.commons.math3.genetics.Chromosome;
-import org.apache.commons.math3.genetics.FixedGenerationCount;
 import org.apache.commons.math3.random.Well19937c;
-import org.auvsim.core.entity.WorldObjectDefinition;
-import org.auvsim.diagnosis.fit.Imitation;
+import org.auvsim.diagnosis.fit.ImitationTrial;
+import org.auvsim.diagnosis.fit.Imitator;
 import org.auvsim.diagnosis.genetic.Formula.Sample;
-import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Gain;
@@ -16,7 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.function.UnaryOperator;
+import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 
 /**
@@ -24,7 +22,7 @@ import java.util.stream.IntStream;
  * expression trees that compete and have offspring (Koza 1992). What it finds imitates the force;
  * it is not its cause. The same seed gives the same formula.
  */
-public final class FormulaSearch {
+public final class FormulaSearch implements Imitator {
     private static final int POPULATION = 300;
     private static final int GENERATIONS = 60;
 
@@ -43,23 +41,21 @@ public final class FormulaSearch {
     private static final int FEWEST = 8;
     private static final String AXES = "xyz";
 
-    private final BelievedModel model;
     private final long seed;
 
-    /** For what a model lacks. */
-    public FormulaSearch(BelievedModel model, long seed) {
-        this.model = model;
+    /** With what is drawn by lot from a seed. */
+    public FormulaSearch(long seed) {
         this.seed = seed;
     }
 
-    /** A formula that imitates what is missing, also on held-out runs; empty if none does. */
-    public Optional<Proposal> proposal(Diagnosis diagnosis) {
+    @Override
+    public Optional<Proposal> proposal(Diagnosis diagnosis, ImitationTrial trial) {
         List<Optional<Formula>> axes = new ArrayList<>();
         for (int axis = 0; axis < AXES.length(); axis++) {
-            axes.add(along(axis, diagnosis.runs()));
+            axes.add(along(axis, diagnosis.runs(), trial::goesOn));
         }
-        return axes.stream().anyMatch(Optional::isPresent)
-                ? gain(axes, diagnosis)
+        return trial.goesOn() && axes.stream().anyMatch(Optional::isPresent)
+                ? gain(axes, trial)
                         .filter(gain -> gain.after() < MOST_LEFT * gain.before())
                         .map(gain -> new Proposal("formula", text(axes), gain))
                 : Optional.empty();
@@ -82,13 +78,13 @@ public final class FormulaSearch {
         return String.join("; ", parts) + " (N, world)";
     }
 
-    private Optional<Formula> along(int axis, List<DiagnosedRun> runs) {
+    private Optional<Formula> along(int axis, List<DiagnosedRun> runs, BooleanSupplier goesOn) {
         List<Sample> made = samples(axis, runs, false);
         List<Sample> heldOut = samples(axis, runs, true);
         if (made.size() < FEWEST || heldOut.size() < FEWEST) {
             return Optional.empty();
         }
-        return Optional.of(found(made)).filter(f -> f.shareOf(heldOut) >= LEAST_SHARE);
+        return Optional.of(found(made, goesOn)).filter(f -> f.shareOf(heldOut) >= LEAST_SHARE);
     }
 
     private static List<Sample> samples(int axis, List<DiagnosedRun> runs, boolean heldOut) {
@@ -98,8 +94,8 @@ public final class FormulaSearch {
                 .toList();
     }
 
-    /** The formula that imitates forces best for its size. */
-    Formula found(List<Sample> samples) {
+    /** The formula that imitates forces best for its size; of those so far once it is stopped. */
+    Formula found(List<Sample> samples, BooleanSupplier goesOn) {
         Well19937c lot = new Well19937c(seed);
         FormulaHeredity heredity = new FormulaHeredity(varying(samples), lot);
         Breeding breeding =
@@ -113,7 +109,9 @@ public final class FormulaSearch {
                 (FormulaGenome)
                         breeding.evolve(
                                         breeding.first(first),
-                                        new FixedGenerationCount(GENERATIONS))
+                                        _ ->
+                                                breeding.getGenerationsEvolved() >= GENERATIONS
+                                                        || !goesOn.getAsBoolean())
                                 .getFittestChromosome();
         return Formula.scaled(best.expression(), samples);
     }
@@ -138,10 +136,8 @@ public final class FormulaSearch {
     }
 
     /** On held-out runs, of the position. */
-    private Optional<Gain> gain(List<Optional<Formula>> axes, Diagnosis diagnosis) {
+    private static Optional<Gain> gain(List<Optional<Formula>> axes, ImitationTrial trial) {
         FormulaForce force = new FormulaForce(axes);
-        UnaryOperator<WorldObjectDefinition.Builder> forced = body -> body.effect(force);
-        Imitation imitation = new Imitation(variant -> variant.with(forced));
-        return imitation.positionGain(model, diagnosis);
+        return trial.positionGain(variant -> variant.with(body -> body.effect(force)));
     }
 }

@@ -3,7 +3,10 @@ package org.auvsim.diagnosis.field;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.Investigation;
 import org.auvsim.diagnosis.PushedSphere;
+import org.auvsim.diagnosis.fit.Examination;
+import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.ForceResidual;
@@ -16,6 +19,7 @@ import org.junit.jupiter.api.Timeout;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
 
@@ -34,16 +38,28 @@ class FieldSearchTest {
         };
     }
 
+    /** What runs say, with a field if there is one. */
+    private static Diagnosis mapped(PushedSphere sphere) {
+        Investigation of = sphere.investigation(1, CAUSES);
+        return new Examination(
+                        of.model(),
+                        of.fit(),
+                        of.heldOut(),
+                        of.causes(),
+                        1,
+                        Optional.empty(),
+                        Progress.SILENT)
+                .diagnosis(List.of(new FieldSearch()));
+    }
+
     @Test
     void aForceThatDependsOnThePlaceIsMapped() {
-        Diagnosis diagnosis =
-                new PushedSphere((p, v) -> eggBox(p)).investigation(1, CAUSES).diagnose();
+        Diagnosis diagnosis = mapped(new PushedSphere((p, v) -> eggBox(p)));
 
-        Proposal proposal = new FieldSearch(PushedSphere.model()).proposal(diagnosis).orElseThrow();
+        Proposal proposal = diagnosis.proposal().orElseThrow();
 
         assertThat(diagnosis.verdict()).isEqualTo(Verdict.UNEXPLAINED);
         assertThat(diagnosis.selected()).isEmpty();
-        assertThat(diagnosis.proposal()).isPresent();
         assertThat(proposal.kind()).isEqualTo("force_field");
         assertThat(proposal.text()).contains("potentials of a width of").contains(" N at most");
         assertThat(proposal.heldOut().after()).isLessThan(proposal.heldOut().before() / 2);
@@ -62,7 +78,7 @@ class FieldSearchTest {
         DiagnosedRun run =
                 new DiagnosedRun(still.build(), false, List.of(), List.of(), forces, Set.of());
 
-        assertThat(FieldSearch.field(List.of(run))).isEmpty();
+        assertThat(FieldSearch.field(List.of(run), () -> true)).isEmpty();
     }
 
     @Test
@@ -79,9 +95,9 @@ class FieldSearchTest {
                             calls[0]++;
                             return kick;
                         });
-        Diagnosis diagnosis = kicked.investigation(1, CAUSES).diagnose();
+        Diagnosis diagnosis = mapped(kicked);
 
         assertThat(diagnosis.verdict()).isEqualTo(Verdict.UNEXPLAINED);
-        assertThat(new FieldSearch(PushedSphere.model()).proposal(diagnosis)).isEmpty();
+        assertThat(diagnosis.proposal()).isEmpty();
     }
 }

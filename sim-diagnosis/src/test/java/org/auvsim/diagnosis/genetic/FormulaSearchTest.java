@@ -2,18 +2,15 @@ package org.auvsim.diagnosis.genetic;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.auvsim.auvsml.document.Scenario;
-import org.auvsim.core.entity.WorldObjectDefinition;
-import org.auvsim.core.volume.Sphere;
-import org.auvsim.core.world.World;
 import org.auvsim.diagnosis.genetic.Formula.Sample;
-import org.auvsim.diagnosis.model.BelievedModel;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /** Forces that follow a known law are imitated by a formula, also where none was seen. */
 class FormulaSearchTest {
@@ -33,16 +30,8 @@ class FormulaSearchTest {
         return samples;
     }
 
-    private static FormulaSearch search(long seed) {
-        World world =
-                World.builder()
-                        .add(
-                                WorldObjectDefinition.named("body")
-                                        .volume(new Sphere(0.1))
-                                        .mass(1)
-                                        .build())
-                        .build();
-        return new FormulaSearch(new BelievedModel(Scenario.of(world), "body"), seed);
+    private static Formula found(long seed, List<Sample> samples) {
+        return new FormulaSearch(seed).found(samples, () -> true);
     }
 
     @ParameterizedTest(name = "seed {0}")
@@ -50,7 +39,7 @@ class FormulaSearchTest {
     void aSpringAndADragAreImitated(long seed) {
         Law law = v -> -3 * v[2] - 2 * v[5] * Math.abs(v[5]);
 
-        Formula found = search(seed).found(samples(seed, 90, law));
+        Formula found = found(seed, samples(seed, 90, law));
 
         assertThat(found.shareOf(samples(seed + 100, 90, law))).as(found.text()).isGreaterThan(0.9);
     }
@@ -61,7 +50,7 @@ class FormulaSearchTest {
     void whatGoesWithTheOrientationIsImitated(long seed) {
         Law law = v -> 4 * v[8] * v[4];
 
-        Formula found = search(seed).found(samples(seed, 90, law));
+        Formula found = found(seed, samples(seed, 90, law));
 
         assertThat(found.text()).contains("pitch");
         assertThat(found.shareOf(samples(seed + 100, 90, law))).as(found.text()).isGreaterThan(0.9);
@@ -73,7 +62,7 @@ class FormulaSearchTest {
         SplittableRandom lot = new SplittableRandom(seed);
         Law chance = _ -> lot.nextGaussian();
 
-        Formula found = search(seed).found(samples(seed, 90, chance));
+        Formula found = found(seed, samples(seed, 90, chance));
 
         assertThat(found.shareOf(samples(seed + 100, 90, chance))).isLessThan(0.2);
     }
@@ -83,6 +72,18 @@ class FormulaSearchTest {
     void theSameSeedGivesTheSameFormula(long seed) {
         List<Sample> samples = samples(seed, 40, v -> v[1] * v[4]);
 
-        assertThat(search(seed).found(samples)).isEqualTo(search(seed).found(samples));
+        assertThat(found(seed, samples)).isEqualTo(found(seed, samples));
+    }
+
+    /** After three generations it is told to stop, and has the best of those. */
+    @Test
+    void aSearchThatIsStoppedMakesNoMoreGenerations() {
+        List<Sample> samples = samples(1, 40, v -> v[1] * v[4]);
+        AtomicInteger asked = new AtomicInteger();
+
+        Formula best = new FormulaSearch(1).found(samples, () -> asked.incrementAndGet() <= 3);
+
+        assertThat(asked).hasValue(4);
+        assertThat(best.shareOf(samples)).isPositive();
     }
 }

@@ -2,13 +2,16 @@ package org.auvsim.diagnosis.genetic;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.diagnosis.Investigation;
 import org.auvsim.diagnosis.PushedSphere;
+import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Proposal;
 import org.auvsim.diagnosis.result.Verdict;
 import org.junit.jupiter.api.Test;
 
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /** Where no cause explains what is measured, a formula is proposed, and named nowhere. */
 class ProposalTest {
@@ -32,5 +35,25 @@ class ProposalTest {
         assertThat(proposal.heldOut().after())
                 .as(proposal.text())
                 .isLessThan(proposal.heldOut().before() / 3);
+    }
+
+    /** The search is over by then: what it says stays. */
+    @Test
+    void whoeverStopsItThenHasTheDiagnosisWithoutOne() {
+        AtomicInteger asked = new AtomicInteger();
+        Progress until =
+                (stage, share) ->
+                        !stage.equals("looking for a formula or a field")
+                                || asked.incrementAndGet() < 5;
+        Investigation of = SPHERE.investigation(1, CAUSES);
+
+        Diagnosis diagnosis =
+                new Investigation(of.model(), of.fit(), of.heldOut(), of.causes(), 1, until)
+                        .diagnose();
+
+        assertThat(diagnosis.verdict()).isEqualTo(Verdict.UNEXPLAINED);
+        assertThat(diagnosis.isComplete()).isTrue();
+        assertThat(diagnosis.proposal()).isEmpty();
+        assertThat(asked).hasValue(5);
     }
 }

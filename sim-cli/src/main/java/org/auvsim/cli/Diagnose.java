@@ -184,11 +184,11 @@ final class Diagnose implements Callable<Integer> {
     public Integer call() throws DocumentException {
         try (Interruption interruption =
                 new Interruption(this::tellOfStopping, PATIENCE, this::tellOfGivingUp)) {
+            OutputFolder.requireWritable(folder);
             BelievedModel model = model(ScenarioFile.load(scenarioFile, err()));
             RunFiles runs = runs(model);
             runs.notices().forEach(notice -> err().println("notice: " + notice));
             err().flush();
-            prepareFolder();
             Diagnosis diagnosis = diagnosis(model, runs, interruption);
             interruption.endIsInSight();
             diagnosis.notices().stream()
@@ -360,14 +360,6 @@ final class Diagnose implements Callable<Integer> {
         return names.size() <= MOST_NAMES
                 ? first
                 : "%s and %d more".formatted(first, names.size() - MOST_NAMES);
-    }
-
-    private void prepareFolder() {
-        try {
-            Files.createDirectories(folder);
-        } catch (IOException e) {
-            throw FileTrouble.writing(folder, e);
-        }
     }
 
     private void tell(Diagnosis diagnosis) {

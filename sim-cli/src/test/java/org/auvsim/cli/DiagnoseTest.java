@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -386,6 +388,28 @@ class DiagnoseTest {
                 .endsWith(
                         "Cannot write %s: something else of that name is there; give another name.\n"
                                 .formatted(taken));
+    }
+
+    /** Who is root may write wherever there are files, so none is: what is no file system. */
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void aFolderThatCannotBeWrittenIsToldBeforeRunsAreRead() throws IOException {
+        Path run = auvsim.file("run.csv", "no run");
+
+        assertThat(diagnose(BALL, "--fit", run, "--out", Path.of("/proc"))).isEqualTo(2);
+        assertThat(auvsim.err())
+                .isEqualTo(
+                        "Cannot write /proc: no file can be made in /proc; give another folder"
+                                + " (--out), or change the permissions of this one.\n");
+    }
+
+    @Test
+    void whatEndsBeforeItsReportLeavesNoFolder() throws IOException {
+        Path report = folder.resolve("report");
+
+        assertThat(diagnoseFalls(BALL, 0, "--causes", "sensor_bias", "--out", report)).isEqualTo(2);
+        assertThat(auvsim.err()).contains("can be looked for in these runs");
+        assertThat(report).doesNotExist();
     }
 
     @Test

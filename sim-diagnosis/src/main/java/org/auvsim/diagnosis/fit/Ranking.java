@@ -4,6 +4,7 @@ import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.result.Ranked;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -15,12 +16,14 @@ final class Ranking {
     /**
      * All that were tried: first what was chosen, which is not always that of the largest evidence
      * (a specific cause stands before one that can imitate others, a common one before what the
-     * data cannot tell from it), then the others, the best first.
+     * data cannot tell from it), then the others, those of most evidence first: a score also has
+     * the price of many tries, which evidence has not.
      */
     static List<Ranked> of(Search.Found found) {
         List<Judged> fitted =
                 found.judged().stream()
                         .filter(j -> found.judged().stream().noneMatch(j::isBehind))
+                        .sorted(Comparator.comparingDouble(Judged::logEvidence).reversed())
                         .toList();
         double most = fitted.stream().mapToDouble(Judged::logEvidence).max().orElseThrow();
         double sum = 0;

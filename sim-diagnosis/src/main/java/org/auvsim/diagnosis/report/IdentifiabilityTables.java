@@ -29,8 +29,6 @@ final class IdentifiabilityTables {
         if (of.alternatives().isEmpty()) {
             return List.of();
         }
-        String chosen =
-                of.selected().stream().map(Finding::name).collect(Collectors.joining(" + "));
         boolean isAnyDetermined =
                 of.alternatives().stream().anyMatch(other -> !other.determined().isBlank());
         List<List<String>> rows = new ArrayList<>();
@@ -52,9 +50,20 @@ final class IdentifiabilityTables {
                                 ? List.of("instead", "how close", "what the data does determine")
                                 : List.of("instead", "how close"),
                         rows,
-                        "Causes that explain the data about as well as "
-                                + (chosen.isEmpty() ? "the model as believed" : chosen)
-                                + "."));
+                        "Causes that explain the data about as well as " + chosen() + "."));
+    }
+
+    /** What others are compared with: what was found or, if that is nothing, the best tried. */
+    private String chosen() {
+        if (!of.selected().isEmpty()) {
+            return of.selected().stream().map(Finding::name).collect(Collectors.joining(" + "));
+        }
+        return of.ranked().stream()
+                .limit(1)
+                .filter(best -> !best.causes().isEmpty())
+                .map(best -> "the best that was tried, " + best.name())
+                .findFirst()
+                .orElse("the model as believed");
     }
 
     List<Block> pairs() {

@@ -6,6 +6,8 @@ import org.auvsim.diagnosis.result.Ranked;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -63,6 +65,25 @@ class AliasTest {
         assertThat(Ranking.of(other).getFirst().name()).isEqualTo("none");
         assertThat(Ranking.of(other).get(1).behind())
                 .contains("held-out runs do not confirm it, or noise alone could gain as much");
+    }
+
+    /** A score also has the price of many tries. */
+    @Test
+    void behindWhatWasChosenMostEvidenceComesFirst() {
+        List<Judged> turned = new ArrayList<>(found.judged()).reversed();
+        Search.Found other =
+                new Search.Found(
+                        found.none(),
+                        found.best(),
+                        turned,
+                        found.competitors(),
+                        found.traces(),
+                        found.noise());
+        List<Ranked> ranked = Ranking.of(other);
+
+        assertThat(ranked).hasSameSizeAs(Ranking.of(found));
+        assertThat(ranked.subList(1, ranked.size()))
+                .isSortedAccordingTo(Comparator.comparingDouble(Ranked::logEvidence).reversed());
     }
 
     @Test

@@ -368,6 +368,18 @@ final class Diagnoses {
         return with(of, of.body(), of.ranked(), horizons, of.nextExperiment(), of.isComplete());
     }
 
+    /** The same where linear drag was the best that was tried, though it was not believed. */
+    static Diagnosis rivalled(Diagnosis of, Alternative other) {
+        return with(
+                of,
+                of.body(),
+                of.ranked().subList(1, of.ranked().size()),
+                List.of(other),
+                of.horizons(),
+                of.nextExperiment(),
+                of.isComplete());
+    }
+
     private static Diagnosis with(
             Diagnosis of, String body, Optional<NextExperiment> next, boolean isComplete) {
         return with(of, body, of.ranked(), of.horizons(), next, isComplete);
@@ -380,6 +392,17 @@ final class Diagnoses {
             List<HorizonGain> horizons,
             Optional<NextExperiment> next,
             boolean isComplete) {
+        return with(of, body, ranked, of.alternatives(), horizons, next, isComplete);
+    }
+
+    private static Diagnosis with(
+            Diagnosis of,
+            String body,
+            List<Ranked> ranked,
+            List<Alternative> alternatives,
+            List<HorizonGain> horizons,
+            Optional<NextExperiment> next,
+            boolean isComplete) {
         return new Diagnosis(
                 of.verdict(),
                 of.sentence(),
@@ -387,7 +410,7 @@ final class Diagnoses {
                 of.selected(),
                 of.candidates(),
                 ranked,
-                of.alternatives(),
+                alternatives,
                 of.noise(),
                 of.heldOut(),
                 horizons,

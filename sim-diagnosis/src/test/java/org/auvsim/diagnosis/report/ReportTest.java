@@ -192,6 +192,16 @@ class ReportTest {
                                 + "<td class=\"words\">mass / thruster gain = 1.20</td>");
     }
 
+    /** They are compared with the best that was tried: the model as believed explains nothing. */
+    @Test
+    void alternativesOfTheUnexplainedAreThoseOfTheBestThatWasTried() throws IOException {
+        Alternative other = new Alternative(List.of("mass_error"), false, "");
+        assertThat(page(Diagnoses.rivalled(Diagnoses.unexplained(), other)))
+                .contains(
+                        "Causes that explain the data about as well as the best that was tried,"
+                                + " linear_drag.");
+    }
+
     @Test
     void aModelThatGetsLostHasNoErrorThere() throws IOException {
         assertThat(page(Diagnoses.lost(Diagnoses.explained())))

@@ -3,8 +3,8 @@ package org.auvsim.diagnosis.reading;
 import de.siegmar.fastcsv.reader.CsvRecord;
 
 import org.auvsim.auvsml.document.DocumentException;
-import org.auvsim.auvsml.run.CellForm;
 
+import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -37,9 +37,11 @@ final class Cells {
     double number(CsvRecord row, BoundColumn column) throws DocumentException {
         String text = text(row, column);
         return column.converted(
-                column.form() == CellForm.HHMMSS
-                        ? timeOfDay(row, column, text)
-                        : finite(row, column, text));
+                switch (column.form()) {
+                    case NUMBER -> finite(row, column, text);
+                    case HHMMSS -> timeOfDay(row, column, text);
+                    case ISO_8601 -> date(row, column, text);
+                });
     }
 
     static String text(CsvRecord row, BoundColumn column) {
@@ -55,6 +57,14 @@ final class Cells {
         } catch (NumberFormatException _) {
             // said below, as for numbers that are not finite
         }
+        if (Iso8601.isLike(text)) {
+            throw expected(
+                    row,
+                    column,
+                    "a number",
+                    "map the column with form=\"ISO-8601\" (--mapping) if these are dates and"
+                        + " times");
+        }
         throw column.slot() == Slots.TIME || column.slot() == Slots.RUN
                 ? expected(row, column, "a number", "correct it, or take the row out")
                 : expected(row, column, "a number", MENDING);
@@ -69,6 +79,18 @@ final class Cells {
         return 3600.0 * Integer.parseInt(parts.group(1))
                 + 60.0 * Integer.parseInt(parts.group(2))
                 + Double.parseDouble(parts.group(3));
+    }
+
+    private double date(CsvRecord row, BoundColumn column, String text) throws DocumentException {
+        OptionalDouble seconds = Iso8601.seconds(text);
+        if (seconds.isEmpty()) {
+            throw expected(
+                    row,
+                    column,
+                    "a date and time as 2024-06-10T12:00:00.25Z",
+                    "correct it, or take the row out");
+        }
+        return seconds.getAsDouble();
     }
 
     /** Something else was expected in a cell. */

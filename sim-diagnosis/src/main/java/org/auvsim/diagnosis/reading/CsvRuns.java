@@ -129,7 +129,13 @@ final class CsvRuns {
     }
 
     private void tell(Survey survey) {
-        String time = survey.timeColumn();
+        String time = survey.time().name();
+        survey.afterMidnight()
+                .ifPresent(
+                        row ->
+                                notices.add(
+                                        "%s:%d: column '%s': times of day begin anew; they are read as going on past midnight, into the next day"
+                                                .formatted(file, row, time)));
         if (survey.hasWholeSeconds()) {
             notices.add(
                     "%s: column '%s': times are whole seconds with several rows each; read as a constant rate of %s Hz"

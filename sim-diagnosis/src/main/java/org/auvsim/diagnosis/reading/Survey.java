@@ -4,11 +4,13 @@ import de.siegmar.fastcsv.reader.CsvRecord;
 
 import org.apache.commons.math3.stat.descriptive.rank.PSquarePercentile;
 import org.auvsim.auvsml.document.DocumentException;
+import org.auvsim.auvsml.run.CellForm;
 
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalLong;
 
 /**
  * What a first reading of a table tells of it as a whole: how many rows there are, by what clock,
@@ -21,6 +23,7 @@ final class Survey {
     private final CsvTable table;
     private final Cells cells;
     private final BoundColumn time;
+    private final Midnight midnight;
     private final Optional<BoundColumn> run;
     private final List<BoundColumn> commands;
     private final String[] told;
@@ -44,11 +47,13 @@ final class Survey {
 
     private long ofWholeStamps;
     private String ofRun = "";
+    private OptionalLong afterMidnight = OptionalLong.empty();
 
     private Survey(CsvTable table, Layout layout) {
         this.table = table;
         this.cells = new Cells(table);
         this.time = layout.time();
+        this.midnight = new Midnight(time);
         this.run = layout.of(Slots.RUN);
         this.commands = layout.columns().stream().filter(c -> c.slot() >= Slots.COMMANDS).toList();
         this.told = new String[commands.size()];
@@ -73,13 +78,18 @@ final class Survey {
 
     private void take(CsvRecord row) throws DocumentException {
         line = row.getStartingLineNumber();
-        double now = cells.number(row, time);
+        double written = cells.number(row, time);
         if (run.isPresent() && !Cells.text(row, run.get()).equals(ofRun)) {
             ofRun = Cells.text(row, run.get());
             last = Double.NEGATIVE_INFINITY;
             stampsOfRun = 0;
+            midnight.restart();
             Arrays.fill(told, "");
         }
+        if (afterMidnight.isEmpty() && midnight.isPassedAt(written)) {
+            afterMidnight = OptionalLong.of(line);
+        }
+        double now = midnight.countedOn(written);
         isWhole &= Math.abs(now - Math.rint(now)) <= ROUNDING * Math.ulp(now);
         if (now < last) {
             throw notLater(row);
@@ -121,7 +131,11 @@ final class Survey {
 
     /** Refuses 205259, 205300: a clock's digits are no seconds. */
     private void requireSeconds(CsvRecord row, double now) throws DocumentException {
-        if (repeats > 0 && isWhole && now - last == 41 && last % 100 == 59) {
+        if (time.form() == CellForm.NUMBER
+                && repeats > 0
+                && isWhole
+                && now - last == 41
+                && last % 100 == 59) {
             throw table.at(
                     row.getStartingLineNumber(),
                     time.name(),
@@ -156,8 +170,13 @@ final class Survey {
     }
 
     /** The column that has the time. */
-    String timeColumn() {
-        return time.name();
+    BoundColumn time() {
+        return time;
+    }
+
+    /** The first row, as an editor counts it, whose time of day is of the next day. */
+    OptionalLong afterMidnight() {
+        return afterMidnight;
     }
 
     /** How much there is. */

@@ -280,6 +280,28 @@ class BadRunsTest {
     }
 
     @Test
+    void datesAreToldTheFormThatReadsThem() {
+        refused(
+                moving("y", "0").replace("0.3,3,0", "2024-06-10T12:00:00.3,3,0"),
+                ":5: column 't': expected a number, but found '2024-06-10T12:00:00.3'; map the"
+                    + " column with form=\"ISO-8601\" (--mapping) if these are dates and times");
+    }
+
+    @Test
+    void whatIsNoDateIsRefusedWhereDatesAreExpected() {
+        ColumnMapping mapping =
+                ColumnMapping.USUAL.with(
+                        List.of(
+                                new MappedColumn(
+                                        "t", Optional.empty(), 1, 0, CellForm.ISO_8601, false)));
+        refused(
+                mapping,
+                moving("y", "0").replace("0.0,0,0", "2024-06-31T12:00:00,0,0"),
+                ":2: column 't': expected a date and time as 2024-06-10T12:00:00.25Z, but found"
+                        + " '2024-06-31T12:00:00'; correct it, or take the row out");
+    }
+
+    @Test
     void aTimeOfDayHasSixDigits() {
         ColumnMapping mapping =
                 ColumnMapping.USUAL.with(

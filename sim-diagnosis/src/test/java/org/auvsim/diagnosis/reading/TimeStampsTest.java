@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.reading;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.auvsml.run.CellForm;
@@ -12,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -141,6 +143,71 @@ class TimeStampsTest {
         MeasuredRun run = file.runs().getFirst();
         assertThat(run.time(0)).isEqualTo(20 * 3600 + 52 * 60 + 50);
         assertThat(run.time(39) - run.time(0)).isCloseTo(39 * 0.25, within(1e-9));
+    }
+
+    private static ColumnMapping timesAs(CellForm form) {
+        return ColumnMapping.USUAL.with(
+                List.of(new MappedColumn("t", Optional.empty(), 1, 0, form, false)));
+    }
+
+    /** 23:59:59.0 to 00:00:02.9. */
+    @Test
+    void timesOfDayCountOnPastMidnight() throws Exception {
+        StringBuilder text = new StringBuilder("t,x\n");
+        for (int i = 0; i < 40; i++) {
+            int second = i / 10;
+            String clock = second == 0 ? "235959" : "00000" + (second - 1);
+            text.append(clock).append('.').append(i % 10).append(',').append(i).append('\n');
+        }
+
+        RunFile file = Rov.read(folder, timesAs(CellForm.HHMMSS), text.toString());
+
+        assertThat(file.runs()).hasSize(1);
+        MeasuredRun run = file.runs().getFirst();
+        assertThat(run.time(0)).isEqualTo(86_399);
+        assertThat(run.time(39)).isCloseTo(86_402.9, within(1e-9));
+        assertThat(file.notices())
+                .contains(
+                        folder.resolve("run.csv")
+                                + ":12: column 't': times of day begin anew; they are read as"
+                                + " going on past midnight, into the next day");
+    }
+
+    /** Half an hour back is no midnight. */
+    @Test
+    void timesOfDayThatStepBackAreRefused() {
+        StringBuilder text = new StringBuilder("t,x\n");
+        for (int i = 0; i < 40; i++) {
+            text.append(i == 20 ? "115000" : "1220" + (10 + i)).append(',').append(i).append('\n');
+        }
+
+        assertThatThrownBy(() -> Rov.read(folder, timesAs(CellForm.HHMMSS), text.toString()))
+                .hasMessageContaining("run.csv:22: column 't': expected a time after 44429.0 s");
+    }
+
+    /** 12:00 UTC on 10 June 2024 is 1718020800 s after 1970. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "2024-06-10T12:00:%04.1f",
+                "2024-06-10 12:00:%04.1f",
+                "2024-06-10T12:00:%04.1fZ",
+                "2024-06-10T14:00:%04.1f+02:00",
+                "2024-06-10T14:00:%04.1f+0200",
+                "2024-06-10T14:00:%04.1f+02",
+                "2024-06-10t06:30:%04.1f000-05:30"
+            })
+    void datesCountInSecondsSince1970(String form) throws Exception {
+        StringBuilder text = new StringBuilder("t,x\n");
+        for (int i = 0; i < 40; i++) {
+            text.append(String.format(Locale.ROOT, form, 0.1 * i)).append(',').append(i);
+            text.append('\n');
+        }
+
+        MeasuredRun run = Rov.run(folder, timesAs(CellForm.ISO_8601), text.toString());
+
+        assertThat(run.time(0)).isEqualTo(1_718_020_800);
+        assertThat(run.time(39)).isCloseTo(1_718_020_803.9, within(1e-6));
     }
 
     @Test

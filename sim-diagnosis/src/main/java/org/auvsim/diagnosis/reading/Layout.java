@@ -1,7 +1,6 @@
 package org.auvsim.diagnosis.reading;
 
 import org.auvsim.auvsml.document.DocumentException;
-import org.auvsim.auvsml.mapping.Names;
 import org.auvsim.auvsml.run.CellForm;
 import org.auvsim.auvsml.run.ColumnMapping;
 import org.auvsim.auvsml.run.LastingError;
@@ -16,16 +15,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** What each column of one file has, by its header, a mapping and what the body can be told. */
 final class Layout {
     private static final double RADIANS = Math.PI / 180;
-
-    /** What people call the column that has the time. */
-    private static final Pattern TIME_LIKE = Pattern.compile("(?i)time|stamp|sec");
 
     private final CsvTable table;
     private final ColumnMapping mapping;
@@ -35,12 +30,13 @@ final class Layout {
     private final Map<Integer, String> filled = new LinkedHashMap<>();
     private final Map<Integer, List<LastingError>> lasting = new LinkedHashMap<>();
     private final List<Ends.LimitedColumn> limited = new ArrayList<>();
+    private final List<String> unknown = new ArrayList<>();
     private final Set<String> meant = new LinkedHashSet<>();
 
     /**
      * That of a table.
      *
-     * @throws DocumentException naming the column that is unknown, missing or stated twice
+     * @throws DocumentException naming the columns that are unknown, missing or stated twice
      */
     Layout(CsvTable table, ColumnMapping mapping, CommandNames known) throws DocumentException {
         this.table = table;
@@ -53,7 +49,14 @@ final class Layout {
         for (int field = 0; field < table.columns().size(); field++) {
             bind(field, rule(table.columns().get(field)));
         }
+        if (!unknown.isEmpty()) {
+            throw unknown().refusal(unknown);
+        }
         require();
+    }
+
+    private UnknownColumns unknown() {
+        return new UnknownColumns(table, mapping, known, filled.keySet());
     }
 
     /** All columns that count; one that moves several things is there for each. */
@@ -183,35 +186,16 @@ final class Layout {
                 commands.add(part.command());
                 add(field, rule, slot, part.factor() * (part.isAngle() ? angle() : 1));
             }
-        } else if (rule.means().isPresent() || !(mapping.ignoreOthers() || isOfUse(rule))) {
-            throw unknown(rule.name(), meaning);
+        } else if (rule.means().isPresent()) {
+            throw unknown().refusal(rule.name(), meaning);
+        } else if (!(mapping.ignoreOthers() || isOfUse(rule))) {
+            unknown.add(rule.name());
         }
     }
 
     /** Whether a column tells something, though it is none that is known by its name. */
     private boolean isOfUse(MappedColumn rule) {
         return rule.runEnds().isPresent() || shakingColumns().contains(rule.name());
-    }
-
-    private DocumentException unknown(String column, String meaning) {
-        List<String> names = new ArrayList<>(Slots.byName().keySet());
-        names.addAll(known.names());
-        List<String> near = Names.near(meaning, names);
-        boolean isTime = !filled.containsKey(Slots.TIME) && TIME_LIKE.matcher(column).find();
-        String other = isTime ? Slots.TIME_NAME : Remedy.USUAL;
-        String usual = near.isEmpty() ? other : near.getFirst();
-        return table.at(
-                1,
-                column,
-                "unknown name '%s'; %s %s, ignore it %s, or give a force or actuator of '%s' that name"
-                        .formatted(
-                                meaning,
-                                Names.meant(near)
-                                        .map(asked -> asked + " Rename it")
-                                        .orElse("rename it to the usual name of its quantity"),
-                                Remedy.renaming(column, usual),
-                                Remedy.ignoring(List.of(column)),
-                                known.body()));
     }
 
     private double unit(int slot, String meaning) {

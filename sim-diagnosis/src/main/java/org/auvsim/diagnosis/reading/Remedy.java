@@ -1,6 +1,8 @@
 package org.auvsim.diagnosis.reading;
 
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 
 /**
  * What mends a column, with the option of {@code auvsim diagnose} that does so: whoever reads runs
@@ -17,9 +19,18 @@ final class Remedy {
 
     /** Rename it to what it has: {@code (--rename letf=left)}. */
     static String renaming(String column, String usual) {
-        boolean canBeSaid = canBeSaid(column) && !column.contains("=");
-        return canBeSaid
-                ? "(--rename %s)".formatted(word(column + "=" + usual))
+        return renaming(Map.of(column, usual));
+    }
+
+    /** The same of several: {@code (--rename T=t,X=x)}. */
+    static String renaming(Map<String, String> usual) {
+        return usual.keySet().stream().allMatch(c -> canBeSaid(c) && !c.contains("="))
+                ? "(--rename %s)"
+                        .formatted(
+                                word(
+                                        usual.entrySet().stream()
+                                                .map(e -> e.getKey() + "=" + e.getValue())
+                                                .collect(Collectors.joining(","))))
                 : "(in a --mapping file: the name contains a character that is special in"
                         + " --rename)";
     }

@@ -101,6 +101,64 @@ class BadRunsTest {
     }
 
     @Test
+    void unknownColumnsAreToldAllAtOnceWithWhatMendsThem() {
+        refused(
+                Rov.rows("X,Yaw_deg,y_m,MAIN,volt", ENOUGH, i -> i + ",0,0,0,12")
+                        .replace("t,", "T,"),
+                ":1: columns 'T', 'X', 'Yaw_deg', 'y_m', 'MAIN', 'volt': unknown names; rename what"
+                    + " has a usual name but for its spelling (--rename T=t,X=x,y_m=y,MAIN=main);"
+                    + " map what is in another unit (--mapping FILE with <column-mapping><column"
+                    + " name=\"Yaw_deg\" means=\"yaw\""
+                    + " scale=\"0.017453292519943295\"/></column-mapping>); ignore the others"
+                    + " (--ignore volt), or rename what has a usual quantity (--rename"
+                    + " volt=USUAL)");
+    }
+
+    /** Neither a second x nor two of them are meant. */
+    @Test
+    void aQuantityIsMeantByOneColumnOnly() {
+        refused(
+                moving("X,Y,y_m", "0,0,0"),
+                ":1: columns 'X', 'Y', 'y_m': unknown names; rename what has a usual name but for"
+                    + " its spelling (--rename Y=y); ignore the others (--ignore X,y_m), or rename"
+                    + " what has a usual quantity (--rename X=USUAL)");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "x_mm, x, 0.001",
+        "t [ms], t, 0.001",
+        "time_ms, t, 0.001",
+        "u (cm/s), u, 0.01",
+        "p_dps, p, 0.017453292519943295",
+        "sd_yaw.deg, sd_yaw, 0.017453292519943295"
+    })
+    void aUnitBehindAUsualNameIsMapped(String name, String usual, String scale) {
+        refused(
+                Rov.rows("vertical", ENOUGH, String::valueOf)
+                        .replace("t,vertical", (usual.equals("t") ? "y," : "t,") + name),
+                ":1: column '%1$s': unknown name '%1$s'; did you mean '%2$s' in another unit? Map it (--mapping FILE with <column-mapping><column name=\"%1$s\" means=\"%2$s\" scale=\"%3$s\"/></column-mapping>), ignore it (--ignore %4$s), or give a force or actuator of 'Rov' that name"
+                        .formatted(
+                                name, usual, scale, name.contains(" ") ? '"' + name + '"' : name));
+    }
+
+    /** Degrees need no factor where all angles are in degrees. */
+    @Test
+    void aUnitThatIsAsReadNeedsANewNameOnly() {
+        refused(
+                moving("y_m", "0"),
+                ":1: column 'y_m': unknown name 'y_m'; did you mean 'y'? Rename it (--rename"
+                        + " y_m=y), ignore it (--ignore y_m), or give a force or actuator of 'Rov'"
+                        + " that name");
+        refused(
+                ColumnMapping.USUAL.inDegrees(),
+                moving("yaw_deg", "0"),
+                ":1: column 'yaw_deg': unknown name 'yaw_deg'; did you mean 'yaw'? Rename it"
+                        + " (--rename yaw_deg=yaw), ignore it (--ignore yaw_deg), or give a force"
+                        + " or actuator of 'Rov' that name");
+    }
+
+    @Test
     void whatAColumnIsRenamedToMayBeASlipToo() {
         refused(
                 ColumnMapping.USUAL.with(List.of(MappedColumn.renamed("pwm 1", "mian"))),

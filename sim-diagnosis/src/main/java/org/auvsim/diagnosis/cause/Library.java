@@ -9,7 +9,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.ServiceLoader;
 import java.util.function.Function;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** The causes that are known. */
@@ -31,6 +30,11 @@ public final class Library {
                     PeriodicCauses::of,
                     OnsetCauses::of,
                     SensorCauses::of);
+
+    private static final int MOST_MEANT = 4;
+
+    /** Fewer letters are in many names. */
+    private static final int SHORTEST = 3;
 
     private Library() {}
 
@@ -68,7 +72,7 @@ public final class Library {
      * @throws IllegalArgumentException if a name is that of none
      */
     public static List<Cause> named(List<String> names, List<Cause> library) {
-        require(names, library, "can be looked for in these runs; those that can are");
+        require(names, library, "can be looked for in these runs");
         List<Cause> some =
                 library.stream()
                         .filter(cause -> names.stream().anyMatch(name -> isNamed(cause, name)))
@@ -84,27 +88,35 @@ public final class Library {
      */
     public static void requireKnown(List<String> names, BelievedModel model) {
         List<Cause> all = of(model, List.of(AllMeasured.of(model)));
-        require(names, all, "is known of '%s'; those that are known are".formatted(model.body()));
+        require(names, all, "is known of '%s'".formatted(model.body()));
     }
 
     private static void require(List<String> names, List<Cause> library, String known) {
         for (String name : names) {
             if (library.stream().noneMatch(cause -> isNamed(cause, name))) {
-                List<String> ids = library.stream().map(Cause::id).distinct().toList();
-                String asked =
-                        Names.meant(Names.near(name, ids)).map(" (%s)"::formatted).orElse("");
                 throw new IllegalArgumentException(
-                        "no cause '%s'%s %s %s"
+                        "no cause '%s' %s; %sdocs/causes.md has all, and what each of them needs"
                                 .formatted(
                                         name,
-                                        asked,
                                         known,
-                                        library.stream()
-                                                .map(Cause::name)
-                                                .distinct()
-                                                .collect(Collectors.joining(", "))));
+                                        Names.meant(meant(name, library))
+                                                .map(asked -> asked + " ")
+                                                .orElse("")));
             }
         }
+    }
+
+    /** Those that hold what was written, as all laws of drag do, or else those that are near. */
+    private static List<String> meant(String name, List<Cause> library) {
+        List<String> ids = library.stream().map(Cause::id).distinct().toList();
+        List<String> holding = ids.stream().filter(id -> id.contains(name)).toList();
+        return holding.isEmpty() || name.length() < SHORTEST
+                ? Names.near(
+                        name,
+                        Stream.concat(ids.stream(), library.stream().map(Cause::name))
+                                .distinct()
+                                .toList())
+                : holding.subList(0, Math.min(MOST_MEANT, holding.size()));
     }
 
     private static boolean isNamed(Cause cause, String name) {

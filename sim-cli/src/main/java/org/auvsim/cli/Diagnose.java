@@ -185,6 +185,7 @@ final class Diagnose implements Callable<Integer> {
         try (Interruption interruption =
                 new Interruption(this::tellOfStopping, PATIENCE, this::tellOfGivingUp)) {
             OutputFolder.requireWritable(folder);
+            SwappedFiles.requireScenario(scenarioFile, given());
             BelievedModel model = model(ScenarioFile.load(scenarioFile, err()));
             RunFiles runs = runs(model);
             runs.notices().forEach(notice -> err().println("notice: " + notice));
@@ -315,12 +316,16 @@ final class Diagnose implements Callable<Integer> {
         }
     }
 
+    /** All files of runs. */
+    private List<Path> given() {
+        return Stream.of(fit, heldOut, reference).flatMap(List::stream).toList();
+    }
+
     /** Runs are often meant to be where the scenario is, which reading them does not know. */
     private void requireThere() {
         List<Path> folders = Optional.ofNullable(scenarioFile.getParent()).stream().toList();
         String missing =
-                Stream.of(fit, heldOut, reference)
-                        .flatMap(List::stream)
+                given().stream()
                         .filter(Files::notExists)
                         .map(run -> MissingFile.sentence(run, folders))
                         .collect(Collectors.joining("\n"));

@@ -414,6 +414,22 @@ class DiagnoseTest {
     }
 
     @Test
+    void aRunInPlaceOfTheScenarioIsToldAsSuch() throws IOException {
+        Path model = auvsim.file("model.xml", BALL);
+        Path run = fall("run.csv", 0);
+
+        assertThat(auvsim.run("diagnose", "--scenario", run, "--fit", model)).isEqualTo(2);
+        assertThat(auvsim.run("diagnose", "--scenario", run, "--fit", run)).isEqualTo(2);
+        assertThat(auvsim.err())
+                .isEqualTo(
+                        """
+                        %1$s: expected a scenario, but this looks like CSV, and %2$s is a scenario: are they swapped? Give the scenario with --scenario, and the runs with --fit
+                        %1$s: expected a scenario, but this looks like CSV; give the model with --scenario, and the measured runs with --fit
+                        """
+                                .formatted(run, model));
+    }
+
+    @Test
     void aScenarioWithoutAnythingThatMovesHasNoMeasuredBody() throws IOException {
         String model = BALL.replace("mass=\"0.5\"", "fixed=\"1\"");
 

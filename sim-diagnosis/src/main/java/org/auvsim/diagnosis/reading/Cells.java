@@ -108,8 +108,8 @@ final class Cells {
                 ? table.at(
                         row.getStartingLineNumber(),
                         column.name(),
-                        "expected %s, but found '%s': is that a decimal comma? Write %s"
-                                .formatted(what, text, text.replace(',', '.')))
+                        "expected %s, but found '%s': is that a decimal comma? Export the file with decimal points, and commas between columns"
+                                .formatted(what, text))
                 : table.at(
                         row.getStartingLineNumber(),
                         column.name(),

@@ -9,6 +9,7 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -44,6 +45,13 @@ final class Plausibility {
      * @throws DocumentException if nothing moves at all
      */
     List<String> notices() throws DocumentException {
+        if (isEmpty()) {
+            throw new DocumentException(
+                    source.says(
+                            source.measured(),
+                            "run '%s' has no measured number in any row; expected some: leave the run out, or look at what wrote it"
+                                    .formatted(run.name())));
+        }
         if (isConstant()) {
             throw new DocumentException(
                     source.says(
@@ -55,6 +63,10 @@ final class Plausibility {
         velocity().ifPresent(notices::add);
         way().ifPresent(notices::add);
         return notices;
+    }
+
+    private boolean isEmpty() {
+        return Arrays.stream(Channel.values()).noneMatch(run::measures);
     }
 
     private boolean isConstant() {

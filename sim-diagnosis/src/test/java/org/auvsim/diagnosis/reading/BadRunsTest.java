@@ -220,7 +220,8 @@ class BadRunsTest {
                         ? ":2: expected 3 fields as in the header, but found 4: do its numbers have"
                                 + " decimal commas? Write 1.5, not 1,5"
                         : ":2: column 't': expected a number, but found '0,0': is that a decimal"
-                                + " comma? Write 0.0");
+                                + " comma? Export the file with decimal points, and commas between"
+                                + " columns");
     }
 
     @Test
@@ -549,6 +550,14 @@ class BadRunsTest {
                 ":2: columns 'x', 'yaw': every measured number of run 'run' is the same from its"
                         + " first row to its last; nothing can be learnt from it: leave it out, or"
                         + " look at what wrote it");
+    }
+
+    @Test
+    void norFromOneWithoutAnyNumber() {
+        refused(
+                Rov.rows("x,yaw,main", ENOUGH, i -> "nan,,0." + i % 2),
+                ":2: columns 'x', 'yaw': run 'run' has no measured number in any row; expected"
+                        + " some: leave the run out, or look at what wrote it");
     }
 
     /** Angles that are rounded when they become quaternions still do not change. */

@@ -1,0 +1,54 @@
+package org.auvsim.cli;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import org.auvsim.auvsml.document.DocumentKind;
+import org.auvsim.cli.report.UserError;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/** A run where the scenario is expected, and the scenario among the runs. */
+final class SwappedFiles {
+    private SwappedFiles() {}
+
+    /** Refuses a scenario that is no XML, as a table is not; of what cannot be read others tell. */
+    static void requireScenario(Path scenario, List<Path> runs) {
+        if (!isText(scenario)) {
+            return;
+        }
+        Optional<Path> meant = runs.stream().filter(SwappedFiles::isScenario).findFirst();
+        throw new UserError(
+                meant.map(
+                                run ->
+                                        "%s: expected a scenario, but this looks like CSV, and %s is a scenario: are they swapped? Give the scenario with --scenario, and the runs with --fit"
+                                                .formatted(scenario, run))
+                        .orElseGet(
+                                () ->
+                                        "%s: expected a scenario, but this looks like CSV; give the model with --scenario, and the measured runs with --fit"
+                                                .formatted(scenario)));
+    }
+
+    /** Whether a file begins with words and commas, and not as XML does. */
+    private static boolean isText(Path file) {
+        try (InputStream in = Files.newInputStream(file)) {
+            String text = new String(in.readNBytes(DocumentKind.BEGINNING), UTF_8);
+            String line = text.lines().findFirst().orElse("").strip();
+            return line.matches("[^<]*[,;\t][^<]*");
+        } catch (IOException _) {
+            return false;
+        }
+    }
+
+    private static boolean isScenario(Path file) {
+        try {
+            return Files.isRegularFile(file) && DocumentKind.of(file) == DocumentKind.SCENARIO;
+        } catch (IOException _) {
+            return false;
+        }
+    }
+}

@@ -168,6 +168,7 @@ public final class Examination {
         List<Alternative> alternatives =
                 found.competitors().stream()
                         .filter(other -> !other.isNone())
+                        .sorted(Comparator.comparingDouble(Judged::logEvidence).reversed())
                         .map(other -> Alternatives.alternative(best, other))
                         .toList();
         Foretold foretold =

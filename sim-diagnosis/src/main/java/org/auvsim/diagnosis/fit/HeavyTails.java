@@ -61,12 +61,14 @@ final class HeavyTails {
     static Optional<String> notice(MeasuredRun run, List<Misses.Row> rows, Noise noise) {
         StringJoiner of = new StringJoiner(", ");
         for (Misses.Row row : rows) {
-            double[] off = off(series(run, row), row, noise);
+            Series series = series(run, row);
+            double[] off = off(series, row, noise);
             if (hasOutliers(off)) {
                 of.add(
-                        "%d of %s %s"
+                        "%d of %d numbers of %s %s"
                                 .formatted(
                                         beyond(FAR, off),
+                                        series.size(),
                                         name(row.channel()),
                                         "xyz".charAt(row.axis())));
             }
@@ -74,8 +76,8 @@ final class HeavyTails {
         return of.length() == 0
                 ? Optional.empty()
                 : Optional.of(
-                        "%d samples of %s: outliers, given less weight and left out of errors: %s"
-                                .formatted(run.size(), run.name(), of));
+                        "%s: outliers, given less weight and left out of errors: %s"
+                                .formatted(run.name(), of));
     }
 
     /** For people. */

@@ -24,6 +24,9 @@ public final class Sentence {
     /** An error that is so many times another one is worse, and not by chance. */
     private static final double WORSE = 1.1;
 
+    /** Of those that cannot be told from what was found so many are named; the page has all. */
+    private static final int MOST_OTHERS = 1;
+
     private static final String NO_GAIN = "; but these runs are predicted just as well without ";
 
     private final Optional<Map.Entry<Channel, Gain>> error;
@@ -59,6 +62,7 @@ public final class Sentence {
      * Causes explain the runs.
      *
      * @param share of the misfit beyond noise that they take away together, 0 to 1
+     * @param alternatives the most probable first
      */
     public String explained(List<Finding> found, double share, List<Alternative> alternatives) {
         List<String> parts = found.stream().map(Sentence::part).toList();
@@ -121,20 +125,27 @@ public final class Sentence {
         String chosen = found.stream().map(Phrases::of).map(Phrases::inside).collect(AND);
         String others =
                 same.stream()
+                        .limit(MOST_OTHERS)
                         .map(Alternative::causes)
                         .map(names -> names.stream().map(Phrases::of).map(Phrases::inside))
                         .map(phrases -> phrases.collect(AND))
                         .collect(Collectors.joining(", or "));
+        int more = Math.max(0, same.size() - MOST_OTHERS);
         String determined =
                 same.stream()
+                        .limit(MOST_OTHERS)
                         .map(Alternative::determined)
                         .filter(words -> !words.isBlank())
                         .distinct()
                         .collect(Collectors.joining(", "));
-        return "; this data cannot tell apart: %s, or %s%s"
+        return "; this data cannot tell apart: %s, or %s%s%s"
                 .formatted(
                         chosen,
                         others,
+                        more == 0
+                                ? ""
+                                : ", and %d more set%s of causes"
+                                        .formatted(more, more == 1 ? "" : "s"),
                         determined.isEmpty() ? "" : "; it determines " + determined);
     }
 

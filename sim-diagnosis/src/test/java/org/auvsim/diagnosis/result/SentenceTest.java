@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 
 class SentenceTest {
     private static final Finding DRAG =
@@ -193,6 +194,19 @@ class SentenceTest {
                 .endsWith(
                         "; this data cannot tell apart: the mass is wrong, or the thrust of all"
                                 + " thrusters is wrong; it determines mass / gain = 1.20");
+    }
+
+    /** The page lists them all. */
+    @Test
+    void ofManyThatCannotBeToldApartTheMostProbableIsNamed() {
+        List<Alternative> many =
+                Stream.of("position_drift", "mass_error", "magnus")
+                        .map(cause -> new Alternative(List.of(cause), true, ""))
+                        .toList();
+        assertThat(sentence.explained(List.of(CURRENT), 0.9, many))
+                .endsWith(
+                        "; this data cannot tell apart: a constant current is missing, or the"
+                                + " measured position drifts, and 2 more sets of causes");
     }
 
     @Test

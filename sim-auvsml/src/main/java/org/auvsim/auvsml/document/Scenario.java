@@ -158,6 +158,24 @@ public record Scenario(
                 worldObject);
     }
 
+    /** The same scenario with another time (s) at the beginning. */
+    public Scenario beginningAt(double time) {
+        return new Scenario(
+                time,
+                boundingSpheres,
+                allowOverlaps,
+                feedbackHorizon,
+                timeStep,
+                stepper,
+                integrator,
+                feedbackTimestepping,
+                feedbackProcessor,
+                releasedObject,
+                datum,
+                field,
+                worldObject);
+    }
+
     /** The same scenario with other fields and objects. */
     public Scenario with(List<Field<?>> fields, List<WorldObjectDefinition> worldObjects) {
         return new Scenario(

@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
@@ -10,6 +11,7 @@ import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Discrepancy;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Gain;
+import org.auvsim.diagnosis.result.Moments;
 import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
@@ -179,7 +181,8 @@ public final class Examination {
                 verdict == Verdict.UNEXPLAINED
                         ? Optional.of(Misfit.largest(judgement.inDoubt(), share))
                         : Optional.empty();
-        Sentence sentence = new Sentence(gains, usedHeldOut, foretold.isBetter());
+        Sentence sentence =
+                new Sentence(gains, usedHeldOut, foretold.isBetter()).with(new Moments(allRuns()));
         String words =
                 switch (verdict) {
                     case EXPLAINED -> explained(sentence, found, selected, share, alternatives);
@@ -204,7 +207,7 @@ public final class Examination {
                 Optional.empty(),
                 new Menu(best.fit(), found.noise()).next(best, found.competitors()),
                 found.traces().identifiability(best.fit().hypothesis().causes()),
-                model.extended(isExplained ? best.fit().variant() : model.variant()),
+                extended(isExplained ? best.fit().variant() : model.variant(), selected),
                 new Notices(model, fit, heldOut).of(found, verdict, foretold),
                 seed,
                 course.goesOn());
@@ -234,10 +237,21 @@ public final class Examination {
                                 .allMatch(gain -> gain.after() < NEARER * gain.before());
         return found.best().isNone() || !isNearer
                 ? Optional.empty()
-                : Optional.of(
-                        new Approximation(
-                                Findings.unsure(found),
-                                model.extended(found.best().fit().variant())));
+                : Optional.of(approximation(found));
+    }
+
+    private Approximation approximation(Search.Found found) {
+        List<Finding> causes = Findings.unsure(found);
+        return new Approximation(causes, extended(found.best().fit().variant(), causes));
+    }
+
+    /** What begins in UNIX time would never come in a world that begins at 0. */
+    private Scenario extended(Variant variant, List<Finding> causes) {
+        Scenario extended = model.extended(variant);
+        Moments moments = new Moments(allRuns());
+        return moments.areFar() && causes.stream().anyMatch(Moments::isTimed)
+                ? extended.beginningAt(moments.begin())
+                : extended;
     }
 
     private List<DiagnosedRun> runs(Search.Found found, Judged best, Judged after) {

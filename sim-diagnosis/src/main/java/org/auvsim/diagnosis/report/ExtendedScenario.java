@@ -4,8 +4,10 @@ import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.auvsml.mapping.ContextClasses;
 import org.auvsim.diagnosis.result.Approximation;
+import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
+import org.auvsim.diagnosis.result.Moments;
 import org.auvsim.diagnosis.result.Phrases;
 import org.auvsim.diagnosis.result.QuantityGroup;
 
@@ -27,7 +29,8 @@ final class ExtendedScenario {
         lines.add(
                 "An approximation, no finding: what is below stands for something that is not"
                         + " known.");
-        nearer.causes().stream().map(ExtendedScenario::line).forEach(lines::add);
+        Moments moments = moments(diagnosis);
+        nearer.causes().stream().map(cause -> line(cause, moments)).forEach(lines::add);
         return text(lines, nearer.scenario());
     }
 
@@ -43,24 +46,29 @@ final class ExtendedScenario {
 
     private static List<String> lines(Diagnosis diagnosis) {
         List<String> lines = new ArrayList<>(heading(diagnosis));
+        Moments moments = moments(diagnosis);
         List<Finding> added = diagnosis.selected().stream().filter(Finding::isOfModel).toList();
         lines.add(
                 added.isEmpty()
                         ? "Nothing was added: this is the model as it was believed."
                         : "What was added to the model as it was believed:");
-        added.stream().map(ExtendedScenario::line).forEach(lines::add);
+        added.stream().map(cause -> line(cause, moments)).forEach(lines::add);
         List<Finding> others = diagnosis.selected().stream().filter(f -> !f.isOfModel()).toList();
         if (!others.isEmpty()) {
             lines.add("What was found beside that, which no scenario has:");
-            others.stream().map(ExtendedScenario::line).forEach(lines::add);
+            others.stream().map(cause -> line(cause, moments)).forEach(lines::add);
         }
         return lines;
     }
 
-    private static String line(Finding finding) {
+    private static Moments moments(Diagnosis of) {
+        return new Moments(of.runs().stream().map(DiagnosedRun::run).toList());
+    }
+
+    private static String line(Finding finding, Moments moments) {
         String numbers =
                 QuantityGroup.of(finding).stream()
-                        .map(group -> group.name() + " = " + group.text())
+                        .map(group -> group.name() + " = " + moments.text(group))
                         .collect(Collectors.joining(", "));
         return "- %s: %s; %s"
                 .formatted(finding.name(), numbers, Phrases.inside(Phrases.of(finding)));

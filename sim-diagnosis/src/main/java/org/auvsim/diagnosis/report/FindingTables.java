@@ -7,6 +7,7 @@ import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Discrepancy;
 import org.auvsim.diagnosis.result.Effort;
 import org.auvsim.diagnosis.result.Finding;
+import org.auvsim.diagnosis.result.Moments;
 import org.auvsim.diagnosis.result.NextExperiment;
 import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.diagnosis.result.Phrases;
@@ -31,9 +32,11 @@ final class FindingTables {
     private static final int MOST_RANKED = 20;
 
     private final Diagnosis of;
+    private final Moments moments;
 
     FindingTables(Diagnosis of) {
         this.of = of;
+        this.moments = new Moments(of.runs().stream().map(DiagnosedRun::run).toList());
     }
 
     List<Block> found() {
@@ -63,7 +66,7 @@ final class FindingTables {
                         + " has the model with them.");
     }
 
-    private static Table table(List<Finding> causes, String caption) {
+    private Table table(List<Finding> causes, String caption) {
         List<List<String>> rows = new ArrayList<>();
         for (Finding finding : causes) {
             String meaning = Phrases.of(finding);
@@ -74,7 +77,7 @@ final class FindingTables {
                                 finding.name(),
                                 meaning,
                                 group.name(),
-                                plusMinus(group.text()),
+                                plusMinus(moments.text(group)),
                                 share));
                 meaning = "";
                 share = "";
@@ -101,8 +104,7 @@ final class FindingTables {
     private Table discrepancy(Discrepancy seen) {
         List<List<String>> rows = new ArrayList<>();
         rows.add(List.of("shows most in", Sentence.words(seen.channel()) + ", " + seen.axis()));
-        rows.add(List.of("largest in run", seen.run()));
-        rows.add(List.of("largest at", Numbers.rounded(seen.time(), 3) + " s"));
+        rows.add(List.of("largest at", moments.text(seen.time(), seen.run())));
         rows.add(List.of("the model is then at", place(seen.place())));
         seen.frequency()
                 .ifPresent(hz -> rows.add(List.of("frequency", Numbers.rounded(hz) + " Hz")));
@@ -157,10 +159,10 @@ final class FindingTables {
         return blocks;
     }
 
-    private static String numbers(Ranked ranked) {
+    private String numbers(Ranked ranked) {
         return ranked.quantities().stream()
                 .flatMap(quantities -> QuantityGroup.of(quantities, List.of()).stream())
-                .map(group -> group.name() + " = " + group.text())
+                .map(group -> group.name() + " = " + moments.text(group))
                 .collect(Collectors.joining(", "));
     }
 

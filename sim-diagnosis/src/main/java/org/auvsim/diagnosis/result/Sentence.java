@@ -32,6 +32,7 @@ public final class Sentence {
     private final Optional<Map.Entry<Channel, Gain>> error;
     private final String runs;
     private final boolean isGained;
+    private final Moments moments;
 
     /**
      * A sentence that also tells the error on held-out runs.
@@ -42,9 +43,27 @@ public final class Sentence {
      * @param isGained whether what was found makes it smaller, by more than chance
      */
     public Sentence(Map<Channel, Gain> heldOut, boolean usedHeldOut, boolean isGained) {
-        this.error = telling(heldOut);
-        this.runs = usedHeldOut ? "left-out" : "held-out";
-        this.isGained = heldOut.isEmpty() || isGained;
+        this(
+                telling(heldOut),
+                usedHeldOut ? "left-out" : "held-out",
+                heldOut.isEmpty() || isGained,
+                Moments.PLAIN);
+    }
+
+    private Sentence(
+            Optional<Map.Entry<Channel, Gain>> error,
+            String runs,
+            boolean isGained,
+            Moments moments) {
+        this.error = error;
+        this.runs = runs;
+        this.isGained = isGained;
+        this.moments = moments;
+    }
+
+    /** The same with times as these runs have them. */
+    public Sentence with(Moments other) {
+        return new Sentence(error, runs, isGained, other);
     }
 
     private static Optional<Map.Entry<Channel, Gain>> telling(Map<Channel, Gain> heldOut) {
@@ -65,7 +84,7 @@ public final class Sentence {
      * @param alternatives the most probable first
      */
     public String explained(List<Finding> found, double share, List<Alternative> alternatives) {
-        List<String> parts = found.stream().map(Sentence::part).toList();
+        List<String> parts = found.stream().map(this::part).toList();
         String causes = parts.getFirst();
         for (String part : parts.subList(1, parts.size())) {
             causes += ", and " + Phrases.inside(part);
@@ -102,7 +121,7 @@ public final class Sentence {
                 .formatted(QuantityGroup.of(found).getFirst().text(), references);
     }
 
-    private static String part(Finding finding) {
+    private String part(Finding finding) {
         List<QuantityGroup> groups = QuantityGroup.of(finding);
         if (groups.isEmpty()) {
             return Phrases.of(finding);
@@ -111,7 +130,7 @@ public final class Sentence {
                 groups.size() == 1
                         ? OnlyNumber.text(finding, groups.getFirst())
                         : groups.stream()
-                                .map(group -> group.name() + " " + group.text())
+                                .map(group -> group.name() + " " + moments.text(group))
                                 .collect(Collectors.joining(", "));
         return Phrases.of(finding) + ": " + numbers;
     }
@@ -168,7 +187,7 @@ public final class Sentence {
         boolean isWorse =
                 error.filter(e -> e.getValue().after() > WORSE * e.getValue().before()).isPresent();
         return SOMETHING
-                + discrepancy.map(Sentence::known).orElse("")
+                + discrepancy.map(this::known).orElse("")
                 + gain()
                 + (isWorse ? "; these causes make the prediction worse" : "");
     }
@@ -210,20 +229,19 @@ public final class Sentence {
         return sentence + "; but the notices cast doubt on the data: read them first";
     }
 
-    private static String known(Discrepancy of) {
+    private String known(Discrepancy of) {
         String frequency =
                 of.frequency().isPresent()
                         ? ", mostly at %s Hz"
                                 .formatted(Numbers.rounded(of.frequency().getAsDouble()))
                         : "";
         String where =
-                "the %s %s %s, at %s s of %s%s"
+                "the %s %s %s, at %s%s"
                         .formatted(
                                 words(of.channel()),
                                 isTurning(of.channel()) ? "about" : "along",
                                 of.axis(),
-                                Numbers.rounded(of.time(), 3),
-                                of.run(),
+                                moments.text(of.time(), of.run()),
                                 frequency);
         return of.share() > 0
                 ? BEST + Numbers.percent(of.share()) + LEFT + where

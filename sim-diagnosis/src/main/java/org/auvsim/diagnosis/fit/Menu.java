@@ -245,7 +245,8 @@ final class Menu {
 
     /** A sample, with what is commanded from it on. */
     private void at(int sample, Dish dish, MeasuredRunBuilder run) {
-        run.at(duration * sample / SAMPLES);
+        // What began in the runs has begun.
+        run.at(first.time(0) + duration * sample / SAMPLES);
         for (int c = 0; c < dish.driven().size(); c++) {
             run.command(c, LEVEL);
         }

@@ -44,15 +44,20 @@ record Cart(double gain, double drag, double current) {
      * share is kept at the next, and a mean share on the way.
      */
     MeasuredRun run() {
-        return run(MeasuredRun.named("run"));
+        return run(0);
+    }
+
+    /** The same by a clock that is at a time (s) where the run begins. */
+    MeasuredRun run(double begin) {
+        return run(MeasuredRun.named("run"), begin);
     }
 
     /** The same, of which the way is told with an error that lasts. */
     MeasuredRun run(LastingError error) {
-        return run(MeasuredRun.named("run").lastingError(Channel.POSITION, 0, error));
+        return run(MeasuredRun.named("run").lastingError(Channel.POSITION, 0, error), 0);
     }
 
-    private MeasuredRun run(MeasuredRunBuilder begun) {
+    private MeasuredRun run(MeasuredRunBuilder begun, double begin) {
         Random random = new Random(3);
         MeasuredRunBuilder run = begun.commands(List.of("motor"));
         double x = 0;
@@ -65,7 +70,8 @@ record Cart(double gain, double drag, double current) {
         for (int k = 0; k < SAMPLES; k++) {
             level = k % 25 == 0 ? random.nextDouble(-1, 1) : level;
             double measured = x + NOISE * random.nextGaussian();
-            run.at(k * SPACING).measured(Channel.POSITION, measured, Double.NaN, Double.NaN);
+            run.at(begin + k * SPACING)
+                    .measured(Channel.POSITION, measured, Double.NaN, Double.NaN);
             run.command(0, level);
             double gained = (gain * THRUST * level + drag * current) / MASS * SPACING;
             x += SPACING * (v * meanKept + gained * wayGained);
@@ -84,7 +90,12 @@ record Cart(double gain, double drag, double current) {
 
     /** A cause of the library. */
     Cause cause(String id) throws AuvsmlException {
-        return Library.of(believed(), List.of(run())).stream()
+        return cause(id, run());
+    }
+
+    /** The same for a run. */
+    static Cause cause(String id, MeasuredRun run) throws AuvsmlException {
+        return Library.of(believed(), List.of(run)).stream()
                 .filter(cause -> cause.id().equals(id))
                 .findFirst()
                 .orElseThrow();

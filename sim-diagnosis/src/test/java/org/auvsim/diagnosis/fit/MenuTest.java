@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.core.entity.Frame;
@@ -31,7 +32,7 @@ class MenuTest {
     }
 
     private static Judged judged(MeasuredRun run, String id, double... numbers) throws Exception {
-        Hypothesis of = new Hypothesis(List.of(CART.cause(id)), List.of(numbers));
+        Hypothesis of = new Hypothesis(List.of(Cart.cause(id, run)), List.of(numbers));
         return Judged.of(Cart.fit(of, run).whole());
     }
 
@@ -64,6 +65,24 @@ class MenuTest {
                         .orElseThrow();
 
         assertThat(dull.evidence()).isLessThan(sharp.evidence() / 10);
+    }
+
+    /** A proposed run at time 0 would be before what began in runs of UNIX time. */
+    @Test
+    void anotherRunTellsAsMuchWhateverTheClockOfTheRunsIs() throws Exception {
+        double unixTime = 1.718e9;
+
+        assertThat(evidenceOfLoss(unixTime))
+                .isCloseTo(evidenceOfLoss(0), withinPercentage(5))
+                .isPositive();
+    }
+
+    /** That the motor lost a fifth of its thrust soon after the beginning, or ever had less. */
+    private static double evidenceOfLoss(double begin) throws Exception {
+        MeasuredRun run = CART.run(begin);
+        Judged gain = judged(run, "thruster_gain", -0.2);
+        Judged loss = judged(run, "thruster_loss", 0.2, begin + 1);
+        return next(gain, loss).orElseThrow().evidence();
     }
 
     /** Positions are told half a metre ahead. */

@@ -21,12 +21,16 @@ import java.util.concurrent.Callable;
 @Command(
         name = "validate",
         description =
-                "Checks scenarios, or files of messages: ok, or every fault with line and column.",
+                "Checks scenarios, files of messages, and documents of measured runs (run,"
+                        + " column-mapping): ok, or every fault with line and column.",
         footer = {"", "The exit code is 2 if there is a fault."})
 final class Validate implements Callable<Integer> {
     @Spec private CommandSpec spec;
 
-    @Parameters(arity = "1..*", paramLabel = "FILE", description = "A scenario, or messages.")
+    @Parameters(
+            arity = "1..*",
+            paramLabel = "FILE",
+            description = "A scenario, messages, or a document of measured runs.")
     private List<Path> files = List.of();
 
     @Override

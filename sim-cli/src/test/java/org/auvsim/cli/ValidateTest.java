@@ -54,6 +54,42 @@ class ValidateTest {
                 .contains("'world-object'");
     }
 
+    @Test
+    void documentsOfMeasuredRunsAreCheckedLikeScenarios() throws IOException {
+        Path mapping =
+                auvsim.file(
+                        "map.xml",
+                        "<column-mapping><column name=\"T\" means=\"t\" form=\"ISO-8601\"/>"
+                                + "</column-mapping>");
+        Path run = auvsim.file("run1.xml", "<run role=\"FIT\"/>");
+
+        assertThat(auvsim.run("validate", mapping, run)).isZero();
+        assertThat(auvsim.out()).isEqualTo(mapping + ": ok\n" + run + ": ok\n");
+    }
+
+    @Test
+    void faultsOfDocumentsOfMeasuredRunsHaveTheirPlaces() throws IOException {
+        Path mapping =
+                auvsim.file(
+                        "map.xml",
+                        """
+                        <column-mapping>
+                          <column name="T" means="t" form="ISO"/>
+                          <colum name="X"/>
+                        </column-mapping>
+                        """);
+        Path run = auvsim.file("run1.xml", "<run role=\"JUDGE\"/>");
+
+        assertThat(auvsim.run("validate", mapping, run)).isEqualTo(2);
+        assertThat(auvsim.out())
+                .contains(mapping + ":2:")
+                .contains("expected one of NUMBER, HHMMSS, ISO-8601, but found 'ISO'")
+                .contains(mapping + ":3:")
+                .contains("'column'")
+                .contains(run + ":1:")
+                .contains("JUDGE");
+    }
+
     /** Added mass as it is printed for the RexROV: it holds, but not to the letter. */
     @Test
     void whatDoesNotHoldToTheLetterIsNoticed() throws IOException {

@@ -4,7 +4,10 @@ import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.Fault;
 import org.auvsim.auvsml.framing.Frame;
 import org.auvsim.auvsml.framing.FrameReader;
+import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.auvsml.mapping.MessageCatalogue;
+import org.auvsim.auvsml.run.ColumnMapping;
+import org.auvsim.auvsml.run.Run;
 import org.auvsim.auvsml.xml.Limits;
 import org.auvsim.auvsml.xml.Place;
 import org.auvsim.auvsml.xml.PlacedElement;
@@ -18,6 +21,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -25,11 +29,16 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Finds everything that is wrong with a scenario, or with a file of messages one after another: by
- * the schema and by reading it, where of two sentences about one element the reader's counts.
+ * Finds everything that is wrong with a scenario, with a document of measured runs (what is known
+ * of one, a mapping of columns), or with a file of messages one after another: by the schema and by
+ * reading it, where of two sentences about one element the reader's counts.
  */
 public final class Validation {
     private static final int PACKET = 8192;
+
+    /** Documents of measured runs, by their roots. */
+    private static final Map<String, Class<?>> OF_RUNS =
+            Map.of("run", Run.class, "column-mapping", ColumnMapping.class);
 
     private final MessageCatalogue catalogue;
     private final ScenarioLoader scenarios;
@@ -70,29 +79,33 @@ public final class Validation {
 
     private List<Fault> faults(InputStream in, Optional<Path> folder) throws IOException {
         byte[] head = in.readNBytes(Limits.SCENARIO.bytes() + 1);
-        Optional<String> root = scenarioTrees.rootName(head);
-        return root.filter(MessageCatalogue.roots()::contains).isPresent()
+        String root = scenarioTrees.rootName(head).orElse("");
+        if (OF_RUNS.containsKey(root)) {
+            AuvsmlMapper mapper = catalogue.mapper();
+            return ofDocument(head, tree -> mapper.decode(OF_RUNS.get(root), tree));
+        }
+        return MessageCatalogue.roots().contains(root)
                 ? ofMessages(head, in)
-                : ofScenario(head, folder);
+                : ofDocument(head, tree -> scenarios.decode(tree, folder));
     }
 
     /**
-     * What {@link Scenario#notices} has on a file without faults; nothing on one of messages.
+     * What {@link Scenario#notices} has on a file without faults; nothing on any but a scenario.
      *
      * @throws DocumentException if the file cannot be read
      */
     public List<String> notices(Path file) throws DocumentException {
         byte[] text = scenarios.bytes(file);
-        Optional<String> root = scenarioTrees.rootName(text);
-        if (root.filter(MessageCatalogue.roots()::contains).isPresent()) {
+        String root = scenarioTrees.rootName(text).orElse("");
+        if (MessageCatalogue.roots().contains(root) || OF_RUNS.containsKey(root)) {
             return List.of();
         }
         return scenarios.load(file).notices();
     }
 
-    private List<Fault> ofScenario(byte[] text, Optional<Path> folder) {
+    private List<Fault> ofDocument(byte[] text, TreeDecoder decoder) {
         try {
-            return of(scenarioTrees.read(text), tree -> scenarios.decode(tree, folder));
+            return of(scenarioTrees.read(text), decoder);
         } catch (AuvsmlException e) {
             return e.faults();
         }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Verdict;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -25,6 +26,7 @@ class StoppedTest {
         Diagnosis diagnosis = diagnosed((stage, share) -> false);
 
         assertThat(diagnosis.isComplete()).isFalse();
+        assertThat(diagnosis.verdict()).isEqualTo(Verdict.UNDECIDED);
         assertThat(diagnosis.sentence()).startsWith("Stopped before any cause was fitted: ");
         assertThat(diagnosis.ranked()).allMatch(set -> set.causes().isEmpty());
     }
@@ -35,6 +37,7 @@ class StoppedTest {
         Diagnosis diagnosis = diagnosed((stage, share) -> share < end);
 
         assertThat(diagnosis.isComplete()).isFalse();
+        assertThat(diagnosis.verdict()).isNotEqualTo(Verdict.UNDECIDED);
         assertThat(diagnosis.ranked()).anyMatch(set -> !set.causes().isEmpty());
         assertThat(diagnosis.sentence())
                 .startsWith("Stopped before the end; the best so far: ")

@@ -188,6 +188,7 @@ public final class Examination {
                     case EXPLAINED -> explained(sentence, found, selected, share, alternatives);
                     case NONE -> sentence.none();
                     case UNEXPLAINED -> sentence.unexplained(discrepancy);
+                    case UNDECIDED -> Sentence.stoppedAtOnce();
                 };
         return new Diagnosis(
                 verdict,

@@ -56,6 +56,9 @@ final class Page {
     }
 
     private String verdict() {
+        if (of.isUntried()) {
+            return reached() + ", stopped early";
+        }
         return of.isComplete() ? reached() : reached() + " so far, stopped early";
     }
 
@@ -64,6 +67,7 @@ final class Page {
             case EXPLAINED -> "explained";
             case NONE -> "nothing missing";
             case UNEXPLAINED -> "unexplained";
+            case UNDECIDED -> "undecided";
         };
     }
 
@@ -90,7 +94,8 @@ final class Page {
     /** What a verdict that nothing is missing is worth; behind a click where something is. */
     private List<Section> missed() {
         List<Block> smallest = new IdentifiabilityTables(of).smallest();
-        return of.verdict() == Verdict.UNEXPLAINED || smallest.isEmpty()
+        boolean isKnown = of.verdict() == Verdict.EXPLAINED || of.verdict() == Verdict.NONE;
+        return !isKnown || smallest.isEmpty()
                 ? List.of()
                 : List.of(
                         new Section(

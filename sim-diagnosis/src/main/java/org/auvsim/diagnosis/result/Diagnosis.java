@@ -73,8 +73,16 @@ public record Diagnosis(
         if (isComplete) {
             return this;
         }
-        String told = isUntried() ? Sentence.stoppedAtOnce() : Sentence.stopped(sentence);
-        return with(told, proposal, notices);
+        return isUntried()
+                ? with(
+                        Verdict.UNDECIDED,
+                        Sentence.stoppedAtOnce(),
+                        selected,
+                        candidates,
+                        ranked,
+                        proposal,
+                        notices)
+                : with(Sentence.stopped(sentence), proposal, notices);
     }
 
     /** Whether it was stopped before any cause was tried: then nothing in it tells anything. */

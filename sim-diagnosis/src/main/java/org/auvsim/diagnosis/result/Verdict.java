@@ -7,5 +7,7 @@ public enum Verdict {
     /** Nothing is wrong that the data could show. */
     NONE,
     /** Something is wrong, and no known cause explains it. */
-    UNEXPLAINED
+    UNEXPLAINED,
+    /** The search was stopped before any cause was tried: nothing can be said. */
+    UNDECIDED
 }

@@ -146,6 +146,7 @@ class ReportTest {
         Diagnosis untried = Diagnoses.stopped(Diagnoses.untried(Diagnoses.unexplained()));
         assertThat(untried.isUntried()).isTrue();
         assertThat(page(untried))
+                .contains("<h1>sledge: undecided, stopped early</h1>")
                 .contains("Stopped before any cause was fitted: nothing can be said")
                 .doesNotContain("<h2>Causes that were tried</h2>")
                 .doesNotContain("No set of causes tried so far leaves");

@@ -177,7 +177,8 @@ final class Learner implements Companion {
         switch (found.verdict()) {
             case EXPLAINED -> tell(model, found);
             case NONE -> takeBack(found);
-            case UNEXPLAINED -> LOG.debug("'{}': what was learned before stays", model.body());
+            case UNEXPLAINED, UNDECIDED ->
+                    LOG.debug("'{}': what was learned before stays", model.body());
         }
     }
 

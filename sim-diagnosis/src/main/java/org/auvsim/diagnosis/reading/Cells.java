@@ -63,7 +63,7 @@ final class Cells {
                     column,
                     "a number",
                     "map the column with form=\"ISO-8601\" (--mapping) if these are dates and"
-                        + " times");
+                            + " times");
         }
         throw column.slot() == Slots.TIME || column.slot() == Slots.RUN
                 ? expected(row, column, "a number", "correct it, or take the row out")

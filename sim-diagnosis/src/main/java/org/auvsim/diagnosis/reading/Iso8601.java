@@ -30,7 +30,15 @@ final class Iso8601 {
                     .append(ISO_LOCAL_DATE)
                     .appendLiteral('T')
                     .append(ISO_LOCAL_TIME)
-                    .appendPattern("[XXX][XX][X]")
+                    .optionalStart()
+                    .appendOffset("+HH:MM", "Z")
+                    .optionalEnd()
+                    .optionalStart()
+                    .appendOffset("+HHMM", "Z")
+                    .optionalEnd()
+                    .optionalStart()
+                    .appendOffset("+HH", "Z")
+                    .optionalEnd()
                     .toFormatter(Locale.ROOT)
                     .withResolverStyle(ResolverStyle.STRICT);
 

@@ -217,8 +217,8 @@ class ReportTest {
         assertThat(page(Diagnoses.explained()))
                 .contains(
                         "\"title\":\"Error of the position by how far ahead is"
-                            + " predicted\",\"x\":\"ahead (s)\",\"y\":\"error"
-                            + " (m)\",\"axes\":\"logarithmic\"");
+                                + " predicted\",\"x\":\"ahead (s)\",\"y\":\"error"
+                                + " (m)\",\"axes\":\"logarithmic\"");
     }
 
     @Test

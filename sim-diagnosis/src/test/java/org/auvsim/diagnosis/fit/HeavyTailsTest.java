@@ -132,7 +132,7 @@ class HeavyTailsTest {
         MeasuredRun run = stated(1, 30);
 
         assertThat(HeavyTails.notice(run, List.of(x()), Noise.of(List.of(run))).orElseThrow())
-                .endsWith(": 1 of position x");
+                .endsWith(": 1 of 400 numbers of position x");
     }
 
     @Test

@@ -21,7 +21,10 @@ import java.util.function.Function;
 final class InsideClient implements Messenger {
     private final Mailbox mailbox;
     private final ClientSession session;
+
+    /** No more than the messages of one request, as its sender waits for all of them. */
     private final BlockingQueue<Optional<ErrorResponse>> answers = new LinkedBlockingQueue<>();
+
     private boolean hasCome;
     private long requests;
     private volatile Consumer<ErrorResponse> refusals = _ -> {};

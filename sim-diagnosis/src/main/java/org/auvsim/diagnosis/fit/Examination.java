@@ -19,6 +19,7 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
@@ -40,6 +41,9 @@ public final class Examination {
 
     /** Errors that are such a share of those before are worth a model that explains nothing. */
     private static final double NEARER = 0.5;
+
+    /** Others may be such a share of theirs, as those that were no larger than noise. */
+    private static final double NO_FARTHER = 1.1;
 
     private final BelievedModel model;
     private final List<MeasuredRun> fit;
@@ -230,15 +234,19 @@ public final class Examination {
                 .orElse(words);
     }
 
-    /** The best that was tried, where it is much nearer to the held-out runs in all they tell. */
+    /**
+     * The best that was tried, where it is much nearer to the held-out runs, and nowhere farther.
+     */
     private Optional<Approximation> approximation(Search.Found found, Map<Channel, Gain> gains) {
-        boolean isNearer =
-                !gains.isEmpty()
-                        && gains.values().stream()
-                                .allMatch(gain -> gain.after() < NEARER * gain.before());
-        return found.best().isNone() || !isNearer
+        return found.best().isNone() || !isNearer(gains.values())
                 ? Optional.empty()
                 : Optional.of(approximation(found));
+    }
+
+    /** Whether some error is much smaller with what was found, and none is larger. */
+    static boolean isNearer(Collection<Gain> gains) {
+        return gains.stream().anyMatch(gain -> gain.after() < NEARER * gain.before())
+                && gains.stream().allMatch(gain -> gain.after() < NO_FARTHER * gain.before());
     }
 
     private Approximation approximation(Search.Found found) {

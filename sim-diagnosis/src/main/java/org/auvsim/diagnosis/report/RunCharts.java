@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.report;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.ForceResidual;
+import org.auvsim.diagnosis.result.Moments;
 import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.run.Channel;
@@ -34,6 +35,7 @@ final class RunCharts {
 
     private static final String AXES = "xyz";
     private static final String TIME = "time (s)";
+    private static final String SINCE_BEGIN = "time since the run began (s)";
 
     private static final String BEGIN_ALIKE =
             "Both models begin at the same start, that which suits the one with what was found.";
@@ -41,6 +43,10 @@ final class RunCharts {
     private final MeasuredRun run;
     private final MeasuredRun counted;
     private final List<ForceResidual> forces;
+
+    /** Whether times count from the run's beginning, as its clock's are too long to be read. */
+    private final boolean isFar;
+
     private final Map<Channel, Double> noise;
 
     /** What the run is compared with: the model as believed and, if that differs, the other. */
@@ -57,6 +63,7 @@ final class RunCharts {
         this.run = of.run();
         this.counted = of.counted();
         this.forces = of.forces();
+        this.isFar = new Moments(List.of(run)).areFar();
         this.noise = noise;
         boolean isOnly = names.size() == 1;
         models.add(new Model(names.getFirst(), isOnly ? Mark.LINE : Mark.DASHED, of.before()));
@@ -147,15 +154,15 @@ final class RunCharts {
                             model.name(),
                             model.mark(),
                             size(model),
-                            k -> new Point(run.time(k), told.apply(model.told().get(k)))));
+                            k -> new Point(time(k), told.apply(model.told().get(k)))));
         }
         curves.add(
                 curve(
                         "measured",
                         Mark.DOTS,
                         run.size(),
-                        k -> new Point(run.time(k), measured.apply(k))));
-        return new Chart(title, TIME, unit, curves, "");
+                        k -> new Point(time(k), measured.apply(k))));
+        return new Chart(title, timeAxis(), unit, curves, "");
     }
 
     private List<Block> speed() {
@@ -201,11 +208,11 @@ final class RunCharts {
                                 models.getLast().told().stream()
                                         .map(RigidMotion::orientation)
                                         .findFirst())));
-        return new Chart(angle.words() + " over time", TIME, "angle (rad)", curves, "");
+        return new Chart(angle.words() + " over time", timeAxis(), "angle (rad)", curves, "");
     }
 
     private Curve curve(String name, Mark mark, double[] values) {
-        return curve(name, mark, values.length, k -> new Point(run.time(k), values[k]));
+        return curve(name, mark, values.length, k -> new Point(time(k), values[k]));
     }
 
     private Chart residuals(Channel channel, Model model) {
@@ -219,16 +226,13 @@ final class RunCharts {
                                 AXES.substring(axis, axis + 1),
                                 isSparse(channel, axis) ? Mark.POINTS : Mark.LINE,
                                 residuals.size(),
-                                k ->
-                                        new Point(
-                                                run.time(k),
-                                                residuals.of(channel, k).component(of))));
+                                k -> new Point(time(k), residuals.of(channel, k).component(of))));
             }
         }
         String unit = Sentence.unit(channel);
         return new Chart(
                 "Residual of the %s, %s".formatted(Sentence.words(channel), model.name()),
-                TIME,
+                timeAxis(),
                 "measured less simulated (%s)".formatted(unit),
                 curves,
                 "Root mean square %s %s; noise %s %s."
@@ -323,6 +327,14 @@ final class RunCharts {
                 : List.of(
                         DoubleStream.of(all).min().orElseThrow(),
                         DoubleStream.of(all).max().orElseThrow());
+    }
+
+    private double time(int sample) {
+        return isFar ? run.time(sample) - run.time(0) : run.time(sample);
+    }
+
+    private String timeAxis() {
+        return isFar ? SINCE_BEGIN : TIME;
     }
 
     private int size(Model model) {

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.diagnosis.result.Gain;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.junit.jupiter.api.Test;
 
@@ -31,6 +32,19 @@ class ExaminationTest {
 
         assertThat(areAsLong(List.of(most), List.of(WHOLE))).isTrue();
         assertThat(areAsLong(List.of(WHOLE.part("piece", 0, 40)), List.of(most))).isFalse();
+    }
+
+    /** An orientation that was told rightly before cannot be told twice as well. */
+    @Test
+    void whatIsMuchNearerSomewhereAndFartherNowhereIsNearer() {
+        Gain much = new Gain(7.8, 0.01, 0.0099);
+        Gain none = new Gain(0.005, 0.0051, 0.0045);
+        Gain worse = new Gain(0.005, 0.02, 0.0045);
+
+        assertThat(Examination.isNearer(List.of(much, none))).isTrue();
+        assertThat(Examination.isNearer(List.of(none))).isFalse();
+        assertThat(Examination.isNearer(List.of(much, worse))).isFalse();
+        assertThat(Examination.isNearer(List.of())).isFalse();
     }
 
     private static boolean areAsLong(List<MeasuredRun> fit, List<MeasuredRun> heldOut) {

@@ -24,14 +24,14 @@ class RunChartsTest {
     private static final double SPEED = 2;
     private static final Vec3 AHEAD = new Vec3(SPEED, 0, 0);
 
-    private final List<Chart> charts = charts();
+    private final List<Chart> charts = charts(0);
 
-    private static List<Chart> charts() {
+    private static List<Chart> charts(double begin) {
         MeasuredRunBuilder run = MeasuredRun.named("fixes");
         List<RigidMotion> told = new ArrayList<>();
         for (int k = 0; k < ROWS; k++) {
             double x = k % 10 == 5 ? SPEED * k / 10 : Double.NaN;
-            run.at(k / 10.0).position(x, 0 * x, 0 * x);
+            run.at(begin + k / 10.0).position(x, 0 * x, 0 * x);
             run.orientation(Quat.IDENTITY);
             Vec3 place = new Vec3(SPEED * k / 10, 0, 0);
             told.add(new RigidMotion(place, Quat.IDENTITY, AHEAD, Vec3.ZERO));
@@ -42,6 +42,10 @@ class RunChartsTest {
     }
 
     private Curve curve(String chart, String name) {
+        return curve(charts, chart, name);
+    }
+
+    private static Curve curve(List<Chart> charts, String chart, String name) {
         return charts.stream()
                 .filter(c -> c.title().equals(chart))
                 .flatMap(c -> c.curves().stream())
@@ -80,5 +84,21 @@ class RunChartsTest {
         assertThat(measured.points())
                 .filteredOn(point -> Double.isFinite(point.y()))
                 .allMatch(point -> Math.abs(point.y() - SPEED) < 1e-9);
+    }
+
+    /** Charts have seven digits, of which those of UNIX time leave none for seconds. */
+    @Test
+    void unixTimesCountFromWhereTheRunBegins() {
+        List<Chart> far = charts(1.718e9);
+
+        for (String name : List.of("Height over time", "Residual of the orientation, simulated")) {
+            assertThat(far)
+                    .filteredOn(chart -> chart.title().equals(name))
+                    .allMatch(chart -> chart.x().equals("time since the run began (s)"));
+        }
+        assertThat(curve(far, "Height over time", "simulated").points())
+                .allMatch(point -> point.x() >= 0 && point.x() < 90.1);
+        assertThat(curve(far, "Heading over time", "measured").points())
+                .allMatch(point -> point.x() >= 0 && point.x() < 90.1);
     }
 }

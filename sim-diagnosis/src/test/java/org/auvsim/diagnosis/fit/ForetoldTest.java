@@ -9,7 +9,7 @@ import java.util.List;
 
 /** A cart whose errors are mostly noise is foretold better by a drag that hardly shows in them. */
 class ForetoldTest {
-    private static final double SLIGHT = 1.5e-5;
+    private static final double SLIGHT = 1.3e-5;
     private static final Cart CART = new Cart(1, SLIGHT, 0);
 
     private static Foretold with(double drag) throws Exception {
@@ -30,7 +30,7 @@ class ForetoldTest {
         assertThat(foretold.isBetter()).isTrue();
         assertThat(foretold.gains().get(Channel.POSITION))
                 .satisfies(gain -> assertThat(gain.after()).isLessThan(gain.before()))
-                .satisfies(gain -> assertThat(gain.after()).isGreaterThan(0.9 * gain.before()));
+                .satisfies(gain -> assertThat(gain.after()).isGreaterThan(0.95 * gain.before()));
     }
 
     @Test

@@ -22,7 +22,9 @@ final class Following {
     private static final int FEWEST_SAMPLES = 8;
     private static final int MOST_ITERATIONS = 12;
     private static final int FEW_ITERATIONS = 4;
-    private static final int MOST_HALVINGS = 6;
+
+    /** Steps are damped by ever more until they help. */
+    private static final List<Double> DAMPINGS = List.of(0.0, 1e-3, 1e-2, 0.1, 1.0, 10.0);
 
     /** A window follows if its misses, without the noise, are below the larger of these. */
     private static final double SHARE_OF_RANGE = 0.003;
@@ -38,6 +40,9 @@ final class Following {
 
     /** A share of the cost that is not worth a step. */
     private static final double ENOUGH = 1e-4;
+
+    /** A step that leads on takes away this share of the cost. */
+    private static final double ON_ITS_WAY = 0.25;
 
     private final Shooting shooting;
     private final BelievedModel model;
@@ -150,9 +155,9 @@ final class Following {
 
     /** The longest windows in which the model follows, of equal length but for the last. */
     List<Window> windows() {
-        Optional<Fitted> one = run.start().map(this::inOneGo);
-        if (one.isPresent() && follows(List.of(one.get()))) {
-            return List.of(one.get().window());
+        Fitted one = run.start().map(this::inOneGo).orElseGet(this::asFastAsInModel);
+        if (follows(List.of(one))) {
+            return List.of(one.window());
         }
         List<Fitted> fitted = shortest(MOST_ITERATIONS);
         while (fitted.size() > 1) {
@@ -169,6 +174,15 @@ final class Following {
     private Fitted inOneGo(KnownStart known) {
         Window whole = new Window(0, run.size() - 1, stated(known));
         return fit(whole, asFarAsKnown(known), FEW_ITERATIONS);
+    }
+
+    /**
+     * The same from where the run begins, as fast as the model does: of noisy paths that is nearer
+     * than what a few samples tell.
+     */
+    private Fitted asFastAsInModel() {
+        RigidMotion begun = model.nearestStart(LocalMotion.placed(run, model.start()));
+        return fit(0, run.size() - 1, begun, FEW_ITERATIONS);
     }
 
     /** Each begins where the one before has led, or where the measurement says. */
@@ -254,16 +268,15 @@ final class Following {
         return new KnownStart(start.motion(), deviations);
     }
 
-    /** Gauss-Newton steps, halved until they help. */
-    private Fitted fit(Window start, KnownStart known, int mostIterations) {
+    /** Gauss-Newton steps, halved until they help: so many, and more where they lead far. */
+    private Fitted fit(Window start, KnownStart known, int iterations) {
         Fitted best = judged(start, known);
-        for (int iteration = 0; iteration < mostIterations && course.goesOn(); iteration++) {
+        boolean isOnItsWay = true;
+        for (int i = 0; isOnItsWay && i < MOST_ITERATIONS && course.goesOn(); i++) {
             Fitted next = better(best, known);
-            boolean isWorthIt = next.cost < best.cost * (1 - ENOUGH);
+            double worth = i + 1 < iterations ? ENOUGH : ON_ITS_WAY;
+            isOnItsWay = next.cost < best.cost * (1 - worth);
             best = next;
-            if (!isWorthIt) {
-                break;
-            }
         }
         return best;
     }
@@ -280,13 +293,12 @@ final class Following {
                         List.of(derivatives),
                         data.shown(from.window().from()),
                         Optional.of(known));
-        double share = 1;
-        for (int halving = 0; halving < MOST_HALVINGS; halving++) {
-            Fitted tried = judged(block.moved(new double[0], share).getFirst(), known);
+        for (double damping : DAMPINGS) {
+            WindowBlock held = damping == 0 ? block : block.damped(damping);
+            Fitted tried = judged(held.moved(new double[0], 1).getFirst(), known);
             if (tried.cost < from.cost) {
                 return tried;
             }
-            share /= 2;
         }
         return from;
     }

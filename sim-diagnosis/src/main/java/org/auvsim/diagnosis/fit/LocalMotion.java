@@ -43,6 +43,22 @@ final class LocalMotion {
     }
 
     /**
+     * Where a run begins and how it is turned there; as fast as a motion given, unless velocities
+     * were measured.
+     */
+    static RigidMotion placed(MeasuredRun run, RigidMotion otherwise) {
+        RigidMotion local = beginning(run, otherwise);
+        Quat turned = local.orientation();
+        LocalMotion begun = new LocalMotion(run, otherwise, 0, 0);
+        return new RigidMotion(
+                local.position(),
+                turned,
+                begun.measured(Channel.VELOCITY, turned).orElse(begun.carried(turned)),
+                begun.measured(Channel.ANGULAR_VELOCITY, turned)
+                        .orElse(otherwise.angularVelocity()));
+    }
+
+    /**
      * A run of whose start all is known: what nothing was known of is as it was measured, or else
      * as in the model.
      */
@@ -65,7 +81,7 @@ final class LocalMotion {
             turn[i] = parabola(turns(axes, i), 0, otherwise.angularVelocity().component(i));
         }
         Quat oriented = still(axes).plus(change(column(turn, 0))).orientation();
-        Vec3 carried = oriented.rotate(otherwise.orientation().rotateInverse(otherwise.velocity()));
+        Vec3 carried = carried(oriented);
         double[][] place = new double[3][];
         for (int i = 0; i < 3; i++) {
             double there = otherwise.position().component(i);
@@ -77,6 +93,11 @@ final class LocalMotion {
                 oriented,
                 measured(Channel.VELOCITY, oriented).orElse(column(place, 1)),
                 measured(Channel.ANGULAR_VELOCITY, oriented).orElse(column(turn, 1)));
+    }
+
+    /** The velocity along the body's axes as in the motion given. */
+    private Vec3 carried(Quat orientation) {
+        return orientation.rotate(otherwise.orientation().rotateInverse(otherwise.velocity()));
     }
 
     /** A velocity that was measured itself, in the world's axes. */

@@ -32,8 +32,11 @@ final class Looseness {
     /** What is not measured stays this much nearer to where the window before has led. */
     private static final double UNSEEN = 0.1;
 
-    /** Rates are seen over this time (s). */
+    /** Rates are seen over this time (s), or longer where noise hides them. */
     private static final double WHILE = 0.4;
+
+    /** The longest is this share of a run. */
+    private static final double LONGEST_WHILE = 1.0 / 16;
 
     /**
      * So many percent of the rates are lower than what is taken for the largest, but for a factor.
@@ -42,6 +45,9 @@ final class Looseness {
 
     private static final double LARGER = 2;
 
+    /** So many deviations the noise of two numbers together hardly exceeds along any axes. */
+    private static final double NOISY = 2.5 * Math.sqrt(2);
+
     private Looseness() {}
 
     /** Standard deviations of a start, as {@link org.auvsim.diagnosis.run.KnownStart} has them. */
@@ -49,8 +55,8 @@ final class Looseness {
         double place =
                 SHARE_OF_RANGE * range(run, Channel.POSITION) + NOISES * noise.of(Channel.POSITION);
         double turn = TURN + NOISES * noise.of(Channel.ORIENTATION);
-        double speed = rate(run, Channel.POSITION, UNKNOWN_SPEED, LEAST_SPEED);
-        double spin = rate(run, Channel.ORIENTATION, UNKNOWN_RATE, LEAST_RATE);
+        double speed = rate(run, Channel.POSITION, noise, UNKNOWN_SPEED, LEAST_SPEED);
+        double spin = rate(run, Channel.ORIENTATION, noise, UNKNOWN_RATE, LEAST_RATE);
         List<Double> deviations = new ArrayList<>();
         for (int i = 0; i < RigidMotion.SIZE; i++) {
             deviations.add(List.of(place, turn, speed, spin).get(i / 3));
@@ -74,8 +80,26 @@ final class Looseness {
         return deviations;
     }
 
-    /** The rate that a channel hardly exceeds, seen over a while. */
-    private static double rate(MeasuredRun run, Channel channel, double unknown, double least) {
+    /** The rate that a channel hardly exceeds, without what noise adds to it. */
+    private static double rate(
+            MeasuredRun run, Channel channel, Noise noise, double unknown, double least) {
+        double time = WHILE;
+        double seen = seen(run, channel, time);
+        double ofNoise = NOISY * noise.of(channel) / time;
+        while (2 * ofNoise * ofNoise > seen * seen && 2 * time < LONGEST_WHILE * run.duration()) {
+            time *= 2;
+            seen = seen(run, channel, time);
+            ofNoise = NOISY * noise.of(channel) / time;
+        }
+        if (Double.isNaN(seen)) {
+            return unknown;
+        }
+        double own = Math.sqrt(Math.max(seen * seen / 2, seen * seen - ofNoise * ofNoise));
+        return Math.max(least, LARGER * own);
+    }
+
+    /** The rate that a channel hardly exceeds, seen over a while; NaN if it has none. */
+    private static double seen(MeasuredRun run, Channel channel, double time) {
         ResizableDoubleArray rates = new ResizableDoubleArray();
         Latest before = new Latest(run, channel);
         Latest now = new Latest(run, channel);
@@ -83,15 +107,12 @@ final class Looseness {
             now.take(k);
             if (before.isMissing()) {
                 before.take(k);
-            } else if (now.isAfter(before)) {
+            } else if (now.isAfter(before, time)) {
                 rates.addElement(now.rateSince(before));
                 before.takeAll(now);
             }
         }
-        if (rates.getNumElements() == 0) {
-            return unknown;
-        }
-        return Math.max(least, LARGER * new Percentile(MOST).evaluate(rates.getElements()));
+        return new Percentile(MOST).evaluate(rates.getElements());
     }
 
     /** The latest number of each axis of a channel, as they need not be measured together. */
@@ -129,8 +150,8 @@ final class Looseness {
         }
 
         /** Whether each axis was measured a while later. */
-        boolean isAfter(Latest before) {
-            return measured().allMatch(axis -> duration(before, axis) >= WHILE);
+        boolean isAfter(Latest before, double time) {
+            return measured().allMatch(axis -> duration(before, axis) >= time);
         }
 
         private double duration(Latest before, int axis) {

@@ -51,7 +51,7 @@ final class Selection {
         this.contest = contest;
         this.course = course;
         this.screening = new Screening(base, noise, library, none.outcome(), course);
-        this.tried = new Tried(none, course);
+        this.tried = new Tried(none, noise, course);
     }
 
     /** Specific causes first; those that can imitate others only where none of those passes. */
@@ -167,9 +167,10 @@ final class Selection {
             return none;
         }
         Screen screen = screening.of(causes);
-        Judged best = tried.tournament(screen.starts(1, isNew), none, 0.3, 0.5);
+        Judged best = tried.begunAnew(tried.tournament(screen.starts(1, isNew), none, 0.3, 0.5));
         if (!best.isWhite() && course.goesOn()) {
-            best = tried.pruned(tried.tournament(screen.starts(2, isNew), best, 0.5, 0.7));
+            Judged pair = tried.tournament(screen.starts(2, isNew), best, 0.5, 0.7);
+            best = tried.pruned(tried.begunAnew(pair));
         }
         return best;
     }

@@ -11,11 +11,13 @@ import java.util.Set;
 /** Sets of causes that were fitted and judged, and what lets more of them compete. */
 final class Tried {
     private final List<Judged> judged = new ArrayList<>();
+    private final Noise noise;
     private final Course course;
 
     /** Nothing yet but the model as it is believed. */
-    Tried(Judged none, Course course) {
+    Tried(Judged none, Noise noise, Course course) {
         judged.add(none);
+        this.noise = noise;
         this.course = course;
     }
 
@@ -27,6 +29,22 @@ final class Tried {
                 .filter(j -> j.score() < otherwise.score())
                 .min(Comparator.comparingDouble(Judged::score))
                 .orElse(otherwise);
+    }
+
+    /**
+     * The same from new starts of the runs, if it misses something and less from there: without its
+     * causes starts were led astray, and may not find back.
+     */
+    Judged begunAnew(Judged best) {
+        if (best.isNone() || best.isWhite() || !course.goesOn()) {
+            return best;
+        }
+        Fit of = best.fit();
+        Fit begun = Following.of(of.stepping(), of.hypothesis(), of.data(), noise, course);
+        Judged near = Refinement.approach(begun, 1, Double.POSITIVE_INFINITY, course).judged();
+        Judged anew = Descent.of(near).steps(Tournament.TO_THE_END, best.score(), course);
+        judged.add(anew);
+        return anew.score() < best.score() ? anew : best;
     }
 
     /** The same, brought to the very end. */

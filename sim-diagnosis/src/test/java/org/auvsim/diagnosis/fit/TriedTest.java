@@ -24,7 +24,7 @@ class TriedTest {
         believed =
                 Following.of(Stepping.exact(model), Hypothesis.NONE, Misses.of(runs, noise), noise);
         library = Library.of(model, runs);
-        tried = new Tried(Judged.of(believed.whole()), Course.UNHEARD);
+        tried = new Tried(Judged.of(believed.whole()), noise, Course.UNHEARD);
     }
 
     private Judged clockOffBy(double offset) {

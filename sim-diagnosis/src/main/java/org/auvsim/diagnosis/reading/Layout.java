@@ -257,7 +257,14 @@ final class Layout {
         long parts = filled.keySet().stream().filter(Layout::isOfQuaternion).count();
         if (parts != 0 && parts != 4) {
             throw table.at(
-                    1, first(Slots.QUATERNION, 4), "a quaternion needs all of qw, qx, qy and qz");
+                    1,
+                    first(Slots.QUATERNION, 4),
+                    "a quaternion needs all of qw, qx, qy and qz, but there is no %s: name the columns that have them %s, or ignore what there is %s"
+                            .formatted(
+                                    String.join(" and no ", missingOfQuaternion()),
+                                    Remedy.renaming(
+                                            Remedy.COLUMN, missingOfQuaternion().getFirst()),
+                                    Remedy.ignoring(named(Slots.QUATERNION_NAMES))));
         }
         boolean hasAngles = !first(Slots.ANGLES, 3).isEmpty();
         if (parts != 0 && hasAngles) {
@@ -269,6 +276,12 @@ final class Layout {
         }
         requireOneFrame(Slots.VX, Slots.U, Slots.VELOCITY);
         requireOneFrame(Slots.WX, Slots.P, Slots.ANGULAR_VELOCITY);
+    }
+
+    private List<String> missingOfQuaternion() {
+        return Slots.QUATERNION_NAMES.stream()
+                .filter(name -> !filled.containsKey(Slots.byName().get(name)))
+                .toList();
     }
 
     /** Refuses vx beside v: no vector is measured in two frames at once. */

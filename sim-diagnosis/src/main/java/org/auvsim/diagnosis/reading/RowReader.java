@@ -6,6 +6,7 @@ import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.core.entity.Actuator;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 
 /** Reads the numbers of rows into their places, and holds commands from row to row. */
@@ -155,7 +156,12 @@ final class RowReader {
 
     private void requireDeviation(CsvRecord row, BoundColumn column) throws DocumentException {
         if (Slots.isDeviation(column.slot()) && numbers[column.slot()] <= 0) {
-            throw cells.expected(row, column, "a standard deviation above 0");
+            throw cells.expected(
+                    row,
+                    column,
+                    "a standard deviation above 0",
+                    "leave the cell empty where none is known, or ignore the column "
+                            + Remedy.ignoring(List.of(column.name())));
         }
     }
 

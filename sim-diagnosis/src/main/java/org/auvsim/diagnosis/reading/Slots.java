@@ -40,6 +40,7 @@ final class Slots {
     static final List<String> U = List.of("u", "v", "w");
     static final List<String> WX = List.of("wx", "wy", "wz");
     static final List<String> P = List.of("p", "q", "r");
+    static final List<String> QUATERNION_NAMES = List.of("qw", "qx", "qy", "qz");
     static final List<String> ANGLE_NAMES = List.of("roll", "pitch", "yaw");
     private static final String DEVIATION = "sd_";
 
@@ -50,7 +51,7 @@ final class Slots {
         put(RUN, List.of(RUN_NAME));
         put(POSITION, List.of("x", "y", "z"));
         put(POSITION + 2, List.of(DEPTH_NAME));
-        put(QUATERNION, List.of("qw", "qx", "qy", "qz"));
+        put(QUATERNION, QUATERNION_NAMES);
         put(ANGLES, ANGLE_NAMES);
         put(VELOCITY, VX);
         put(VELOCITY, U);

@@ -62,10 +62,19 @@ final class UnknownColumns {
     /** What is said of one that a mapping says to mean what is not known. */
     DocumentException refusal(String column, String meaning) {
         List<String> near = Names.near(meaning, names());
-        return one(
+        String usual = near.isEmpty() ? Remedy.USUAL : near.getFirst();
+        return table.at(
+                1,
                 column,
-                meaning,
-                renamed(column, near, near.isEmpty() ? Remedy.USUAL : near.getFirst()));
+                "it is said to mean '%s', which is an unknown name; %s where that is said (means=\"%s\" in the mapping, or --rename), ignore it %s, or give a force or actuator of '%s' that name"
+                        .formatted(
+                                meaning,
+                                Names.meant(near)
+                                        .map(asked -> asked + " Correct it")
+                                        .orElse("correct it to the usual name of its quantity"),
+                                usual,
+                                Remedy.ignoring(List.of(column)),
+                                known.body()));
     }
 
     /** What is said of those that no mapping names. */

@@ -163,9 +163,10 @@ class BadRunsTest {
         refused(
                 ColumnMapping.USUAL.with(List.of(MappedColumn.renamed("pwm 1", "mian"))),
                 moving("pwm 1", "0"),
-                ":1: column 'pwm 1': unknown name 'mian'; did you mean 'main'?"
-                        + " Rename it (--rename \"pwm 1=main\"), ignore it (--ignore \"pwm 1\"),"
-                        + " or give a force or actuator of 'Rov' that name");
+                ":1: column 'pwm 1': it is said to mean 'mian', which is an unknown name; did you"
+                        + " mean 'main'? Correct it where that is said (means=\"main\" in the"
+                        + " mapping, or --rename), ignore it (--ignore \"pwm 1\"), or give a"
+                        + " force or actuator of 'Rov' that name");
     }
 
     /** Options take what is between commas for a name each. */
@@ -286,7 +287,9 @@ class BadRunsTest {
     void aQuaternionIsWhole() {
         refused(
                 moving("qw,qz", "1,0"),
-                ":1: column 'qw': a quaternion needs all of qw, qx, qy and qz");
+                ":1: column 'qw': a quaternion needs all of qw, qx, qy and qz, but there is no qx"
+                    + " and no qy: name the columns that have them (--rename COLUMN=qx), or ignore"
+                    + " what there is (--ignore qw,qz)");
         refused(
                 moving("qw,qx,qy,qz", "1,,0,0"),
                 ":2: column 'qw': expected four numbers of the quaternion, or none, but some are"
@@ -540,7 +543,8 @@ class BadRunsTest {
     void aDeviationIsAboveZero() {
         refused(
                 moving("sd_x", "0"),
-                ":2: column 'sd_x': expected a standard deviation above 0, but found '0'");
+                ":2: column 'sd_x': expected a standard deviation above 0, but found '0'; leave the"
+                        + " cell empty where none is known, or ignore the column (--ignore sd_x)");
     }
 
     @Test

@@ -97,6 +97,10 @@ final class Inputs {
     }
 
     private Optional<Command> command(String name) {
+        return command(run, name);
+    }
+
+    private static Optional<Command> command(MeasuredRun run, String name) {
         return run.commands().stream().filter(c -> c.name().equals(name)).findFirst();
     }
 
@@ -115,17 +119,21 @@ final class Inputs {
                             component instanceof Actuator actuator
                                             && component.name().equals(command.name())
                                     ? commandedBefore.computeIfAbsent(
-                                            component, c -> before(sample, actuator, command))
+                                            component,
+                                            c -> before(sample, actuator, command.name()))
                                     : component);
         }
         return now;
     }
 
-    private Actuator before(int sample, Actuator actuator, Command command) {
+    /** A part of a run begins with what was commanded before it, on its way as far as it got. */
+    private Actuator before(int sample, Actuator actuator, String name) {
+        MeasuredRun whole = run.whole();
+        Command command = command(whole, name).orElseThrow();
         Actuator now = actuator;
-        for (int k = 0; k < sample; k++) {
+        for (int k = 0; whole.time(k) < run.time(sample); k++) {
             if (command.changesAt(k)) {
-                now = now.commanded(command.level(k), run.time(k));
+                now = now.commanded(command.level(k), whole.time(k));
             }
         }
         return now;

@@ -27,7 +27,7 @@ final class SensorCauses {
                             "sensor_bias",
                             List.of(new Parameter("yaw", "rad", 0.02, -Math.PI, Math.PI)),
                             (v, t) -> v.sensed(sensing -> sensing.yawed(t[0], 0))));
-            double perSecond = 0.02 / s.path().duration();
+            double perSecond = 0.02 / longest(s);
             causes.add(
                     Change.of(
                             "sensor_drift",
@@ -110,8 +110,16 @@ final class SensorCauses {
         return run.measures(Channel.ORIENTATION, YAW);
     }
 
+    /** For how long drifts have grown at most (s): in parts, too, from the run's beginning on. */
+    private static double longest(Setting s) {
+        return s.runs().stream()
+                .mapToDouble(run -> run.time(run.size() - 1) - run.whole().time(0))
+                .max()
+                .orElseThrow();
+    }
+
     private static List<Cause> ofPositions(Setting s) {
-        double perSecond = 0.05 * s.path().range() / s.path().duration();
+        double perSecond = 0.05 * s.path().range() / longest(s);
         return List.of(
                 Change.of(
                         "axis_misalignment",

@@ -17,7 +17,8 @@ import org.auvsim.server.feedback.RigidMotion;
  * @param yaw by which orientations are off about the vertical (rad)
  * @param yawRate by which that grows (rad/s)
  * @param offset by which positions are off (m)
- * @param drift by which positions run away from the run's beginning on (m/s)
+ * @param drift by which positions run away from the run's beginning on (m/s); a part goes on with
+ *     what it was there
  */
 public record Sensing(
         double delay, Vec3 scale, Vec3 turn, double yaw, double yawRate, Vec3 offset, Vec3 drift) {
@@ -70,7 +71,7 @@ public record Sensing(
             double time = run.time(from + k);
             RigidMotion then =
                     delay == 0 ? motions[k] : Course.at(motions, run, from, time - delay);
-            told[k] = of(then, time - run.time(0), run);
+            told[k] = of(then, time - run.whole().time(0), run);
         }
         return told;
     }

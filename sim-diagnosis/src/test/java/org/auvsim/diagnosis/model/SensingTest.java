@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
@@ -115,6 +116,19 @@ class SensingTest {
                                 .plus(new Vec3(0.03, 0, 0)),
                         axes.rotate(moved.angularVelocity()));
         assertNear(told, expected, 1e-12);
+    }
+
+    /** Sensors know nothing of where a run is cut. */
+    @Test
+    void inAPartDriftsGoOnAsInTheWholeRun() {
+        Sensing sensing = Sensing.EXACT.yawed(0.2, 0.01).drifting(new Vec3(0.03, 0, -0.02));
+        MeasuredRun part = run().part("later", 10, 50).part("latest", 10, 40);
+        RigidMotion[] moved = {motion(2.5)};
+
+        RigidMotion told = sensing.of(moved, part, 5, 1)[0];
+
+        assertNear(told, sensing.of(moved, run(), 25, 1)[0], 1e-12);
+        assertThat(told.position().x() - moved[0].position().x()).isCloseTo(0.075, within(1e-12));
     }
 
     @Test

@@ -124,12 +124,8 @@ public final class Examination {
      * parts and the held-out ones are far longer: so far ahead the model was not to predict.
      */
     static boolean areAsLong(List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
-        return fit.stream().noneMatch(Examination::isPart)
+        return fit.stream().noneMatch(MeasuredRun::isPart)
                 || longest(heldOut) <= FAR_LONGER * longest(fit);
-    }
-
-    private static boolean isPart(MeasuredRun run) {
-        return run.whole().size() > run.size();
     }
 
     private static double longest(List<MeasuredRun> runs) {

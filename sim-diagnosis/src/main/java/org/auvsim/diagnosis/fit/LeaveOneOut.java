@@ -30,10 +30,10 @@ final class LeaveOneOut {
      * shows, as the zero of a sensor, the first of them tells alone.
      */
     static boolean canJudge(List<MeasuredRun> runs) {
-        MeasuredRun first = runs.getFirst().whole();
+        MeasuredRun first = runs.getFirst().uncut();
         return runs.size() > 1
                 && (first.start().isEmpty()
-                        || runs.stream().anyMatch(run -> !run.whole().equals(first)));
+                        || runs.stream().anyMatch(run -> !run.uncut().equals(first)));
     }
 
     /** The hypothesis as fitted to all runs but one, and that one predicted by it, for each. */

@@ -36,7 +36,7 @@ record Stretch(double from, double until) {
         if (equals(WHOLE)) {
             return runs;
         }
-        List<MeasuredRun> parts = new ArrayList<>();
+        List<MeasuredRun> stretches = new ArrayList<>();
         for (int i = 0; i < runs.size(); i++) {
             MeasuredRun run = runs.get(i);
             int first = before(run, from);
@@ -44,9 +44,9 @@ record Stretch(double from, double until) {
             if (last - first + 1 < RunParts.FEWEST) {
                 throw tooShort(run, sources.get(i), Math.max(0, last - first + 1));
             }
-            parts.add(run.part(run.name(), first, last));
+            stretches.add(run.stretch(first, last));
         }
-        return parts;
+        return stretches;
     }
 
     private DocumentException tooShort(MeasuredRun run, Source source, int rows) {

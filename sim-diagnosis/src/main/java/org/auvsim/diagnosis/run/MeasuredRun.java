@@ -35,6 +35,7 @@ public final class MeasuredRun {
     private final Optional<KnownStart> start;
     private final KnownDifferences differences;
     private final Optional<MeasuredRun> whole;
+    private final Optional<MeasuredRun> uncut;
 
     MeasuredRun(MeasuredRunBuilder b) {
         name = b.name;
@@ -54,6 +55,7 @@ public final class MeasuredRun {
         start = b.start;
         differences = b.differences;
         whole = b.whole;
+        uncut = b.uncut;
     }
 
     private static Map<Integer, List<LastingError>> copy(Map<Integer, List<LastingError>> errors) {
@@ -226,13 +228,28 @@ public final class MeasuredRun {
         return differences;
     }
 
-    /** The run that this is a part of, as it was measured; itself, if it is none. */
+    /** The run that this is a part or a stretch of, as it was measured; itself, if it is none. */
     public MeasuredRun whole() {
         return whole.orElse(this);
+    }
+
+    /** Whether it is one of the parts that a run was cut into; a stretch is none. */
+    public boolean isPart() {
+        return uncut.isPresent();
+    }
+
+    /** The run, or the stretch of one, that this is a part of; itself, if it is none. */
+    public MeasuredRun uncut() {
+        return uncut.orElse(this);
     }
 
     /** The part from one sample to another, both included; its known start only if it has it. */
     public MeasuredRun part(String name, int from, int to) {
         return MeasuredRunBuilder.part(this, name, from, to);
+    }
+
+    /** The same samples as the only ones that count, to be predicted like those of any run. */
+    public MeasuredRun stretch(int from, int to) {
+        return MeasuredRunBuilder.stretch(this, from, to);
     }
 }

@@ -33,6 +33,7 @@ public final class MeasuredRunBuilder {
     Optional<KnownStart> start = Optional.empty();
     KnownDifferences differences = KnownDifferences.NONE;
     Optional<MeasuredRun> whole = Optional.empty();
+    Optional<MeasuredRun> uncut = Optional.empty();
     private final List<String> commandNames = new ArrayList<>();
     private final List<Numbers> levels = new ArrayList<>();
     private double last = Double.NEGATIVE_INFINITY;
@@ -209,7 +210,13 @@ public final class MeasuredRunBuilder {
     }
 
     static MeasuredRun part(MeasuredRun run, String name, int from, int to) {
-        return copy(run, name, from, to).build();
+        MeasuredRunBuilder part = copy(run, name, from, to);
+        part.uncut = Optional.of(run.uncut());
+        return part.build();
+    }
+
+    static MeasuredRun stretch(MeasuredRun run, int from, int to) {
+        return copy(run, run.name(), from, to).build();
     }
 
     static MeasuredRun startingAt(MeasuredRun run, KnownStart known) {
@@ -270,6 +277,7 @@ public final class MeasuredRunBuilder {
             }
         }
         part.whole = Optional.of(run.whole());
+        part.uncut = run.isPart() ? Optional.of(run.uncut()) : Optional.empty();
         run.forces().forEach(part::force);
         if (from == 0) {
             run.start().ifPresent(part::start);

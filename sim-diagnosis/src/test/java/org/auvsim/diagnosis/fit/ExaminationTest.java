@@ -34,6 +34,15 @@ class ExaminationTest {
         assertThat(areAsLong(List.of(WHOLE.part("piece", 0, 40)), List.of(most))).isFalse();
     }
 
+    /** It was taken to leave something out, not to predict less far ahead. */
+    @Test
+    void aStretchOfARunIsNoPart() {
+        MeasuredRun early = WHOLE.stretch(10, 100);
+
+        assertThat(areAsLong(List.of(early), List.of(WHOLE))).isTrue();
+        assertThat(areAsLong(List.of(early.part("piece", 0, 40)), List.of(WHOLE))).isFalse();
+    }
+
     /** An orientation that was told rightly before cannot be told twice as well. */
     @Test
     void whatIsMuchNearerSomewhereAndFartherNowhereIsNearer() {

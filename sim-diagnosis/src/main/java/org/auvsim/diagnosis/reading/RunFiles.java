@@ -49,7 +49,7 @@ public record RunFiles(
     }
 
     /**
-     * The same beside reference runs, which are known to be sound.
+     * The same beside reference runs, which are known to be sound and count as a whole.
      *
      * @throws DocumentException naming file, row and column of what cannot be used
      */
@@ -69,7 +69,8 @@ public record RunFiles(
         List<MeasuredRun> sound = new ArrayList<>();
         List<RunFile> read = new ArrayList<>();
         for (int i = 0; i < all.size(); i++) {
-            RunFile file = reader.read(all.get(i), name(all, i));
+            RunReader of = i < asked ? reader : reader.ofWholeRuns();
+            RunFile file = of.read(all.get(i), name(all, i));
             requireNew(file, read);
             read.add(file);
             notices.addAll(file.notices());
@@ -215,13 +216,13 @@ public record RunFiles(
         for (int i = 0; i < file.runs().size(); i++) {
             for (RunFile other : before) {
                 for (int j = 0; j < other.runs().size(); j++) {
-                    if (isSame(file.runs().get(i), other.runs().get(j))) {
+                    if (areCopies(file.runs().get(i), other.runs().get(j))) {
                         throw copy(file.sources().get(i), other.sources().get(j));
                     }
                 }
             }
             for (int j = 0; j < i; j++) {
-                if (isSame(file.runs().get(i), file.runs().get(j))) {
+                if (areCopies(file.runs().get(i), file.runs().get(j))) {
                     throw copy(file.sources().get(i), file.sources().get(j));
                 }
             }
@@ -236,6 +237,11 @@ public record RunFiles(
                         one.measured(),
                         "%s the same numbers as %s%s; a copy adds no information and cannot judge: leave one of them out"
                                 .formatted(has, those, other.file())));
+    }
+
+    /** Of a reference all counts, of others perhaps a stretch alone. */
+    private static boolean areCopies(MeasuredRun one, MeasuredRun other) {
+        return isSame(one, other) || isSame(one.whole(), other.whole());
     }
 
     private static boolean isSame(MeasuredRun one, MeasuredRun other) {

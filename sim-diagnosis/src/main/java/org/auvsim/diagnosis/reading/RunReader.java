@@ -62,6 +62,11 @@ public final class RunReader {
         return new RunReader(model, mapping, mapper, new Stretch(from, until));
     }
 
+    /** One that takes all of each run. */
+    RunReader ofWholeRuns() {
+        return new RunReader(model, mapping, mapper);
+    }
+
     /** What is to be known of all runs, however many. */
     List<String> notices() {
         return mapping.axes() == MeasuredAxes.NED

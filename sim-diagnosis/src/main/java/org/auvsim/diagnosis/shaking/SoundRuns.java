@@ -35,7 +35,7 @@ public final class SoundRuns {
     public static SoundRuns of(BelievedModel model, List<MeasuredRun> runs) {
         List<Shake> shakes = new ArrayList<>();
         for (MeasuredRun run : runs) {
-            if (!run.tellsShaking()) {
+            if (!run.whole().tellsShaking()) {
                 throw new IllegalArgumentException(
                         "run '%s' tells nothing of shaking; name the columns that do in the mapping, as <shaking acceleration=\"ax\" rate=\"wy\"/>"
                                 .formatted(run.name()));

@@ -249,6 +249,25 @@ class RunFilesTest {
                 .isSameAs(runs.fit().getFirst());
     }
 
+    /** Rows are 0.1 s apart: of the brief one nothing like that stretch is left. */
+    @Test
+    void ofReferenceRunsAllCounts() throws Exception {
+        Path brief =
+                Rov.write(
+                        folder.resolve("brief.csv"),
+                        Rov.rows("x,main,rudder", 20, i -> i + ",0,0"));
+
+        RunFiles runs =
+                RunFiles.read(
+                        reader.between(1, 4),
+                        List.of(run("dive", 1)),
+                        List.of(run("b", 2)),
+                        List.of(run("sound", 3), brief));
+
+        assertThat(runs.fit().getFirst().size()).isEqualTo(31);
+        assertThat(runs.reference()).extracting(MeasuredRun::size).containsExactly(60, 20);
+    }
+
     @Test
     void aReferenceIsNoneOfTheRunsThatAreDiagnosed() throws Exception {
         Path dive = run("dive", 1);
@@ -267,8 +286,10 @@ class RunFilesTest {
                                 RunFiles.read(
                                         reader, List.of(dive), List.of(), List.of(sound, sound)))
                 .hasMessage(sound + " is given twice as a reference; give each run once");
-        assertThatThrownBy(() -> RunFiles.read(reader, List.of(dive), List.of(), List.of(copy)))
-                .hasMessageContaining("have the same numbers as rows 2 to 61 of " + dive);
+        for (RunReader each : List.of(reader, reader.between(1, 4))) {
+            assertThatThrownBy(() -> RunFiles.read(each, List.of(dive), List.of(), List.of(copy)))
+                    .hasMessageContaining("have the same numbers as rows 2 to 61 of " + dive);
+        }
     }
 
     @Test

@@ -232,7 +232,10 @@ final class Misses {
         return miss / weights[index];
     }
 
-    /** Numbers of the run of which no errors are told: outliers, and all that never changes. */
+    /**
+     * Numbers of the run of which no errors are told: outliers, and all that counts as not
+     * measured.
+     */
     Set<Reading> uncounted() {
         Set<Reading> uncounted = new HashSet<>();
         for (Channel channel : Channel.values()) {

@@ -14,11 +14,15 @@ import java.util.Map;
  * How much noise a measurement has, from the measurement alone: third differences of the numbers
  * that were measured, and second differences of increments of rotation, hardly contain motion. Both
  * have the variance of the noise times 20 (1, 3, 3, 1 squared); the median absolute deviation is
- * not misled by outliers. A sensor that counts in steps has the noise of that at least.
+ * not misled by outliers. A sensor that counts in steps has the noise of that at least. Of too few
+ * numbers only those count whose standard deviations are stated.
  */
 public final class Noise {
     /** Of a normal distribution: the median absolute deviation in standard deviations. */
     private static final double NORMAL = 0.6745;
+
+    /** Of fewer differences the median may be small by chance; without any, nothing is known. */
+    private static final int FEWEST = 8;
 
     /** Numbers in a file are rounded: noise below this share of the largest cannot be told. */
     private static final double ROUNDED = 1e-9;
@@ -39,15 +43,17 @@ public final class Noise {
     /**
      * The noise of runs that were measured with the same sensors. What never changes in any of them
      * tells nothing, of noise or of motion: a body that is held there, or a sensor that has none.
+     * So it is with numbers that are too few to tell their noise, which may be any. Where parts of
+     * runs have too few, the runs that they are parts of may have enough.
      */
     static Noise of(List<MeasuredRun> runs) {
+        List<MeasuredRun> uncut = runs.stream().map(MeasuredRun::uncut).distinct().toList();
         Map<Channel, double[]> deviations = new EnumMap<>(Channel.class);
         for (Channel channel : Channel.values()) {
-            Axis[] axes = {new Axis(), new Axis(), new Axis()};
-            for (MeasuredRun run : runs) {
-                Axis[] ofRun = axes(run, channel);
-                for (int axis = 0; axis < 3; axis++) {
-                    axes[axis].add(ofRun[axis]);
+            Axis[] axes = axes(runs, channel);
+            for (int axis = 0; axis < 3; axis++) {
+                if (axes[axis].changes() && !axes[axis].areEnough()) {
+                    axes[axis] = axes(uncut, channel)[axis];
                 }
             }
             List<Axis> telling = Arrays.stream(axes).filter(Axis::tells).toList();
@@ -58,11 +64,24 @@ public final class Noise {
         return new Noise(deviations);
     }
 
+    /** What runs tell of each axis, together. */
+    private static Axis[] axes(List<MeasuredRun> runs, Channel channel) {
+        Axis[] axes = {new Axis(), new Axis(), new Axis()};
+        for (MeasuredRun run : runs) {
+            Axis[] ofRun = axes(run, channel);
+            for (int axis = 0; axis < 3; axis++) {
+                axes[axis].add(ofRun[axis]);
+            }
+        }
+        return axes;
+    }
+
     /** What a run tells of each axis. */
     private static Axis[] axes(MeasuredRun run, Channel channel) {
         Axis[] axes = {new Axis(), new Axis(), new Axis()};
         for (int axis = 0; axis < 3; axis++) {
             Series series = Series.of(run, channel, axis);
+            axes[axis].addStated(series);
             for (int i = 1; i < series.size(); i++) {
                 axes[axis].changes.addElement(change(series, channel, i));
             }
@@ -81,7 +100,7 @@ public final class Noise {
 
     /** Whether numbers along or about an axis ever change in a run. */
     static boolean changes(MeasuredRun run, Channel channel, int axis) {
-        return axes(run, channel)[axis].tells();
+        return axes(run, channel)[axis].changes();
     }
 
     /** Of each axis its own, where they differ more than chance would have it. */
@@ -104,7 +123,7 @@ public final class Noise {
         return deviations;
     }
 
-    /** Whether numbers along or about an axis ever change. */
+    /** Whether numbers along or about an axis ever change, and their noise is known. */
     boolean tells(Channel channel, int axis) {
         return !Double.isNaN(of(channel, axis));
     }
@@ -126,10 +145,10 @@ public final class Noise {
         return all;
     }
 
-    private static double rootMeanSquare(double[] ofAxes) {
+    private static double rootMeanSquare(double[] all) {
         double sum = 0;
         int count = 0;
-        for (double deviation : ofAxes) {
+        for (double deviation : all) {
             if (!Double.isNaN(deviation)) {
                 sum += deviation * deviation;
                 count++;
@@ -146,6 +165,9 @@ public final class Noise {
         /** From one sample to the next. */
         private final ResizableDoubleArray changes = new ResizableDoubleArray();
 
+        /** Standard deviations that the data states. */
+        private final ResizableDoubleArray stated = new ResizableDoubleArray();
+
         static Axis all(List<Axis> axes) {
             Axis all = new Axis();
             axes.forEach(all::add);
@@ -154,19 +176,37 @@ public final class Noise {
 
         /** With what another run, or another axis, tells; one that never changes tells nothing. */
         void add(Axis other) {
-            if (other.tells()) {
+            if (other.changes()) {
                 differences.addElements(other.differences.getElements());
                 changes.addElements(other.changes.getElements());
+                stated.addElements(other.stated.getElements());
             }
         }
 
-        boolean tells() {
+        void addStated(Series series) {
+            for (int i = 0; i < series.size(); i++) {
+                double deviation = series.stated(i);
+                if (!Double.isNaN(deviation)) {
+                    stated.addElement(deviation);
+                }
+            }
+        }
+
+        boolean changes() {
             return Arrays.stream(changes.getElements()).anyMatch(change -> change != 0);
         }
 
+        boolean tells() {
+            return changes() && (areEnough() || stated.getNumElements() > 0);
+        }
+
+        private boolean areEnough() {
+            return differences.getNumElements() >= FEWEST;
+        }
+
         double deviation() {
-            if (differences.getNumElements() == 0) {
-                return ROUNDED;
+            if (!areEnough()) {
+                return rootMeanSquare(stated.getElements());
             }
             double noise = Noise.deviation(differences.getElements());
             return Math.max(noise, Resolution.deviation(changes.getElements()));

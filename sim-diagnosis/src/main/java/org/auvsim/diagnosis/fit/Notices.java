@@ -20,6 +20,10 @@ final class Notices {
                     + " not have been found, as with a body that nothing rights; try shorter parts"
                     + " (--parts SECONDS)";
 
+    private static final String TOO_FEW =
+            "too few numbers to tell their noise, so treated as not measured unless their standard"
+                    + " deviations are stated (as sd_x): ";
+
     private final BelievedModel model;
     private final List<MeasuredRun> fit;
     private final List<MeasuredRun> all;
@@ -47,9 +51,13 @@ final class Notices {
                                     + " s were made, which a simulation needs, too")
                             .formatted(stated, used));
         }
-        String still = still(found.noise());
+        String still = unmeasured(found.noise(), false);
         if (!still.isEmpty()) {
             notices.add("never changes in any run, so treated as not measured: " + still);
+        }
+        String few = unmeasured(found.noise(), true);
+        if (!few.isEmpty()) {
+            notices.add(TOO_FEW + few);
         }
         all.forEach(run -> notices.addAll(stuck(run, found.noise())));
         if (verdict != Verdict.EXPLAINED) {
@@ -107,18 +115,20 @@ final class Notices {
         return stuck;
     }
 
-    /** The axes that were measured and never change. */
-    private String still(Noise noise) {
-        StringJoiner still = new StringJoiner(", ");
+    /** The axes that were measured and tell nothing, of those that change or of the others. */
+    private String unmeasured(Noise noise, boolean change) {
+        StringJoiner unmeasured = new StringJoiner(", ");
         for (Channel channel : Channel.values()) {
             for (int axis = 0; axis < 3; axis++) {
                 int of = axis;
                 boolean isMeasured = fit.stream().anyMatch(run -> run.measures(channel, of));
-                if (isMeasured && !noise.tells(channel, axis)) {
-                    still.add(HeavyTails.name(channel) + " " + "xyz".charAt(axis));
+                if (isMeasured
+                        && !noise.tells(channel, axis)
+                        && change == fit.stream().anyMatch(r -> Noise.changes(r, channel, of))) {
+                    unmeasured.add(HeavyTails.name(channel) + " " + "xyz".charAt(axis));
                 }
             }
         }
-        return still.toString();
+        return unmeasured.toString();
     }
 }

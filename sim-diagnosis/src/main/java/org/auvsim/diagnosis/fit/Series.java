@@ -98,7 +98,8 @@ final class Series {
         return IntStream.range(0, samples.length).anyMatch(i -> !Double.isNaN(stated(i)));
     }
 
-    private double stated(int i) {
+    /** The standard deviation that the run states of a number; NaN where it states none. */
+    double stated(int i) {
         return run.deviation(channel, samples[i], axis);
     }
 

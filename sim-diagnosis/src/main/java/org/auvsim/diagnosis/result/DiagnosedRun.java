@@ -15,7 +15,7 @@ import java.util.Set;
  * @param after with what was found, from the start that suits it best
  * @param forces that are missing along it, in the order of time
  * @param uncounted what was measured but tells nothing of how right a model is, so that no errors
- *     are told of it: outliers, and what never changes
+ *     are told of it: outliers, and what counts as not measured
  */
 public record DiagnosedRun(
         MeasuredRun run,

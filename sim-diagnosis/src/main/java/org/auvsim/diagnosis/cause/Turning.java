@@ -5,7 +5,7 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.List;
-import java.util.Optional;
+import java.util.stream.IntStream;
 
 /** How fast bodies turned in runs. */
 final class Turning {
@@ -18,9 +18,10 @@ final class Turning {
         double sum = 0;
         int count = 0;
         for (MeasuredRun run : runs) {
-            int stride = Math.max(1, run.size() / LOOKS);
-            for (int k = stride; k < run.size(); k += stride) {
-                double rate = rate(run, k - stride, k);
+            int[] telling = telling(run);
+            int stride = Math.max(1, telling.length / LOOKS);
+            for (int i = stride; i < telling.length; i += stride) {
+                double rate = rate(run, telling[i - stride], telling[i]);
                 if (Double.isFinite(rate)) {
                     sum += rate * rate;
                     count++;
@@ -30,16 +31,19 @@ final class Turning {
         return count == 0 ? 0 : Math.sqrt(sum / count);
     }
 
+    private static int[] telling(MeasuredRun run) {
+        boolean isMeasured = run.measures(Channel.ANGULAR_VELOCITY);
+        return IntStream.range(0, run.size())
+                .filter(k -> isMeasured || run.isOriented(k))
+                .toArray();
+    }
+
     private static double rate(MeasuredRun run, int from, int to) {
         if (run.measures(Channel.ANGULAR_VELOCITY)) {
             return run.norm(Channel.ANGULAR_VELOCITY, to);
         }
-        Optional<Quat> before = run.orientation(from);
-        Optional<Quat> after = run.orientation(to);
-        if (before.isEmpty() || after.isEmpty()) {
-            return Double.NaN;
-        }
-        Quat turn = after.get().times(before.get().conjugate());
+        Quat before = run.orientation(from).orElseThrow();
+        Quat turn = run.orientation(to).orElseThrow().times(before.conjugate());
         double sine = Math.sqrt(turn.x() * turn.x() + turn.y() * turn.y() + turn.z() * turn.z());
         double angle = 2 * StrictMath.atan2(sine, Math.abs(turn.w()));
         return angle / (run.time(to) - run.time(from));

@@ -12,6 +12,7 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /** The forces that a model lacks along a run, beside what was measured there. */
 final class MissingForces {
@@ -35,7 +36,7 @@ final class MissingForces {
     }
 
     private static double[] variables(MeasuredRun run, int at, Vec3 position) {
-        Vec3 angles = run.orientation(at).map(EulerAngles::of).orElse(Vec3.ZERO);
+        Vec3 angles = angles(run, at);
         return new double[] {
             run.time(at),
             position.x(),
@@ -48,6 +49,18 @@ final class MissingForces {
             angles.y(),
             angles.z()
         };
+    }
+
+    /** Those that were measured nearest to a sample; 0 if none ever were. */
+    private static Vec3 angles(MeasuredRun run, int at) {
+        return IntStream.range(0, run.size())
+                .flatMap(away -> IntStream.of(at - away, at + away))
+                .filter(k -> k >= 0 && k < run.size() && run.isOriented(k))
+                .mapToObj(run::orientation)
+                .flatMap(Optional::stream)
+                .findFirst()
+                .map(EulerAngles::of)
+                .orElse(Vec3.ZERO);
     }
 
     /** The slope of the positions around a sample. */

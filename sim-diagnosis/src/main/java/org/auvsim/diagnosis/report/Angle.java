@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.report;
 
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.EulerAngles;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
@@ -56,15 +57,20 @@ enum Angle {
     }
 
     /**
-     * The measured angles, the first within half a turn of that of an orientation, if one is given
-     * and of a motion that did not get lost.
+     * The measured angles, NaN where another was measured alone, the first within half a turn of
+     * that of an orientation, if one is given and of a motion that did not get lost.
      */
     double[] measured(MeasuredRun run, Optional<Quat> nearby) {
         double[] course = new double[run.size()];
         double last = nearby.map(this::of).filter(Double::isFinite).orElse(0.0);
         for (int k = 0; k < course.length; k++) {
             double before = last;
-            course[k] = run.orientation(k).map(q -> near(before, of(q))).orElse(Double.NaN);
+            boolean isMeasured = !Double.isNaN(run.value(Channel.ORIENTATION, k, axis()));
+            course[k] =
+                    run.orientation(k)
+                            .filter(_ -> isMeasured)
+                            .map(q -> near(before, of(q)))
+                            .orElse(Double.NaN);
             last = Double.isNaN(course[k]) ? last : course[k];
         }
         return course;

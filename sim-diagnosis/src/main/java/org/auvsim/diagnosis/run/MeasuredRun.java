@@ -26,6 +26,7 @@ public final class MeasuredRun {
     private final Map<Channel, double[]> measured;
     private final Map<Channel, double[]> deviations;
     private final double[] quaternions;
+    private final int[] turns;
     private final double[] accelerations;
     private final double[] rates;
     private final Map<Channel, Frame> frames;
@@ -45,6 +46,8 @@ public final class MeasuredRun {
         b.measured.forEach((channel, values) -> keep(measured, channel, values.toArray()));
         b.deviations.forEach((channel, values) -> keep(deviations, channel, values.toArray()));
         quaternions = b.quaternions.toArray();
+        double[] angles = measured.getOrDefault(Channel.ORIENTATION, new double[0]);
+        turns = IntStream.range(0, AXES).filter(axis -> isIn(angles, axis)).toArray();
         accelerations = b.accelerations.toArray();
         rates = b.rates.toArray();
         frames = new EnumMap<>(b.frames);
@@ -68,6 +71,11 @@ public final class MeasuredRun {
         if (Arrays.stream(values).anyMatch(Double::isFinite)) {
             to.put(channel, values);
         }
+    }
+
+    private static boolean isIn(double[] values, int axis) {
+        return IntStream.range(0, values.length / AXES)
+                .anyMatch(k -> !Double.isNaN(values[AXES * k + axis]));
     }
 
     /** An empty run of this name, to be filled. */
@@ -161,6 +169,16 @@ public final class MeasuredRun {
                                 quaternions[i + 1],
                                 quaternions[i + 2],
                                 quaternions[i + 3]));
+    }
+
+    /**
+     * Whether the orientation was measured at a sample as far as it was at any: what others lack is
+     * as in the scenario, and would be taken for a turn.
+     */
+    public boolean isOriented(int sample) {
+        return orientation(sample).isPresent()
+                && Arrays.stream(turns)
+                        .noneMatch(axis -> Double.isNaN(value(Channel.ORIENTATION, sample, axis)));
     }
 
     /** The standard deviation that the data states of a number; NaN where it states none. */

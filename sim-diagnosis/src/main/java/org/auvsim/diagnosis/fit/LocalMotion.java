@@ -11,6 +11,7 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * The motion at a sample by what was measured around it, without any model: local parabolas. What
@@ -75,7 +76,14 @@ final class LocalMotion {
     }
 
     private RigidMotion motion() {
-        Quat axes = run.orientation(from).orElse(otherwise.orientation());
+        Quat axes =
+                IntStream.rangeClosed(from, to)
+                        .filter(run::isOriented)
+                        .boxed()
+                        .findFirst()
+                        .flatMap(run::orientation)
+                        .or(() -> run.orientation(from))
+                        .orElse(otherwise.orientation());
         double[][] turn = new double[3][];
         for (int i = 0; i < 3; i++) {
             turn[i] = parabola(turns(axes, i), 0, otherwise.angularVelocity().component(i));
@@ -117,9 +125,14 @@ final class LocalMotion {
         return places;
     }
 
+    /** Of samples that lack an angle of others these alone count, where there are any. */
     private WeightedObservedPoints turns(Quat axes, int axis) {
         WeightedObservedPoints turns = new WeightedObservedPoints();
+        boolean isOriented = IntStream.rangeClosed(from, to).anyMatch(run::isOriented);
         for (int k = from; k <= to; k++) {
+            if (isOriented && !run.isOriented(k)) {
+                continue;
+            }
             double time = run.time(k) - run.time(from);
             Optional<Vec3> turn = run.orientation(k).map(q -> Misses.turn(axes, q));
             if (turn.isPresent() && turn.get().norm() > MOST_TURN) {

@@ -40,6 +40,25 @@ class LocalMotionTest {
         assertThat(at.velocity().distance(new Vec3(3, 0, 0))).isLessThan(1e-9);
     }
 
+    /** Rows without a heading have that of the scenario, 0. */
+    @Test
+    void aHeadingThatSomeRowsLackIsThatOfTheOthers() {
+        MeasuredRunBuilder run = MeasuredRun.named("run");
+        for (int k = 0; k < 40; k++) {
+            boolean isMeasured = k % 5 == 3;
+            double yaw = isMeasured ? 1 + 0.3 * 0.1 * k : 0;
+            run.at(0.1 * k)
+                    .orientation(Quat.ofAxisAngle(new Vec3(0, 0, 1), yaw), true, true, isMeasured);
+        }
+        RigidMotion otherwise = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
+
+        RigidMotion at = LocalMotion.at(run.build(), otherwise, 10, 30);
+
+        Quat expected = Quat.ofAxisAngle(new Vec3(0, 0, 1), 1.3);
+        assertThat(Misses.turn(expected, at.orientation()).norm()).isLessThan(1e-9);
+        assertThat(at.angularVelocity().distance(new Vec3(0, 0, 0.3))).isLessThan(1e-9);
+    }
+
     /** A diver that measures its depth and heading goes ahead as fast as the scenario has it. */
     @Test
     void whatWasNotMeasuredIsAsTheModelHasItAlongTheBodysAxes() {

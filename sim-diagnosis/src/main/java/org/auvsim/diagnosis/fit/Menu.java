@@ -47,6 +47,9 @@ final class Menu {
 
     private static final double ROUNDING = 1e-9;
 
+    /** Where a body lies upon something it may be said to begin so far within it (m). */
+    private static final double WITHIN = 1e-3;
+
     /** So much lower is another depth (m). */
     private static final double DEEPER = 5;
 
@@ -70,7 +73,14 @@ final class Menu {
         }
         this.duration = Math.min(LONGEST, longest);
         RigidMotion start = fit.windows().getFirst().getFirst().start();
-        this.rest = new RigidMotion(start.position(), start.orientation(), Vec3.ZERO, Vec3.ZERO);
+        this.rest =
+                stepping.model()
+                        .beside(
+                                new RigidMotion(
+                                        start.position(),
+                                        start.orientation(),
+                                        Vec3.ZERO,
+                                        Vec3.ZERO));
         this.startDeviations =
                 fit.data().stream()
                         .flatMap(of -> of.run().start().stream())
@@ -107,8 +117,17 @@ final class Menu {
     /** An experiment, and how many competitors it tells from the best. */
     private record Told(NextExperiment experiment, int competitors) {}
 
-    /** Whether it begins otherwise only where nothing holds the body. */
+    /** Whether it begins otherwise only where nothing holds the body, nor is in its way. */
     private boolean isPossible(Dish dish) {
+        return isFree(dish) && isOutside(dish.start());
+    }
+
+    private boolean isOutside(RigidMotion start) {
+        RigidMotion beside = stepping.model().beside(start);
+        return beside.position().distance(start.position()) < WITHIN;
+    }
+
+    private boolean isFree(Dish dish) {
         double[] moved = dish.start().minus(rest);
         double[] free = stepping.model().free(moved);
         return IntStream.range(0, moved.length)

@@ -56,6 +56,11 @@ public record BelievedModel(Scenario scenario, String body) {
         return Ground.under(this).objects().isEmpty();
     }
 
+    /** A motion that begins beside all that is in the body's way: moved out if it is within. */
+    public RigidMotion beside(RigidMotion motion) {
+        return Ground.under(this).beside(variant().body().volume(), motion);
+    }
+
     /** How the body moves at the beginning by the scenario. */
     public RigidMotion start() {
         WorldObjectDefinition of = definition(scenario, body);

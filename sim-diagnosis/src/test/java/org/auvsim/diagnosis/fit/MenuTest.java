@@ -128,6 +128,21 @@ class MenuTest {
         assertThat(currents("<held z=\"1\"/>")).isEmpty();
     }
 
+    /** In a floor that is less than 5 m below nothing can begin. */
+    @Test
+    void whatIsInItsWayLimitsTheMenuToo() throws Exception {
+        assertThat(currents("", floor(-30)).orElseThrow().id()).isEqualTo("another_depth");
+        assertThat(currents("", floor(-3))).isEmpty();
+    }
+
+    private static String floor(double z) {
+        return """
+        <world-object name="floor" fixed="1"><position x="0" y="0" z="%s"/>
+          <half-space/></world-object>
+        """
+                .formatted(z);
+    }
+
     /**
      * Where nothing is driven nothing tells a weak motor from drag: not even the motor's level in
      * the scenario, or its plan, which is no part of the run that is described.
@@ -193,6 +208,10 @@ class MenuTest {
     }
 
     private static Optional<NextExperiment> currents(String held) throws Exception {
+        return currents(held, "");
+    }
+
+    private static Optional<NextExperiment> currents(String held, String floor) throws Exception {
         BelievedModel dragged =
                 Believed.model(
                         """
@@ -202,9 +221,10 @@ class MenuTest {
                             <propulsor name="motor" maximum-thrust="20"/>
                             %s
                           </world-object>
+                          %s
                         </scenario>
                         """
-                                .formatted(held),
+                                .formatted(held, floor),
                         "cart");
         return next(
                 judged(dragged, "current_constant", 0, 0, 0),

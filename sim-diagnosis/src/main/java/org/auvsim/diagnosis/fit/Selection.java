@@ -73,6 +73,9 @@ final class Selection {
         for (Judged more = completed(best); !more.equals(best); more = completed(best)) {
             best = more;
         }
+        if (best.isWhite() && !hasRoom(best) && contest.isEmpty() && course.goesOn()) {
+            best = rescued(best, specific); // so many causes can imitate one with a place
+        }
         return chosen(best.isNone() ? best : tried.settled(best));
     }
 

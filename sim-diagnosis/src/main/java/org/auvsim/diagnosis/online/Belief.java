@@ -14,6 +14,7 @@ import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.world.World;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.model.Variant;
 
 import java.util.ArrayList;
 import java.util.Collection;
@@ -23,9 +24,9 @@ import java.util.Optional;
 /**
  * What a running simulation believed of one of its objects before anything was learned, and what it
  * has learned since. All that is measured is diagnosed against the former: so what was learned from
- * little is learned again from more, and not added to. Behaviors are left out of it: what they tell
- * actuators is among the commands. A battery tells them nothing, and stays: propulsors draw from
- * it.
+ * little is learned again from more, and not added to. What is fixed belongs to it: the object may
+ * rest on a floor. Behaviors are left out of it: what they tell actuators is among the commands. A
+ * battery tells them nothing, and stays: propulsors draw from it.
  *
  * @param first before anything was learned
  * @param behaviors that the object has
@@ -51,10 +52,12 @@ record Belief(
                         .toList();
         List<Component> others = new ArrayList<>(object.component());
         others.removeAll(behaviors);
-        WorldObjectDefinition body = object.toBuilder().components(others).build();
+        Scenario now = Scenario.of(world);
+        List<WorldObjectDefinition> kept = new ArrayList<>(now.worldObject());
+        kept.removeIf(other -> !other.fixed());
+        kept.add(object.toBuilder().components(others).build());
         return new Belief(
-                new BelievedModel(
-                        Scenario.of(world).with(world.fields(), List.of(body)), object.name()),
+                new BelievedModel(now.with(now.field(), kept), object.name()),
                 behaviors,
                 List.of(),
                 Optional.empty(),
@@ -70,9 +73,8 @@ record Belief(
                 object.force(new NamedForce(force.name(), force.frame(), Vec3.ZERO, force.point()));
             }
         }
-        Scenario scenario = first.scenario();
-        return new BelievedModel(
-                scenario.with(scenario.field(), List.of(object.build())), first.body());
+        Variant pushed = first.variant().with(_ -> object);
+        return new BelievedModel(first.extended(pushed), first.body());
     }
 
     /** With what a diagnosis of a model has found in place of all that was learned before. */

@@ -7,20 +7,25 @@ import org.auvsim.core.actuator.Battery;
 import org.auvsim.core.actuator.PowerDraw;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.behavior.GoToPoint;
+import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.effect.IsotropicDrag;
 import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.field.UniformCurrent;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.core.volume.HalfSpace;
 import org.auvsim.core.volume.Sphere;
 import org.auvsim.core.world.World;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.model.Ensemble;
+import org.auvsim.diagnosis.model.Ensemble.Entrant;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -170,6 +175,40 @@ class BeliefTest {
 
         assertThat(world.object(1).velocity().distance(new Vec3(1, 0, 0)))
                 .isCloseTo(0, within(1e-12));
+    }
+
+    @Test
+    void aBodyOnAFloorIsBelievedToRestThere() {
+        World yard =
+                World.builder()
+                        .add(
+                                WorldObjectDefinition.named("floor")
+                                        .volume(new HalfSpace())
+                                        .fixed()
+                                        .build())
+                        .add(ball("rover", 0))
+                        .add(ball("other", 1))
+                        .build();
+
+        BelievedModel model = Belief.of(yard, 2).under(List.of());
+
+        assertThat(model.scenario().worldObject())
+                .extracting(WorldObjectDefinition::name)
+                .containsExactly("floor", "rover");
+        RigidMotion[] motion =
+                Ensemble.simulate(
+                        model, run(), 0, 39, List.of(new Entrant(model.variant(), model.start())))[
+                        0];
+        assertThat(motion[39].position().z()).isCloseTo(0.2, within(1e-3));
+    }
+
+    private static WorldObjectDefinition ball(String name, double x) {
+        return WorldObjectDefinition.named(name)
+                .volume(new Sphere(0.2))
+                .mass(10)
+                .position(x, 0, 0.2)
+                .effect(new Gravity(9.80665))
+                .build();
     }
 
     private List<Vec3> velocities() {

@@ -12,11 +12,11 @@ import org.slf4j.LoggerFactory;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.NavigableMap;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SortedMap;
 import java.util.SortedSet;
@@ -30,9 +30,13 @@ final class Logbook {
     /** A run with fewer measured samples tells too little. */
     private static final int LEAST_SAMPLES = 24;
 
-    /** What was measured at a time, if anything was, and what was told from then on. */
-    private record Entry(
-            Optional<Observation.Measured> measured, SortedMap<String, Double> levels) {}
+    /**
+     * What a time has.
+     *
+     * @param measured what told of a channel last: a robot may tell each by a message of its own
+     * @param levels what was told from then on
+     */
+    private record Entry(Map<Channel, Target> measured, SortedMap<String, Double> levels) {}
 
     private final int most;
     private final List<NavigableMap<Double, Entry>> runs = new ArrayList<>();
@@ -54,7 +58,7 @@ final class Logbook {
                 runs.getLast()
                         .merge(
                                 told.time(),
-                                new Entry(Optional.empty(), told.levels()),
+                                new Entry(Map.of(), told.levels()),
                                 (old, now) -> new Entry(old.measured(), now.levels()));
             }
             case Observation.Measured measured -> add(measured);
@@ -72,11 +76,14 @@ final class Logbook {
         measuredUntil = OptionalDouble.of(Math.max(until, measured.time()));
         NavigableMap<Double, Entry> run = runs.getLast();
         Map.Entry<Double, Entry> before = run.floorEntry(measured.time());
+        Map<Channel, Target> all = new EnumMap<>(Channel.class);
+        if (before != null && before.getKey() == measured.time()) {
+            all.putAll(before.getValue().measured());
+        }
+        channels(measured.target()).forEach(channel -> all.put(channel, measured.target()));
         run.put(
                 measured.time(),
-                new Entry(
-                        Optional.of(measured),
-                        before == null ? new TreeMap<>() : before.getValue().levels()));
+                new Entry(all, before == null ? new TreeMap<>() : before.getValue().levels()));
     }
 
     private void forget() {
@@ -111,7 +118,7 @@ final class Logbook {
     List<MeasuredRun> runs() {
         List<MeasuredRun> all = new ArrayList<>();
         for (NavigableMap<Double, Entry> run : runs) {
-            long samples = run.values().stream().filter(e -> e.measured().isPresent()).count();
+            long samples = run.values().stream().filter(e -> !e.measured().isEmpty()).count();
             if (samples >= LEAST_SAMPLES) {
                 all.add(run("feedback " + (all.size() + 1), run));
             }
@@ -127,10 +134,10 @@ final class Logbook {
         boolean hasBegun = false;
         for (Map.Entry<Double, Entry> at : entries.entrySet()) {
             Entry entry = at.getValue();
-            hasBegun |= entry.measured().isPresent();
+            hasBegun |= !entry.measured().isEmpty();
             if (hasBegun) {
                 run.at(at.getKey());
-                entry.measured().ifPresent(measured -> measure(run, measured));
+                entry.measured().forEach((channel, target) -> measure(run, channel, target));
                 for (int c = 0; c < commands.size(); c++) {
                     run.command(c, entry.levels().getOrDefault(commands.get(c), 0.0));
                 }
@@ -139,30 +146,34 @@ final class Logbook {
         return run.build();
     }
 
-    private static void measure(MeasuredRunBuilder run, Observation.Measured measured) {
-        Target target = measured.target();
-        target.position().ifPresent(p -> run.position(p.x(), p.y(), p.z()));
-        target.orientation().ifPresent(run::orientation);
-        target.velocity().ifPresent(v -> measure(run, Channel.VELOCITY, v));
-        target.angularVelocity().ifPresent(w -> measure(run, Channel.ANGULAR_VELOCITY, w));
-        target.covariance().ifPresent(covariance -> deviations(run, target, covariance));
+    private static void measure(MeasuredRunBuilder run, Channel channel, Target target) {
+        switch (channel) {
+            case POSITION -> target.position().ifPresent(p -> measure(run, channel, p));
+            case ORIENTATION -> target.orientation().ifPresent(run::orientation);
+            case VELOCITY -> target.velocity().ifPresent(v -> measure(run, channel, v));
+            case ANGULAR_VELOCITY ->
+                    target.angularVelocity().ifPresent(w -> measure(run, channel, w));
+        }
+        int row = 3 * channels(target).indexOf(channel);
+        target.covariance().ifPresent(covariance -> deviations(run, channel, covariance, row));
     }
 
     private static void measure(MeasuredRunBuilder run, Channel channel, Vec3 value) {
         run.measured(channel, value.x(), value.y(), value.z());
     }
 
-    /** Along each axis of the world, as the target has them. */
-    private static void deviations(MeasuredRunBuilder run, Target target, RealMatrix covariance) {
-        int row = 0;
-        for (Channel channel : channels(target)) {
-            run.deviation(
-                    channel,
-                    Math.sqrt(covariance.getEntry(row, row)),
-                    Math.sqrt(covariance.getEntry(row + 1, row + 1)),
-                    Math.sqrt(covariance.getEntry(row + 2, row + 2)));
-            row += 3;
-        }
+    /**
+     * Along each axis of the world, as the target has them.
+     *
+     * @param row the first of the channel
+     */
+    private static void deviations(
+            MeasuredRunBuilder run, Channel channel, RealMatrix covariance, int row) {
+        run.deviation(
+                channel,
+                Math.sqrt(covariance.getEntry(row, row)),
+                Math.sqrt(covariance.getEntry(row + 1, row + 1)),
+                Math.sqrt(covariance.getEntry(row + 2, row + 2)));
     }
 
     /** In the order of the covariance. */

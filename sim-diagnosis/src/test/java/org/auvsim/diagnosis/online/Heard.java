@@ -131,6 +131,34 @@ final class Heard {
                         Optional.of(MatrixUtils.createRealDiagonalMatrix(variances))));
     }
 
+    /** A position alone, each coordinate with this standard deviation. */
+    static Observation placed(double time, Vec3 position, double deviation) {
+        return new Observation.Measured(
+                time,
+                new Target(
+                        Optional.of(position),
+                        Optional.empty(),
+                        Optional.empty(),
+                        Optional.empty(),
+                        Optional.of(alike(deviation))));
+    }
+
+    /** An angular velocity alone. */
+    static Observation turning(double time, Vec3 rate, double deviation) {
+        return new Observation.Measured(
+                time,
+                new Target(
+                        Optional.empty(),
+                        Optional.empty(),
+                        Optional.empty(),
+                        Optional.of(rate),
+                        Optional.of(alike(deviation))));
+    }
+
+    private static RealMatrix alike(double deviation) {
+        return MatrixUtils.createRealIdentityMatrix(3).scalarMultiply(deviation * deviation);
+    }
+
     /** A level of the actuator {@code screw}. */
     static Observation told(double time, double level) {
         return new Observation.Told(time, new TreeMap<>(Map.of("screw", level)), List.of());

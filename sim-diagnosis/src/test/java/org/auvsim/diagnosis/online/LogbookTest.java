@@ -149,4 +149,21 @@ class LogbookTest {
             }
         }
     }
+
+    @Test
+    void whatOneMessageOfAStepLacksAnotherHas() {
+        for (int second = 0; second < LEAST; second++) {
+            logbook.add(Heard.placed(second, new Vec3(second, 0, 0), 0.5));
+            logbook.add(Heard.turning(second, new Vec3(0, 0, 0.1), 0.02));
+            logbook.add(Heard.placed(second, new Vec3(second, 1, 0), 0.3));
+        }
+
+        MeasuredRun run = logbook.runs().getFirst();
+        assertThat(run.size()).isEqualTo(LEAST);
+        assertThat(run.value(Channel.POSITION, 5, 1)).isEqualTo(1);
+        assertThat(run.deviation(Channel.POSITION, 5, 1)).isCloseTo(0.3, within(1e-12));
+        assertThat(run.value(Channel.ANGULAR_VELOCITY, 5, 2)).isEqualTo(0.1);
+        assertThat(run.deviation(Channel.ANGULAR_VELOCITY, 5, 2)).isCloseTo(0.02, within(1e-12));
+        assertThat(run.value(Channel.VELOCITY, 5, 0)).isNaN();
+    }
 }

@@ -31,16 +31,24 @@ public final class Phrases {
      *
      * @param words in which {@code %s} stands for what it is about, in quotation marks as a name,
      *     {@code %2$s} for the same without them, and {@code %3$s} for what that does, or all do
-     * @param otherwise if its first number is below 0
+     * @param otherwise if a number is below 0
+     * @param number the name of that; the first, if none is said
      */
-    private record Phrase(String words, String otherwise) {}
+    private record Phrase(String words, String otherwise, Optional<String> number) {
+        boolean isOtherwise(Finding finding) {
+            return finding.quantities().stream()
+                    .filter(of -> number.isEmpty() || of.name().equals(number.get()))
+                    .limit(1)
+                    .anyMatch(of -> of.value() < 0);
+        }
+    }
 
     private static void put(String id, String words) {
-        KNOWN.put(id, new Phrase(words, words));
+        put(id, words, words);
     }
 
     private static void put(String id, String words, String otherwise) {
-        KNOWN.put(id, new Phrase(words, otherwise));
+        KNOWN.put(id, new Phrase(words, otherwise, Optional.empty()));
     }
 
     static {
@@ -69,7 +77,12 @@ public final class Phrases {
                 "The flow past %s is faster than modelled",
                 "The flow past %s is slower than modelled");
         put("hull_lift", "Lift of the hull in %2$s is missing");
-        put("magnetic", "A magnetic attraction is missing", "A magnetic repulsion is missing");
+        KNOWN.put(
+                "magnetic",
+                new Phrase(
+                        "A magnetic attraction is missing",
+                        "A magnetic repulsion is missing",
+                        Optional.of("strength")));
         put("magnus", "The Magnus force is missing");
         put("coulomb_friction", "Dry friction is missing");
         put("coulomb_torque", "Dry friction about the pivot is missing");
@@ -118,10 +131,11 @@ public final class Phrases {
     }
 
     private static boolean isBelow(Finding finding) {
-        return !finding.quantities().isEmpty() && finding.quantities().getFirst().value() < 0;
+        Phrase phrase = KNOWN.get(finding.cause());
+        return phrase != null && phrase.isOtherwise(finding);
     }
 
-    /** Whether the words for a finding say that its first number is below 0. */
+    /** Whether the words for a finding say that a number is below 0. */
     static boolean tellsSign(Finding finding) {
         Phrase phrase = KNOWN.get(finding.cause());
         return phrase != null && isBelow(finding) && !phrase.words().equals(phrase.otherwise());

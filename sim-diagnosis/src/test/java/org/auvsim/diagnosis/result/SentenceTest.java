@@ -66,6 +66,23 @@ class SentenceTest {
                 .isEqualTo(words);
     }
 
+    /** Where its source is says nothing of what it does. */
+    @ParameterizedTest
+    @CsvSource({
+        "-2.0, 3, A magnetic attraction is missing",
+        "2.0, 3, A magnetic attraction is missing",
+        "2.0, -3, A magnetic repulsion is missing",
+    })
+    void aMagnetAttractsByItsStrength(double x, double strength, String words) {
+        List<Quantity> numbers =
+                List.of(
+                        new Quantity("source.x", "m", x),
+                        new Quantity("source.y", "m", 0),
+                        new Quantity("source.z", "m", 0),
+                        new Quantity("strength", "N m^4", strength));
+        assertThat(Phrases.of(found("magnetic", numbers, List.of()))).isEqualTo(words);
+    }
+
     @Test
     void aCauseThatMattersToNoHeldOutRun() {
         Sentence same =

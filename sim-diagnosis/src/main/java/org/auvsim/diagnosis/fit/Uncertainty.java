@@ -25,6 +25,9 @@ final class Uncertainty {
     /** A quantity that changes by less than this share of itself does so by rounding alone. */
     private static final double UNCHANGED = 1e-6;
 
+    /** By so much (rad) at most a phase is turned to see how it changes. */
+    private static final double SLIGHT_TURN = 0.1;
+
     private final Judged fitted;
     private final Tangents tangents;
     private final double[][] information;
@@ -107,7 +110,7 @@ final class Uncertainty {
     /** Those of a cause whose first number is the so many-th of all. */
     private List<Double> ofQuantities(
             Cause cause, double[] theta, RealMatrix covariance, int first) {
-        RealMatrix slopes = slopes(cause, theta);
+        RealMatrix slopes = slopes(cause, theta, latestBegin());
         RealMatrix ofQuantities = slopes.multiply(covariance).multiply(slopes.transpose());
         List<Quantity> quantities = cause.quantities(theta);
         List<Double> deviations = new ArrayList<>();
@@ -125,12 +128,26 @@ final class Uncertainty {
         return deviations;
     }
 
-    /** How much each quantity changes with each number, over a small step to either side. */
-    private static RealMatrix slopes(Cause cause, double[] theta) {
+    /** How far from the world's time 0 a run begins (s), at most. */
+    private double latestBegin() {
+        return fitted.fit().data().stream()
+                .mapToDouble(data -> Math.abs(data.run().time(0)))
+                .max()
+                .orElse(0);
+    }
+
+    /**
+     * How much each quantity changes with each number, over a small step to either side. A phase is
+     * told at the world's time 0: it turns with the frequency by all the time since then.
+     */
+    private static RealMatrix slopes(Cause cause, double[] theta, double latestBegin) {
         RealMatrix slopes = new Array2DRowRealMatrix(cause.quantities(theta).size(), theta.length);
         for (int p = 0; p < theta.length; p++) {
             Parameter of = cause.parameters().get(p);
             double step = Cause.SMALL * of.scale();
+            if (of.unit().equals("rad/s")) {
+                step = Math.min(step, SLIGHT_TURN / latestBegin);
+            }
             double low = of.clipped(theta[p] - step);
             double high = of.clipped(theta[p] + step);
             List<Quantity> below = moved(cause, theta, p, low);

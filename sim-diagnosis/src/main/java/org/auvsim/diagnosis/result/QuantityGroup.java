@@ -112,7 +112,8 @@ public record QuantityGroup(
 
     private boolean isDetermined(int i) {
         double deviation = deviations.get(i);
-        return Double.isFinite(deviation) && deviation <= FAR * largest();
+        boolean isAnyAngle = unit.equals("rad") && deviation > Math.PI;
+        return Double.isFinite(deviation) && deviation <= FAR * largest() && !isAnyAngle;
     }
 
     /** The largest number that is surely not 0; infinite if there is none. */

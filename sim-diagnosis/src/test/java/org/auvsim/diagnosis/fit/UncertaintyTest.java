@@ -14,6 +14,8 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.List;
 
@@ -22,28 +24,32 @@ class UncertaintyTest {
     private static final double NOISE = 0.01;
 
     /** Where it is does not matter: only what would change it. */
-    private static MeasuredRun run() {
+    private static MeasuredRun run(double begin) {
         MeasuredRunBuilder run = MeasuredRun.named("still");
         for (int k = 0; k < 100; k++) {
-            run.at(0.1 * k).position(NOISE * (k % 2), NOISE * (k % 2), Double.NaN);
+            run.at(begin + 0.1 * k).position(NOISE * (k % 2), NOISE * (k % 2), Double.NaN);
             run.deviation(Channel.POSITION, NOISE, NOISE, NOISE);
         }
         return run.build();
     }
 
     private static double deviation(String quantity, BelievedModel model, String id, double... of) {
-        Cause cause = cause(model, id);
+        Cause cause = cause(model, run(0), id);
         List<String> names = cause.quantities(of).stream().map(Quantity::name).toList();
         return deviations(model, id, of).get(names.indexOf(quantity));
     }
 
-    private static Cause cause(BelievedModel model, String id) {
-        return Library.named(List.of(id), Library.of(model, List.of(run()))).getFirst();
+    private static Cause cause(BelievedModel model, MeasuredRun run, String id) {
+        return Library.named(List.of(id), Library.of(model, List.of(run))).getFirst();
     }
 
     private static List<Double> deviations(BelievedModel model, String id, double... of) {
-        MeasuredRun run = run();
-        Cause cause = cause(model, id);
+        return deviations(model, run(0), id, of);
+    }
+
+    private static List<Double> deviations(
+            BelievedModel model, MeasuredRun run, String id, double... of) {
+        Cause cause = cause(model, run, id);
         RigidMotion still = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
         Fit fit =
                 new Fit(
@@ -93,6 +99,18 @@ class UncertaintyTest {
                         z -> assertThat(z).isNaN(),
                         omega -> assertThat(omega).isBetween(1e-3, 10.0),
                         phase -> assertThat(phase).isBetween(1e-3, 10.0));
+    }
+
+    /** The phase is that of time 0: as unsure as the frequency times all the time since then. */
+    @ParameterizedTest
+    @ValueSource(doubles = {36_000, 1_718_000_000})
+    void thePhaseOfALateRunIsAsUnsureAsItsFrequency(double begin) throws Exception {
+        List<Double> late =
+                deviations(heldToX(), run(begin), "periodic_force", 0.5, 0, 0, 0.2, 0, 0, 2);
+        double ofOmega = late.get(3);
+
+        assertThat(late.get(4)).isCloseTo(begin * ofOmega, within(0.01 * begin * ofOmega));
+        assertThat(late.getFirst()).isBetween(1e-3, 10.0);
     }
 
     /** Waves of 0.5 N that run nearly along x, and as nearly to the other side of it. */

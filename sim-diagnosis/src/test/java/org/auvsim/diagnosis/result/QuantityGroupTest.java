@@ -37,6 +37,17 @@ class QuantityGroupTest {
         assertThat(text(List.of(0.1), List.of(Double.NaN))).isEqualTo("not determined m/s");
     }
 
+    /** A phase at the world's time 0, of a swing that was seen long after that. */
+    @Test
+    void anAngleThatMayBeAnyIsNotTold() {
+        assertThat(phase(2.9)).isEqualTo("1 +- 3 rad");
+        assertThat(phase(3.2)).isEqualTo("not determined rad");
+    }
+
+    private static String phase(double deviation) {
+        return new QuantityGroup("phase", "rad", false, List.of(1.0), List.of(deviation)).text();
+    }
+
     @Test
     void whereNothingIsSureAllIsTold() {
         assertThat(text(List.of(0.12, 1.0), List.of(2.0, 30.0))).doesNotContain("not determined");

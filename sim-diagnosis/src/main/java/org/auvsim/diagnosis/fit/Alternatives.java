@@ -1,13 +1,13 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
-import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.result.Alternative;
 
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /** Other sets of causes that explain the runs about as well as the best. */
 final class Alternatives {
@@ -22,8 +22,6 @@ final class Alternatives {
      * more likely a common cause is than another one before anything was measured.
      */
     private static final double POSITIVE = 2;
-
-    private static final String FACTOR = "factor";
 
     /** Factors nearer to each other are one and the same. */
     private static final double ALIKE = 0.05;
@@ -126,69 +124,53 @@ final class Alternatives {
 
     /** What both have in common, in words. */
     private static String determined(Hypothesis best, Hypothesis other) {
-        List<String> parts = new ArrayList<>();
-        for (Quantity a : ofOthers(best, other)) {
-            for (Quantity b : ofOthers(other, best)) {
-                parts.add(relation(a, b));
-            }
-        }
-        return parts.size() == 1 ? parts.getFirst() : "";
+        Optional<Amount> a = onlyOne(best, other);
+        Optional<Amount> b = onlyOne(other, best);
+        return a.isPresent() && b.isPresent() ? relation(a.get(), b.get()) : "";
     }
 
-    /** Quantities of causes that the other hypothesis has not, under the names of the causes. */
-    private static List<Quantity> ofOthers(Hypothesis of, Hypothesis other) {
-        List<Quantity> quantities = new ArrayList<>();
-        for (int c = 0; c < of.causes().size(); c++) {
-            Cause cause = of.causes().get(c);
-            if (!other.causes().contains(cause)) {
-                for (Quantity q : cause.quantities(of.theta().get(c))) {
-                    quantities.add(
-                            new Quantity(cause.name() + " " + q.name(), q.unit(), q.value()));
-                }
-            }
+    /** The number of the causes that the other hypothesis has not, if it is only one. */
+    private static Optional<Amount> onlyOne(Hypothesis of, Hypothesis other) {
+        List<Cause> own = new ArrayList<>(of.causes());
+        own.removeAll(other.causes());
+        if (own.size() != 1) {
+            return Optional.empty();
         }
-        return quantities;
+        double[] theta = of.theta().get(of.causes().indexOf(own.getFirst()));
+        return own.getFirst().quantities(theta).size() == 1
+                ? Optional.of(Amount.of(own.getFirst(), theta, 0))
+                : Optional.empty();
     }
 
     /**
-     * What stays the same when some of one quantity is replaced by some of the other, where either
-     * alone explains the runs: {@code a + 2 b = 3 N}. Of a factor counts what it is more than 1.
+     * What stays the same when some of one amount is replaced by some of the other, where either
+     * alone explains the runs: {@code a + 2 b = 3 N}. Of each counts what it is beyond that which
+     * changes nothing.
      */
-    static String relation(Quantity a, Quantity b) {
-        if (isFactor(a) && isFactor(b)) {
-            if (areAlike(a.value() * b.value(), 1)) {
-                return String.format(Locale.ROOT, "%s / %s = %.3g", a.name(), b.name(), a.value());
+    static String relation(Amount a, Amount b) {
+        String one = a.of().name();
+        String other = b.of().name();
+        if (a.isFactor() && b.isFactor()) {
+            if (areAlike(a.of().value() * b.of().value(), 1)) {
+                return String.format(Locale.ROOT, "%s / %s = %.3g", one, other, a.of().value());
             }
-            if (areAlike(a.value(), b.value())) {
-                return String.format(Locale.ROOT, "%s * %s = %.3g", a.name(), b.name(), a.value());
+            if (areAlike(a.of().value(), b.of().value())) {
+                return String.format(Locale.ROOT, "%s * %s = %.3g", one, other, a.of().value());
             }
         }
-        double rate = excess(a) / excess(b);
+        double rate = a.excess() / b.excess();
         return String.format(
                 Locale.ROOT,
                 "%s %s %.3g %s = %.3g%s",
-                term(a),
+                a.term(),
                 rate < 0 ? "-" : "+",
                 Math.abs(rate),
-                term(b),
-                excess(a),
-                isFactor(a) ? "" : " " + a.unit());
-    }
-
-    private static boolean isFactor(Quantity q) {
-        return q.name().endsWith(FACTOR);
+                b.term(),
+                a.excess(),
+                a.unitText());
     }
 
     private static boolean areAlike(double a, double b) {
         return Math.abs(a - b) < ALIKE * Math.abs(b);
-    }
-
-    /** What a quantity is beyond that which changes nothing. */
-    private static double excess(Quantity q) {
-        return isFactor(q) ? q.value() - 1 : q.value();
-    }
-
-    private static String term(Quantity q) {
-        return isFactor(q) ? "(" + q.name() + " - 1)" : q.name();
     }
 }

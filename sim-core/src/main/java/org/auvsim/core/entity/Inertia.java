@@ -15,6 +15,12 @@ public record Inertia(
         @Unit("kg m^2") @Default("0.0") double xy,
         @Unit("kg m^2") @Default("0.0") double xz,
         @Unit("kg m^2") @Default("0.0") double yz) {
+    /** That of a symmetric tensor. */
+    public static Inertia of(Mat3 tensor) {
+        return new Inertia(
+                tensor.xx(), tensor.yy(), tensor.zz(), tensor.xy(), tensor.xz(), tensor.yz());
+    }
+
     /** The tensor. */
     public Mat3 toMatrix() {
         return new Mat3(xx, xy, xz, xy, yy, yz, xz, yz, zz);

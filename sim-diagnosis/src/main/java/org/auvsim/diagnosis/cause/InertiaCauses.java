@@ -20,7 +20,7 @@ final class InertiaCauses {
         causes.add(
                 Change.of(
                                 "mass_error",
-                                List.of(new Parameter("factor", "1", 0.1, -MOST_TAKEN, 100)),
+                                List.of(new Parameter("factor", "1", 0.1, -mostTaken(s), 100)),
                                 (v, t) -> v.with(b -> heavier(b, v.body(), 1 + t[0])))
                         .toldAsFactors());
         if (s.turnsMatter()) {
@@ -34,11 +34,14 @@ final class InertiaCauses {
     private static WorldObjectDefinition.Builder heavier(
             WorldObjectDefinition.Builder b, WorldObjectDefinition body, double factor) {
         Mat3 tensor = body.massProperties().orElseThrow().inertia();
-        return b.mass(body.mass().orElseThrow() * factor).inertia(inertia(tensor));
+        return b.mass(body.mass().orElseThrow() * factor).inertia(Inertia.of(tensor));
     }
 
-    private static Inertia inertia(Mat3 m) {
-        return new Inertia(m.xx(), m.yy(), m.zz(), m.xy(), m.xz(), m.yz());
+    /** So that something is left of the mass in each run, whatever the body lacked there. */
+    private static double mostTaken(Setting s) {
+        double lack =
+                s.runs().stream().mapToDouble(run -> -run.differences().mass()).max().orElse(0);
+        return MOST_TAKEN * (1 - Math.max(0, lack) / s.body().mass().orElseThrow());
     }
 
     private static Cause inertia() {
@@ -53,7 +56,7 @@ final class InertiaCauses {
                                 v.with(
                                         b ->
                                                 b.inertia(
-                                                        inertia(
+                                                        Inertia.of(
                                                                 PrincipalInertia.scaled(
                                                                         v.body()
                                                                                 .massProperties()

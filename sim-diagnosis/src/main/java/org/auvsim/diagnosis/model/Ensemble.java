@@ -9,7 +9,6 @@ import org.auvsim.core.step.StepException;
 import org.auvsim.core.world.World;
 import org.auvsim.core.world.WorldBuilder;
 import org.auvsim.diagnosis.model.Partings.Leg;
-import org.auvsim.diagnosis.run.KnownDifferences;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
@@ -133,12 +132,8 @@ public final class Ensemble {
 
     private WorldObjectDefinition definition(int i, Entrant entrant, int from) {
         RigidMotion start = begun(entrant);
-        WorldObjectDefinition.Builder body = entrant.variant().body().toBuilder();
-        KnownDifferences known = run.differences();
-        known.effects().forEach(body::effect);
-        if (known.mass() != 0) {
-            body.mass(entrant.variant().body().mass().orElseThrow() + known.mass());
-        }
+        WorldObjectDefinition own = entrant.variant().body();
+        WorldObjectDefinition.Builder body = run.differences().on(own);
         return ground.touching(body)
                 .id(FIRST_ID + i)
                 .renamed(name(i))
@@ -149,7 +144,7 @@ public final class Ensemble {
                         start.angularVelocity().x(),
                         start.angularVelocity().y(),
                         start.angularVelocity().z())
-                .components(inputs.before(from, entrant.variant().body().component()))
+                .components(inputs.before(from, own.component()))
                 .build();
     }
 

@@ -2,6 +2,9 @@ package org.auvsim.diagnosis.run;
 
 import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Effect;
+import org.auvsim.core.entity.Inertia;
+import org.auvsim.core.entity.MassProperties;
+import org.auvsim.core.entity.WorldObjectDefinition;
 
 import java.util.List;
 
@@ -20,5 +23,19 @@ public record KnownDifferences(double mass, List<Effect> effects, List<Current> 
     public KnownDifferences {
         effects = List.copyOf(effects);
         currents = List.copyOf(currents);
+    }
+
+    /**
+     * A body that has them. Its moments of inertia stay as they are, also where they are those of
+     * its volume: variants of it that state them would else be far from the others.
+     */
+    public WorldObjectDefinition.Builder on(WorldObjectDefinition body) {
+        WorldObjectDefinition.Builder other = body.toBuilder();
+        effects.forEach(other::effect);
+        if (mass != 0) {
+            MassProperties alone = body.massProperties().orElseThrow();
+            other.mass(alone.mass() + mass).inertia(Inertia.of(alone.inertia()));
+        }
+        return other;
     }
 }

@@ -1,12 +1,11 @@
 package org.auvsim.diagnosis.fit;
 
 import org.apache.commons.math3.stat.descriptive.rank.Median;
-import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.result.Axis;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.StringJoiner;
 import java.util.stream.IntStream;
@@ -65,12 +64,12 @@ final class HeavyTails {
             double[] off = off(series, row, noise);
             if (hasOutliers(off)) {
                 of.add(
-                        "%d of %d numbers of %s %s"
+                        "%d of %d numbers of %s"
                                 .formatted(
                                         beyond(FAR, off),
                                         series.size(),
-                                        name(row.channel()),
-                                        "xyz".charAt(row.axis())));
+                                        Axis.of(run, row.channel(), row.axis())
+                                                .brief(row.channel())));
             }
         }
         return of.length() == 0
@@ -78,11 +77,6 @@ final class HeavyTails {
                 : Optional.of(
                         "%s: outliers, given less weight and left out of errors: %s"
                                 .formatted(run.name(), of));
-    }
-
-    /** For people. */
-    static String name(Channel channel) {
-        return channel.name().toLowerCase(Locale.ROOT).replace('_', ' ');
     }
 
     private static Series series(MeasuredRun run, Misses.Row row) {

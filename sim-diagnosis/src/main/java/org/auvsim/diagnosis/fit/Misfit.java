@@ -4,6 +4,7 @@ import org.apache.commons.math3.complex.Complex;
 import org.apache.commons.math3.transform.DftNormalization;
 import org.apache.commons.math3.transform.FastFourierTransformer;
 import org.apache.commons.math3.transform.TransformType;
+import org.auvsim.diagnosis.result.Axis;
 import org.auvsim.diagnosis.result.Discrepancy;
 
 import java.util.Arrays;
@@ -12,8 +13,6 @@ import java.util.stream.IntStream;
 
 /** Describes what no cause explains: where it shows, when, and whether it has a frequency. */
 final class Misfit {
-    private static final String AXES = "xyz";
-
     /** A frequency stands out that has this share of all power. */
     private static final double STANDS_OUT = 0.3;
 
@@ -57,7 +56,7 @@ final class Misfit {
         double[] times = Arrays.stream(samples).mapToDouble(of.run()::time).toArray();
         return new Discrepancy(
                 row.channel(),
-                AXES.charAt(row.axis()),
+                Axis.of(of.run(), row.channel(), row.axis()),
                 of.run().name(),
                 times[peak],
                 judged.fit().motions().get(worstRun)[samples[peak]].position(),

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.fit;
 
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.result.Axis;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -104,11 +105,10 @@ final class Notices {
                         && noise.tells(channel, axis)
                         && !Noise.changes(run, channel, axis)) {
                     stuck.add(
-                            "%s: %s %s never changes, though it does in other runs; if its sensor was dead, leave the run out or empty the cells"
+                            "%s: %s never changes, though it does in other runs; if its sensor was dead, leave the run out or empty the cells"
                                     .formatted(
                                             run.name(),
-                                            HeavyTails.name(channel),
-                                            "xyz".charAt(axis)));
+                                            Axis.of(run, channel, axis).brief(channel)));
                 }
             }
         }
@@ -121,11 +121,13 @@ final class Notices {
         for (Channel channel : Channel.values()) {
             for (int axis = 0; axis < 3; axis++) {
                 int of = axis;
-                boolean isMeasured = fit.stream().anyMatch(run -> run.measures(channel, of));
-                if (isMeasured
-                        && !noise.tells(channel, axis)
+                if (!noise.tells(channel, axis)
                         && change == fit.stream().anyMatch(r -> Noise.changes(r, channel, of))) {
-                    unmeasured.add(HeavyTails.name(channel) + " " + "xyz".charAt(axis));
+                    fit.stream()
+                            .filter(run -> run.measures(channel, of))
+                            .map(run -> Axis.of(run, channel, of).brief(channel))
+                            .distinct()
+                            .forEach(unmeasured::add);
                 }
             }
         }

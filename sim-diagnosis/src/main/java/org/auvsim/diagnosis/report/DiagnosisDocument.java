@@ -68,6 +68,7 @@ record DiagnosisDocument(
     record DiscrepancyPart(
             String channel,
             String axis,
+            String frame,
             String run,
             double time,
             List<Double> place,

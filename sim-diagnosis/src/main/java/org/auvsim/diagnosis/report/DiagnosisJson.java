@@ -108,7 +108,8 @@ final class DiagnosisJson {
                                 d ->
                                         new DiscrepancyPart(
                                                 Names.of(d.channel()),
-                                                String.valueOf(d.axis()),
+                                                String.valueOf(d.axis().letter()),
+                                                Names.of(d.axis().frame()),
                                                 d.run(),
                                                 d.time(),
                                                 List.of(

@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.report;
 
+import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.result.Approximation;
 import org.auvsim.diagnosis.result.DiagnosedRun;
@@ -17,6 +18,7 @@ import org.auvsim.diagnosis.result.Ranked;
 import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.plot.page.Block;
 import org.auvsim.plot.page.Block.Table;
 import org.auvsim.plot.page.Block.Text;
@@ -103,7 +105,7 @@ final class FindingTables {
 
     private Table discrepancy(Discrepancy seen) {
         List<List<String>> rows = new ArrayList<>();
-        rows.add(List.of("shows most in", Sentence.words(seen.channel()) + ", " + seen.axis()));
+        rows.add(List.of("shows most in", seen.axis().within(seen.channel())));
         rows.add(List.of("largest at", moments.text(seen.time(), seen.run())));
         rows.add(List.of("the model is then at", place(seen.place())));
         seen.frequency()
@@ -249,11 +251,16 @@ final class FindingTables {
                                         + IntStream.range(0, 3)
                                                 .filter(axis -> of.run().measures(channel, axis))
                                                 .mapToObj(axis -> "xyz".substring(axis, axis + 1))
-                                                .collect(Collectors.joining()))
+                                                .collect(Collectors.joining())
+                                        + ofBody(of.run(), channel))
                 .collect(Collectors.joining(", "));
     }
 
     List<Block> notices() {
+    private static String ofBody(MeasuredRun run, Channel channel) {
+        return run.frame(channel) == Frame.BODY ? " of the body" : "";
+    }
+
         return of.notices().stream().map(notice -> (Block) new Text(notice)).toList();
     }
 }

@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.report;
 
+import org.auvsim.core.entity.Frame;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
 
@@ -11,6 +12,10 @@ final class Names {
 
     static String of(Channel channel) {
         return channel.name().toLowerCase(Locale.ROOT);
+    }
+
+    static String of(Frame frame) {
+        return frame.name().toLowerCase(Locale.ROOT);
     }
 
     static String of(Verdict verdict) {

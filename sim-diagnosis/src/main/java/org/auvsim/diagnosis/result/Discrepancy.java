@@ -9,7 +9,7 @@ import java.util.OptionalDouble;
  * What is known of a misfit that no cause explains.
  *
  * @param channel where it shows most
- * @param axis along or about which it shows most: x, y or z of the world
+ * @param axis along or about which it shows most
  * @param run in which it is largest
  * @param time at which it is largest (s)
  * @param place where the best set of causes has the body then: world axes (m)
@@ -18,7 +18,7 @@ import java.util.OptionalDouble;
  */
 public record Discrepancy(
         Channel channel,
-        char axis,
+        Axis axis,
         String run,
         double time,
         Vec3 place,

@@ -236,11 +236,9 @@ public final class Sentence {
                                 .formatted(Numbers.rounded(of.frequency().getAsDouble()))
                         : "";
         String where =
-                "the %s %s %s, at %s%s"
+                "the %s, at %s%s"
                         .formatted(
-                                words(of.channel()),
-                                isTurning(of.channel()) ? "about" : "along",
-                                of.axis(),
+                                of.axis().within(of.channel()),
                                 moments.text(of.time(), of.run()),
                                 frequency);
         return of.share() > 0
@@ -263,10 +261,6 @@ public final class Sentence {
 
     private static String text(Map.Entry<Channel, Gain> of, double value) {
         return Numbers.rounded(value) + " " + unit(of.getKey());
-    }
-
-    private static boolean isTurning(Channel channel) {
-        return channel == Channel.ORIENTATION || channel == Channel.ANGULAR_VELOCITY;
     }
 
     /** A channel's name for people. */

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.Sensing;
@@ -62,6 +63,22 @@ class HeavyTailsTest {
         double[] plain = misses(new Misses(run, noise));
         assertThat(Math.abs(tamed[2 * 25])).isLessThan(0.2 * Math.abs(plain[2 * 25]));
         assertThat(tamed[2 * 25 + 1]).isEqualTo(plain[2 * 25 + 1]);
+    }
+
+    @Test
+    void speedsAlongTheVehicleAreToldAsSuch() {
+        Random random = new Random(3);
+        MeasuredRunBuilder dive = MeasuredRun.named("dive").frame(Channel.VELOCITY, Frame.BODY);
+        for (int k = 0; k < SAMPLES; k++) {
+            double astray = k % 50 == 25 ? 30 * NOISE : 0;
+            double noise = NOISE * random.nextGaussian();
+            dive.at(0.1 * k).measured(Channel.VELOCITY, Math.sin(0.1 * k) + astray + noise, 0, 0);
+        }
+        MeasuredRun run = dive.build();
+        List<Misses.Row> rows = List.of(new Misses.Row(Channel.VELOCITY, 0));
+
+        assertThat(HeavyTails.notice(run, rows, Noise.of(List.of(run))).orElseThrow())
+                .endsWith("numbers of velocity along the body's x (ahead)");
     }
 
     @Test

@@ -3,8 +3,10 @@ package org.auvsim.diagnosis.fit;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.result.Axis;
 import org.auvsim.diagnosis.result.Discrepancy;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -87,9 +89,21 @@ class MisfitTest {
     void whatIsMeasuredInSomeRowsOnlyIsNotDiluted() throws Exception {
         Discrepancy misfit = largest(run(10));
 
-        assertThat(misfit.axis()).isEqualTo('x');
+        assertThat(misfit.axis()).isEqualTo(new Axis(Frame.WORLD, 'x'));
         assertThat(misfit.frequency().orElseThrow()).isCloseTo(0.1, within(0.01));
         assertThat(misfit.time() % 1).isCloseTo(0, within(1e-9));
         assertThat(largest(run(1)).frequency().orElseThrow()).isCloseTo(0.1, within(0.01));
+    }
+
+    @Test
+    void anAxisOfTheBodyIsToldAsOne() throws Exception {
+        Random random = new Random(5);
+        MeasuredRunBuilder run = MeasuredRun.named("log").frame(Channel.VELOCITY, Frame.BODY);
+        for (int k = 0; k < 100; k++) {
+            double noise = 0.01 * random.nextGaussian();
+            run.at(0.1 * k).measured(Channel.VELOCITY, Double.NaN, 1 + noise, Double.NaN);
+        }
+
+        assertThat(largest(run.build()).axis()).isEqualTo(new Axis(Frame.BODY, 'y'));
     }
 }

@@ -5,11 +5,13 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import org.auvsim.auvsml.AuvsmlException;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.result.Alternative;
 import org.auvsim.diagnosis.result.Approximation;
+import org.auvsim.diagnosis.result.Axis;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Discrepancy;
@@ -227,7 +229,7 @@ final class Diagnoses {
         Discrepancy seen =
                 new Discrepancy(
                         Channel.POSITION,
-                        'y',
+                        new Axis(Frame.WORLD, 'y'),
                         "run2",
                         12.4,
                         new Vec3(3.21, -0.5, 2),

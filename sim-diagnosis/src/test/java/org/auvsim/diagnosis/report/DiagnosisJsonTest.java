@@ -241,6 +241,7 @@ class DiagnosisJsonTest {
     void whatExplainsNothingIsNoFinding() {
         JsonNode root = JsonMapper.shared().readTree(json(Diagnoses.unexplained()));
         assertThat(root.at("/selected").isEmpty()).isTrue();
+        assertThat(root.at("/discrepancy/frame").asString()).isEqualTo("world");
         assertThat(root.at("/discrepancy/place").toString()).isEqualTo("[3.21,-0.5,2.0]");
         assertThat(root.at("/approximation/causes/0/name").asString()).isEqualTo("quadratic_drag");
         assertThat(root.at("/approximation/causes/0/sigma").isEmpty()).isTrue();

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.result;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.run.Channel;
@@ -107,7 +108,13 @@ class SentenceTest {
                                 + " tried so far gains enough; held-out position error 0.83 m");
         Discrepancy seen =
                 new Discrepancy(
-                        Channel.POSITION, 'x', "run1", 3, Vec3.ZERO, OptionalDouble.empty(), 0.4);
+                        Channel.POSITION,
+                        new Axis(Frame.WORLD, 'x'),
+                        "run1",
+                        3,
+                        Vec3.ZERO,
+                        OptionalDouble.empty(),
+                        0.4);
         assertThat(Sentence.stopped(sentence.unexplained(Optional.of(seen))))
                 .startsWith(
                         "Stopped before the end; the best so far: the model lacks something that no"
@@ -122,7 +129,13 @@ class SentenceTest {
     void aSearchForSomeCausesSaysNothingOfOthers() {
         Discrepancy seen =
                 new Discrepancy(
-                        Channel.POSITION, 'x', "run1", 3, Vec3.ZERO, OptionalDouble.empty(), 0.4);
+                        Channel.POSITION,
+                        new Axis(Frame.WORLD, 'x'),
+                        "run1",
+                        3,
+                        Vec3.ZERO,
+                        OptionalDouble.empty(),
+                        0.4);
 
         assertThat(Sentence.ofSome(sentence.unexplained(Optional.of(seen))))
                 .startsWith(
@@ -243,7 +256,13 @@ class SentenceTest {
     void somethingOfWhichNoCauseTakesAnything() {
         Discrepancy seen =
                 new Discrepancy(
-                        Channel.POSITION, 'x', "run1", 3, Vec3.ZERO, OptionalDouble.empty(), 0);
+                        Channel.POSITION,
+                        new Axis(Frame.WORLD, 'x'),
+                        "run1",
+                        3,
+                        Vec3.ZERO,
+                        OptionalDouble.empty(),
+                        0);
 
         assertThat(sentence.unexplained(Optional.of(seen)))
                 .contains(
@@ -255,7 +274,13 @@ class SentenceTest {
     void causesThatWereNotTriedAreNotSaidToTakeNothing() {
         Discrepancy seen =
                 new Discrepancy(
-                        Channel.POSITION, 'x', "run1", 3, Vec3.ZERO, OptionalDouble.empty(), 0);
+                        Channel.POSITION,
+                        new Axis(Frame.WORLD, 'x'),
+                        "run1",
+                        3,
+                        Vec3.ZERO,
+                        OptionalDouble.empty(),
+                        0);
         String unexplained = sentence.unexplained(Optional.of(seen));
 
         assertThat(List.of(Sentence.stopped(unexplained), Sentence.ofSome(unexplained)))
@@ -279,7 +304,7 @@ class SentenceTest {
         Discrepancy seen =
                 new Discrepancy(
                         Channel.ORIENTATION,
-                        'z',
+                        new Axis(Frame.WORLD, 'z'),
                         "run2",
                         12.44,
                         Vec3.ZERO,
@@ -291,6 +316,28 @@ class SentenceTest {
                                 + " causes remove 41.0 % of it, and what they leave shows most in"
                                 + " the orientation about z, at 12.4 s of run2, mostly at 0.31 Hz;"
                                 + " held-out position error 0.83 m -> 0.011 m, noise is 0.010 m");
+    }
+
+    /** Speeds of a log are those along the vehicle. */
+    @ParameterizedTest
+    @CsvSource({
+        "VELOCITY, x, the velocity along the body's x (ahead)",
+        "VELOCITY, y, the velocity along the body's y (left)",
+        "ANGULAR_VELOCITY, z, the angular velocity about the body's z (up)",
+    })
+    void whatIsMeasuredInTheBodysAxesIsToldSo(Channel channel, char axis, String words) {
+        Discrepancy seen =
+                new Discrepancy(
+                        channel,
+                        new Axis(Frame.BODY, axis),
+                        "run1",
+                        3,
+                        Vec3.ZERO,
+                        OptionalDouble.empty(),
+                        0);
+
+        assertThat(sentence.unexplained(Optional.of(seen)))
+                .contains("it shows most in " + words + ", at 3.00 s of run1;");
     }
 
     /** A compass that is off changes no position. */

@@ -52,7 +52,10 @@ final class Screening {
         return new Screen(along, causes, guesses, asBelieved);
     }
 
-    /** What each leaves beside something; nothing of any, once the search was told to stop. */
+    /**
+     * What each leaves beside something, but for those of many places, moments or frequencies;
+     * nothing of any, once the search was told to stop.
+     */
     Traces traces(Judged beside) {
         Hypothesis of = beside.fit().hypothesis();
         List<Cause> plain =

@@ -118,8 +118,9 @@ final class IdentifiabilityTables {
                                 "A cause that was not found is absent or smaller than this. 97"
                                         + " of 100 such measurements would reveal a change of this"
                                         + " size, taken alone beside what was found and to first"
-                                        + " order. For a cause tied to a place or a time, this"
-                                        + " holds where it shows best among those examined. Numbers"
-                                        + " not listed hardly show in this data."));
+                                        + " order. Causes tied to a place, a moment or a frequency"
+                                        + " are not examined, as there are too many where they may"
+                                        + " be. Other numbers that are not listed hardly show in"
+                                        + " this data."));
     }
 }

@@ -68,6 +68,13 @@ class ReportTest {
     }
 
     @Test
+    void ofCausesThatAreNotExaminedNothingIsPromised() throws IOException {
+        assertThat(page(Diagnoses.explained()))
+                .contains("Causes tied to a place, a moment or a frequency are not examined")
+                .doesNotContain("where it shows best");
+    }
+
+    @Test
     void thePageBeginsWithTheVerdict() throws IOException {
         assertThat(page(Diagnoses.explained()))
                 .containsSubsequence(

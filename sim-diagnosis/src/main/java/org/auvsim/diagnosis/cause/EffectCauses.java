@@ -21,7 +21,8 @@ import java.util.Set;
 
 /**
  * Effects that scenarios may state and no other cause covers, a user's own above all: those that a
- * scenario may state without any number, and then do nothing.
+ * scenario may state without any number, and then do nothing. What already acts then is no cause: a
+ * little of it would be nearly all of it.
  */
 final class EffectCauses {
     /** What causes of the library are made of. */
@@ -48,7 +49,7 @@ final class EffectCauses {
             if (!COVERED.contains(type)) {
                 mapper.withDefaults(type)
                         .map(effect -> new EffectNumbers((Effect) effect))
-                        .filter(EffectNumbers::mayBeAbsent)
+                        .filter(numbers -> numbers.mayBeAbsent(s))
                         .map(numbers -> cause(s, type, numbers))
                         .ifPresent(causes::add);
             }

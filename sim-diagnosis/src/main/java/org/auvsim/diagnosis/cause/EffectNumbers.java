@@ -69,9 +69,10 @@ final class EffectNumbers {
         }
     }
 
-    /** Whether it has any such number. */
-    boolean mayBeAbsent() {
-        return !components.isEmpty();
+    /** Whether it has any such number, and does nothing while all of them are 0. */
+    boolean mayBeAbsent(Setting s) {
+        return !components.isEmpty()
+                && !ActingAtOnce.on(s, effect(new double[parameters(s).size()]));
     }
 
     /** A parameter for each number; at least 0 where the effect refuses less. */

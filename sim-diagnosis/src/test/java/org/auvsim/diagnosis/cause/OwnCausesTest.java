@@ -48,6 +48,16 @@ class OwnCausesTest {
         }
     }
 
+    /** An effect of a user's that acts as soon as a body has it: drag in air that stands still. */
+    public record WindDrag(
+            @Unit("N s/m") @Default("0.5") double area, @Unit("m/s") @Default("0 0 0") Vec3 wind)
+            implements BodyEffect {
+        @Override
+        public void add(Block block, int i) {
+            block.addForce(i, block.velocity(i).minus(wind).times(-area));
+        }
+    }
+
     /** A cause of a user's: the body is larger than it is believed to be. */
     public static final class Growth implements CauseFamily {
         @Override
@@ -79,7 +89,9 @@ class OwnCausesTest {
 
     private List<Cause> library() throws IOException {
         Path services = Files.createDirectories(folder.resolve("META-INF/services"));
-        Files.writeString(services.resolve(Effect.class.getName()), Stratification.class.getName());
+        Files.writeString(
+                services.resolve(Effect.class.getName()),
+                Stratification.class.getName() + "\n" + WindDrag.class.getName());
         Files.writeString(services.resolve(CauseFamily.class.getName()), Growth.class.getName());
         ClassLoader loader =
                 new URLClassLoader(new URL[] {folder.toUri().toURL()}, getClass().getClassLoader());
@@ -107,6 +119,11 @@ class OwnCausesTest {
         Variant found = cause.in(MODEL.variant(), new double[] {3, 1.5, 0.2});
         Effect expected = new Stratification(3, 1.5, 0.2, 2);
         assertThat(found.body().effect()).containsExactly(expected);
+    }
+
+    @Test
+    void anEffectThatActsWithoutAnyNumberIsNoCandidate() throws IOException {
+        assertThat(library()).extracting(Cause::id).doesNotContain("wind_drag");
     }
 
     @Test

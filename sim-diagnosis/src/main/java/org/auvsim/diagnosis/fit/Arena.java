@@ -96,6 +96,12 @@ public final class Arena {
         return base.data().stream().mapToInt(Misses::count).sum();
     }
 
+    /** What the causes of a candidate must gain to be believed, as for all others. */
+    public double price(Candidate candidate) {
+        double independent = base.data().stream().mapToDouble(Misses::independent).sum();
+        return candidate.hypothesis().price(count(), independent);
+    }
+
     /**
      * What variants miss: sums of squares in standard deviations of the noise, infinite where a
      * motion gets out of all bounds.
@@ -149,7 +155,11 @@ public final class Arena {
     public record Candidate(List<Cause> causes, List<double[]> theta) {
         /** The model with them. */
         public Variant in(Variant model) {
-            return new Hypothesis(causes, theta).in(model);
+            return hypothesis().in(model);
+        }
+
+        private Hypothesis hypothesis() {
+            return new Hypothesis(causes, theta);
         }
     }
 

@@ -83,7 +83,7 @@ public record Evolution(long seed) implements Arena.Contest {
         double[] misfits = arena.misfits(variants);
         for (int i = 0; i < misfits.length; i++) {
             ModelGenome genome = genomes.get(i);
-            genome.judge(fitness(genome, misfits[i], arena.count()));
+            genome.judge(fitness(arena, genome, misfits[i]));
             best.merge(
                     genome.causes(),
                     genome,
@@ -92,10 +92,9 @@ public record Evolution(long seed) implements Arena.Contest {
     }
 
     /** Schwarz's criterion (1978), and a surcharge for each cause; the larger, the better. */
-    private static double fitness(ModelGenome genome, double misfit, int count) {
+    private static double fitness(Arena arena, ModelGenome genome, double misfit) {
+        int count = arena.count();
         double deviance = count * StrictMath.log(Math.max(misfit / count, Double.MIN_NORMAL));
-        return -(deviance
-                + genome.size() * StrictMath.log(count)
-                + Cause.PRICE * genome.genes().size());
+        return -(deviance + arena.price(genome.candidate()));
     }
 }

@@ -46,11 +46,6 @@ final class ModelGenome extends Genome {
         return genes.stream().map(Gene::cause).collect(Collectors.toUnmodifiableSet());
     }
 
-    /** How many numbers it has. */
-    int size() {
-        return genes.stream().mapToInt(gene -> gene.theta().length).sum();
-    }
-
     Arena.Candidate candidate() {
         return new Arena.Candidate(
                 genes.stream().map(Gene::cause).toList(), genes.stream().map(Gene::theta).toList());

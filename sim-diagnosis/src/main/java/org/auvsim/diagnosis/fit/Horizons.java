@@ -20,7 +20,7 @@ import java.util.stream.IntStream;
  * windows in which the model with what was found follows the measurement, as they are known best.
  */
 final class Horizons {
-    /** Shares of a run's duration; times are rounded to two figures. */
+    /** Shares of the shortest run's duration. */
     private static final double[] SHARES = {0.02, 0.05, 0.1, 0.2, 0.5};
 
     /** So many predictions begin in each run. */

@@ -68,7 +68,7 @@ final class Ranking {
             return "it can imitate other causes; the chosen set cannot";
         }
         if (Alternatives.areSame(other, chosen)) {
-            return "it predicts exactly the same, and the chosen cause is more common";
+            return "it predicts the same within the noise, and the chosen cause is more common";
         }
         if (chosen.isWhite() && !other.isWhite()) {
             return "its residuals are more than noise";

@@ -84,7 +84,7 @@ final class RunParts {
                 source.says(
                         "every %s of %d rows is used, %s"
                                 .formatted(
-                                        each == 2 ? "second" : each == 3 ? "third" : each + "th",
+                                        Ordinal.of(each),
                                         extent.rows(),
                                         keepsCommands
                                                 ? "plus all rows in which a command changes"

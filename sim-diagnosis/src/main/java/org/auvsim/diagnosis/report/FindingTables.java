@@ -214,7 +214,7 @@ final class FindingTables {
                                 run ->
                                         List.of(
                                                 run.run().name(),
-                                                role(run),
+                                                role(of, run),
                                                 String.valueOf(run.run().size()),
                                                 Numbers.rounded(run.run().duration(), 3),
                                                 channels(run)))
@@ -237,8 +237,9 @@ final class FindingTables {
     }
 
     /** What a run was used for. */
-    static String role(DiagnosedRun run) {
-        return run.isHeldOut() ? "held out" : "fitted";
+    static String role(Diagnosis of, DiagnosedRun run) {
+        String heldOut = of.usedHeldOut() ? "held out, but then searched with" : "held out";
+        return run.isHeldOut() ? heldOut : "fitted";
     }
 
     private static String channels(DiagnosedRun of) {
@@ -256,11 +257,11 @@ final class FindingTables {
                 .collect(Collectors.joining(", "));
     }
 
-    List<Block> notices() {
     private static String ofBody(MeasuredRun run, Channel channel) {
         return run.frame(channel) == Frame.BODY ? " of the body" : "";
     }
 
+    List<Block> notices() {
         return of.notices().stream().map(notice -> (Block) new Text(notice)).toList();
     }
 }

@@ -129,7 +129,7 @@ final class Page {
         return sections;
     }
 
-    private static String title(DiagnosedRun run) {
-        return "%s (%s)".formatted(run.run().name(), FindingTables.role(run));
+    private String title(DiagnosedRun run) {
+        return "%s (%s)".formatted(run.run().name(), FindingTables.role(of, run));
     }
 }

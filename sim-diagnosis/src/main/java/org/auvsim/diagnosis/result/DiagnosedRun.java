@@ -10,7 +10,8 @@ import java.util.Set;
 /**
  * A run beside what the model makes of it, sample by sample, as its sensors would tell.
  *
- * @param isHeldOut whether nothing was fitted to it but its start
+ * @param isHeldOut whether it was to judge: nothing was fitted to it but its start, unless the
+ *     search had to use such runs, too
  * @param before as the model was believed, from the start of {@code after}
  * @param after with what was found, from the start that suits it best
  * @param forces that are missing along it, in the order of time

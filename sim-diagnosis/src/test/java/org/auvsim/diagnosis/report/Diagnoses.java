@@ -382,6 +382,32 @@ final class Diagnoses {
                 of.isComplete());
     }
 
+    /** The same, its held-out runs used for the search, too. */
+    static Diagnosis searchedWithAll(Diagnosis of) {
+        return new Diagnosis(
+                of.verdict(),
+                of.sentence(),
+                of.body(),
+                of.selected(),
+                of.candidates(),
+                of.ranked(),
+                of.alternatives(),
+                of.noise(),
+                of.heldOut(),
+                of.horizons(),
+                /* usedHeldOut= */ true,
+                of.runs(),
+                of.discrepancy(),
+                of.approximation(),
+                of.proposal(),
+                of.nextExperiment(),
+                of.identifiability(),
+                of.extended(),
+                of.notices(),
+                of.seed(),
+                of.isComplete());
+    }
+
     private static Diagnosis with(
             Diagnosis of, String body, Optional<NextExperiment> next, boolean isComplete) {
         return with(of, body, of.ranked(), of.horizons(), next, isComplete);

@@ -68,6 +68,13 @@ class ReportTest {
     }
 
     @Test
+    void runsThatWereToJudgeAreNotSaidToHaveDoneSo() throws IOException {
+        assertThat(page(Diagnoses.searchedWithAll(Diagnoses.explained())))
+                .contains("Measured and simulated: run3 (held out, but then searched with)")
+                .doesNotContain("run3 (held out)");
+    }
+
+    @Test
     void ofCausesThatAreNotExaminedNothingIsPromised() throws IOException {
         assertThat(page(Diagnoses.explained()))
                 .contains("Causes tied to a place, a moment or a frequency are not examined")

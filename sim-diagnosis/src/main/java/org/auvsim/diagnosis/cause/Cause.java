@@ -63,12 +63,7 @@ public interface Cause {
 
     /** Its numbers as people know them: amplitude and phase rather than sine and cosine. */
     default List<Quantity> quantities(double[] theta) {
-        List<Quantity> quantities = new ArrayList<>();
-        for (int i = 0; i < theta.length; i++) {
-            Parameter parameter = parameters().get(i);
-            quantities.add(new Quantity(parameter.name(), parameter.unit(), theta[i]));
-        }
-        return quantities;
+        return Quantity.of(parameters(), theta);
     }
 
     /**

@@ -3,7 +3,6 @@ package org.auvsim.diagnosis.cause;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -66,16 +65,7 @@ final class Change implements Cause {
                 List.of(guess(parameters, new double[parameters.size()], all)),
                 false,
                 law,
-                theta -> plain(parameters, theta));
-    }
-
-    private static List<Quantity> plain(List<Parameter> parameters, double[] theta) {
-        List<Quantity> quantities = new ArrayList<>();
-        for (int i = 0; i < theta.length; i++) {
-            Parameter parameter = parameters.get(i);
-            quantities.add(new Quantity(parameter.name(), parameter.unit(), theta[i]));
-        }
-        return quantities;
+                theta -> Quantity.of(parameters, theta));
     }
 
     /** A guess whose columns are moved by small steps. */
@@ -133,7 +123,7 @@ final class Change implements Cause {
     Change toldAsFactors() {
         return told(
                 theta ->
-                        plain(
+                        Quantity.of(
                                 parameters,
                                 Arrays.stream(theta).map(excess -> 1 + excess).toArray()));
     }

@@ -53,7 +53,7 @@ final class Looseness {
     /** Standard deviations of a start, as {@link org.auvsim.diagnosis.run.KnownStart} has them. */
     static List<Double> of(MeasuredRun run, Noise noise) {
         double place =
-                SHARE_OF_RANGE * range(run, Channel.POSITION) + NOISES * noise.of(Channel.POSITION);
+                SHARE_OF_RANGE * run.range(Channel.POSITION) + NOISES * noise.of(Channel.POSITION);
         double turn = TURN + NOISES * noise.of(Channel.ORIENTATION);
         double speed = rate(run, Channel.POSITION, noise, UNKNOWN_SPEED, LEAST_SPEED);
         double spin = rate(run, Channel.ORIENTATION, noise, UNKNOWN_RATE, LEAST_RATE);
@@ -180,19 +180,6 @@ final class Looseness {
 
     /** The largest extent of a channel's numbers along an axis, in its unit. */
     static double range(MeasuredRun run, Channel channel) {
-        double range = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            double low = Double.POSITIVE_INFINITY;
-            double high = Double.NEGATIVE_INFINITY;
-            for (int k = 0; k < run.size(); k++) {
-                double value = run.value(channel, k, axis);
-                if (!Double.isNaN(value)) {
-                    low = Math.min(low, value);
-                    high = Math.max(high, value);
-                }
-            }
-            range = Math.max(range, high - low);
-        }
-        return range;
+        return run.range(channel);
     }
 }

@@ -72,26 +72,12 @@ final class Plausibility {
     private boolean isConstant() {
         for (Channel channel : Channel.values()) {
             for (int axis = 0; axis < 3; axis++) {
-                if (channel != Channel.ORIENTATION && range(run, channel, axis) > 0) {
+                if (channel != Channel.ORIENTATION && run.range(channel, axis) > 0) {
                     return false;
                 }
             }
         }
         return largestTurn() < STILL;
-    }
-
-    /** Largest less smallest number; 0 if there is none. */
-    static double range(MeasuredRun run, Channel channel, int axis) {
-        double least = Double.POSITIVE_INFINITY;
-        double most = Double.NEGATIVE_INFINITY;
-        for (int k = 0; k < run.size(); k++) {
-            double value = run.value(channel, k, axis);
-            if (!Double.isNaN(value)) {
-                least = Math.min(least, value);
-                most = Math.max(most, value);
-            }
-        }
-        return Math.max(0, most - least);
     }
 
     private double largestTurn() {
@@ -164,7 +150,7 @@ final class Plausibility {
     Optional<String> turn() {
         double fastest = 0;
         for (int axis = 0; axis < 3; axis++) {
-            fastest = Math.max(fastest, range(run, Channel.ANGULAR_VELOCITY, axis));
+            fastest = Math.max(fastest, run.range(Channel.ANGULAR_VELOCITY, axis));
         }
         String axes = run.frame(Channel.ANGULAR_VELOCITY) == Frame.BODY ? "p, q, r" : "wx, wy, wz";
         return fastest > SEVERAL_TURNS && !inDegrees

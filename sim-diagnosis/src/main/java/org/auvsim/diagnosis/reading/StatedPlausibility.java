@@ -73,7 +73,7 @@ final class StatedPlausibility {
         KnownStart known = run.start().get();
         boolean isPlace = channel == Channel.POSITION;
         Vec3 at = isPlace ? known.motion().position() : known.motion().velocity();
-        double range = range(run, channel);
+        double range = run.range(channel);
         for (int axis = 0; axis < 3; axis++) {
             OptionalInt first = first(run, channel, axis);
             double deviation = known.deviations().get((isPlace ? 0 : 6) + axis);
@@ -122,14 +122,5 @@ final class StatedPlausibility {
             }
         }
         return OptionalInt.empty();
-    }
-
-    /** The largest of what it goes through along an axis. */
-    private static double range(MeasuredRun run, Channel channel) {
-        double range = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            range = Math.max(range, Plausibility.range(run, channel, axis));
-        }
-        return range;
     }
 }

@@ -133,6 +133,25 @@ public final class MeasuredRun {
         return values == null ? Double.NaN : values[AXES * sample + axis];
     }
 
+    /** Largest less smallest number along an axis (0 to 2); 0 if there is none. */
+    public double range(Channel channel, int axis) {
+        double least = Double.POSITIVE_INFINITY;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k < size(); k++) {
+            double value = value(channel, k, axis);
+            if (!Double.isNaN(value)) {
+                least = Math.min(least, value);
+                most = Math.max(most, value);
+            }
+        }
+        return Math.max(0, most - least);
+    }
+
+    /** The largest of these along the axes. */
+    public double range(Channel channel) {
+        return Math.max(range(channel, 0), Math.max(range(channel, 1), range(channel, 2)));
+    }
+
     /** A measured vector, if all of it was measured. */
     public Optional<Vec3> vector(Channel channel, int sample) {
         Vec3 v =

@@ -44,4 +44,22 @@ class MeasuredRunTest {
     void aTimeHasTheSampleBefore(double time, int sample) {
         assertThat(builder().build().sampleAt(time)).isEqualTo(sample);
     }
+
+    @Test
+    void whatItGoesThroughIsThatOfWhatWasMeasured() {
+        MeasuredRun run =
+                MeasuredRun.named("run")
+                        .at(0)
+                        .position(1, -2, Double.NaN)
+                        .at(1)
+                        .position(Double.NaN, 3, Double.NaN)
+                        .at(2)
+                        .position(1.5, 0, Double.NaN)
+                        .build();
+
+        assertThat(run.range(Channel.POSITION, 0)).isEqualTo(0.5);
+        assertThat(run.range(Channel.POSITION, 2)).isZero();
+        assertThat(run.range(Channel.POSITION)).isEqualTo(5);
+        assertThat(run.range(Channel.VELOCITY)).isZero();
+    }
 }

@@ -2,7 +2,6 @@ package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
 
-import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -15,6 +14,9 @@ record Exchange(List<Cause> library, Screening screening, Tried tried, Course co
     /** So many of the most promising ones. */
     private static final int MOST = 4;
 
+    /** Scores of aliases differ by no more, unless a fit got lost. */
+    private static final double ALIKE = 2;
+
     /**
      * The best. A specific cause stays before a generic one that fits about as well, which is told
      * beside it.
@@ -23,41 +25,44 @@ record Exchange(List<Cause> library, Screening screening, Tried tried, Course co
         Judged best = found;
         Hypothesis of = found.fit().hypothesis();
         for (int c = 0; c < of.causes().size() && course.goesOn(); c++) {
-            List<Screen.Start> starts = insteadOf(c, found, traces.alike(of.causes().get(c)));
-            if (!starts.isEmpty()) {
-                Judged other = tried.tournament(starts, best, 0.8, 0.9);
-                boolean isAsGood = of.isGeneric() || !other.fit().hypothesis().isGeneric();
-                boolean isClear = best.score() - other.score() > Selection.DOUBTFUL;
-                best = !other.equals(best) && (isAsGood || isClear) ? tried.pruned(other) : best;
-            }
+            List<Cause> aliases = traces.alike(of.causes().get(c));
+            Judged other = tried.tournament(untried(c, found, aliases), best, 0.8, 0.9);
+            other = tried.tournamentAnew(lost(c, found, aliases), other, 0.8, 0.9);
+            boolean isAsGood = of.isGeneric() || !other.fit().hypothesis().isGeneric();
+            boolean isClear = best.score() - other.score() > Selection.DOUBTFUL;
+            best = !other.equals(best) && (isAsGood || isClear) ? tried.pruned(other) : best;
         }
         return best;
     }
 
-    /**
-     * Sets that were not judged yet: others with an alias of a cause, or with what promises most.
-     * Aliases are tried again whose fits ended far from it: they got lost. What leaves noise alone
-     * did not stand for what swings.
-     */
-    private List<Screen.Start> insteadOf(int of, Judged found, List<Cause> aliases) {
+    /** Others with an alias of a cause whose fit ended far from it: it got lost. */
+    private List<Screen.Start> lost(int of, Judged found, List<Cause> aliases) {
         Hypothesis others = found.fit().hypothesis().without(of);
         List<Cause> lost =
                 aliases.stream()
                         .filter(o -> !others.causes().contains(o))
-                        .filter(o -> !tried.has(others, o, found.score() + Tournament.BESIDE))
+                        .filter(o -> !tried.has(others, o, found.score() + ALIKE))
                         .toList();
-        List<Screen.Start> starts = new ArrayList<>(promising(others, lost, found));
-        if (!others.causes().isEmpty()) {
-            List<Cause> untried =
-                    library.stream()
-                            .filter(o -> !found.fit().hypothesis().causes().contains(o))
-                            .filter(o -> !aliases.contains(o))
-                            .filter(o -> !found.isWhite() || !screening.isSwept(o))
-                            .filter(o -> !tried.has(others, o, Double.POSITIVE_INFINITY))
-                            .toList();
-            promising(others, untried, found).stream().limit(MOST).forEach(starts::add);
+        return promising(others, lost, found);
+    }
+
+    /**
+     * Others with what promises most and was not judged yet. What leaves noise alone did not stand
+     * for what swings.
+     */
+    private List<Screen.Start> untried(int of, Judged found, List<Cause> aliases) {
+        Hypothesis others = found.fit().hypothesis().without(of);
+        if (others.causes().isEmpty()) {
+            return List.of();
         }
-        return starts;
+        List<Cause> untried =
+                library.stream()
+                        .filter(o -> !found.fit().hypothesis().causes().contains(o))
+                        .filter(o -> !aliases.contains(o))
+                        .filter(o -> !found.isWhite() || !screening.isSwept(o))
+                        .filter(o -> !tried.has(others, o, Double.POSITIVE_INFINITY))
+                        .toList();
+        return promising(others, untried, found).stream().limit(MOST).toList();
     }
 
     private List<Screen.Start> promising(Hypothesis beside, List<Cause> causes, Judged found) {

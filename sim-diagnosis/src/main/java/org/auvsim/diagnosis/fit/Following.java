@@ -10,6 +10,7 @@ import org.auvsim.server.feedback.RigidMotion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 
 /**
@@ -20,6 +21,10 @@ import java.util.stream.IntStream;
 final class Following {
     private static final int MOST_WINDOWS = 32;
     private static final int FEWEST_SAMPLES = 8;
+
+    /** A run that is followed in one go is so by these parts of it. */
+    private static final List<Integer> PARTS = List.of(8, 4, 2, 1);
+
     private static final int MOST_ITERATIONS = 12;
     private static final int FEW_ITERATIONS = 4;
 
@@ -85,6 +90,20 @@ final class Following {
                         .map(run -> of(stepping, hypothesis, run, noise, course))
                         .toList();
         return new Fit(stepping, data, hypothesis, windows, Knowledge.NONE);
+    }
+
+    /** A fit of whole runs, those of them begun anew that miss less so. */
+    static Fit anew(Fit of, Noise noise, Course course) {
+        List<List<Window>> windows =
+                IntStream.range(0, of.data().size())
+                        .parallel()
+                        .mapToObj(
+                                r ->
+                                        new Following(of.shooting(of.data().get(r)), noise, course)
+                                                .anew(of.windows().get(r).getFirst()))
+                        .map(List::of)
+                        .toList();
+        return of.with(of.hypothesis(), windows);
     }
 
     private static List<Window> of(
@@ -155,9 +174,9 @@ final class Following {
 
     /** The longest windows in which the model follows, of equal length but for the last. */
     List<Window> windows() {
-        Fitted one = run.start().map(this::inOneGo).orElseGet(this::asFastAsInModel);
-        if (follows(List.of(one))) {
-            return List.of(one.window());
+        Optional<Fitted> one = inOneGo(fitted -> follows(List.of(fitted)));
+        if (one.isPresent()) {
+            return List.of(one.get().window());
         }
         List<Fitted> fitted = shortest(MOST_ITERATIONS);
         while (fitted.size() > 1) {
@@ -170,19 +189,35 @@ final class Following {
         return fitted.stream().map(Fitted::window).toList();
     }
 
-    /** A model without faults needs no more than a known start. */
-    private Fitted inOneGo(KnownStart known) {
-        Window whole = new Window(0, run.size() - 1, stated(known));
-        return fit(whole, asFarAsKnown(known), FEW_ITERATIONS);
+    /**
+     * All of a run from where it begins: if that is not stated, by more and more of it, as a few
+     * samples of a noisy path do not tell the start well enough.
+     *
+     * @param goesOn whether what was fitted to a part is worth more of the run
+     */
+    private Optional<Fitted> inOneGo(Predicate<Fitted> goesOn) {
+        RigidMotion start = LocalMotion.begin(run, model);
+        KnownStart known = run.start().map(this::asFarAsKnown).orElse(near(0, start));
+        int last = run.size() - 1;
+        Optional<Fitted> fitted = Optional.empty();
+        for (int part : run.start().isPresent() ? List.of(1) : PARTS) {
+            Window longer = new Window(0, Math.max(1, last / part), start);
+            fitted = Optional.of(fit(longer, known, FEW_ITERATIONS)).filter(goesOn);
+            if (fitted.isEmpty()) {
+                break;
+            }
+            start = fitted.get().window().start();
+        }
+        return fitted;
     }
 
-    /**
-     * The same from where the run begins, as fast as the model does: of noisy paths that is nearer
-     * than what a few samples tell.
-     */
-    private Fitted asFastAsInModel() {
-        RigidMotion begun = model.nearestStart(LocalMotion.placed(run, model.start()));
-        return fit(0, run.size() - 1, begun, FEW_ITERATIONS);
+    /** The window of a whole run, or one that was begun anew if it misses less. */
+    private Window anew(Window whole) {
+        double missed = Outcome.squares(shooting.misses(whole, shooting.motion(whole)));
+        return inOneGo(fitted -> !fitted.isLost())
+                .filter(begun -> Outcome.squares(begun.misses) < missed)
+                .map(Fitted::window)
+                .orElse(whole);
     }
 
     /** Each begins where the one before has led, or where the measurement says. */

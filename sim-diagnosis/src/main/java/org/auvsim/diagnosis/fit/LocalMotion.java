@@ -7,6 +7,7 @@ import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
@@ -44,10 +45,15 @@ final class LocalMotion {
     }
 
     /**
-     * Where a run begins and how it is turned there; as fast as a motion given, unless velocities
-     * were measured.
+     * How a run begins by a model: as is stated, or else where and turned as was measured, and as
+     * fast as the model, unless velocities were measured.
      */
-    static RigidMotion placed(MeasuredRun run, RigidMotion otherwise) {
+    static RigidMotion begin(MeasuredRun run, BelievedModel model) {
+        return model.nearestStart(
+                run.start().map(KnownStart::motion).orElseGet(() -> placed(run, model.start())));
+    }
+
+    private static RigidMotion placed(MeasuredRun run, RigidMotion otherwise) {
         RigidMotion local = beginning(run, otherwise);
         Quat turned = local.orientation();
         LocalMotion begun = new LocalMotion(run, otherwise, 0, 0);

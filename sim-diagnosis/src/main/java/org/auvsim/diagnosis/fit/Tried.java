@@ -23,9 +23,27 @@ final class Tried {
 
     /** The best of all, if it is better than what was found otherwise. */
     Judged tournament(List<Screen.Start> starts, Judged otherwise, double from, double to) {
+        List<Judged> last = last(starts, otherwise, from, to);
+        return best(last, otherwise);
+    }
+
+    /** The same, each of the last ones from new starts of the runs, too. */
+    Judged tournamentAnew(List<Screen.Start> starts, Judged otherwise, double from, double to) {
+        List<Judged> last = last(starts, otherwise, from, to);
+        return best(last.stream().map(this::anew).toList(), best(last, otherwise));
+    }
+
+    private List<Judged> last(List<Screen.Start> starts, Judged otherwise, double from, double to) {
+        if (starts.isEmpty()) {
+            return List.of();
+        }
         List<Judged> last = new Tournament(otherwise, course, from, to).last(starts);
         judged.addAll(last);
-        return last.stream()
+        return last;
+    }
+
+    private static Judged best(List<Judged> of, Judged otherwise) {
+        return of.stream()
                 .filter(j -> j.score() < otherwise.score())
                 .min(Comparator.comparingDouble(Judged::score))
                 .orElse(otherwise);
@@ -36,25 +54,40 @@ final class Tried {
      * causes starts were led astray, and may not find back.
      */
     Judged begunAnew(Judged best) {
-        if (best.isNone() || best.isWhite() || !course.goesOn()) {
-            return best;
-        }
-        Fit of = best.fit();
-        Fit begun = Following.of(of.stepping(), of.hypothesis(), of.data(), noise, course);
-        Judged near = Refinement.approach(begun, 1, Double.POSITIVE_INFINITY, course).judged();
-        Judged anew = Descent.of(near).steps(Tournament.TO_THE_END, best.score(), course);
-        judged.add(anew);
-        return anew.score() < best.score() ? anew : best;
+        return best.isNone() || best.isWhite() ? best : best(List.of(anew(best)), best);
     }
 
-    /** The same, brought to the very end. */
+    private Judged anew(Judged of) {
+        if (!course.goesOn()) {
+            return of;
+        }
+        Judged anew =
+                Descent.of(Following.anew(of.fit(), noise, course))
+                        .steps(Tournament.TO_THE_END, of.score() + Tournament.BESIDE, course);
+        judged.add(anew);
+        return anew;
+    }
+
+    /**
+     * The same, brought to the very end, from where it is and from new starts of the runs: where
+     * something sticks or starts hardly matter there are several ends.
+     */
     Judged settled(Judged best) {
-        Judged settled =
-                Descent.of(best)
+        Judged settled = finest(best);
+        if (!course.goesOn()) {
+            return settled;
+        }
+        Judged anew = finest(Judged.of(Following.anew(settled.fit(), noise, course)));
+        return anew.score() < settled.score() ? anew : settled;
+    }
+
+    private Judged finest(Judged near) {
+        Judged finest =
+                Descent.of(near)
                         .finely()
                         .steps(Tournament.TO_THE_END, Double.POSITIVE_INFINITY, course);
-        judged.add(settled);
-        return settled;
+        judged.add(finest);
+        return finest;
     }
 
     /** Without the causes that are not worth their price. */

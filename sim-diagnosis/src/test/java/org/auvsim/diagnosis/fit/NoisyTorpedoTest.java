@@ -2,49 +2,38 @@ package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
-
-import org.auvsim.auvsml.document.ScenarioLoader;
-import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.Investigation;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.model.BelievedModel;
-import org.auvsim.diagnosis.model.Ensemble;
+import org.auvsim.diagnosis.result.Alternative;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.run.MeasuredRun;
-import org.auvsim.diagnosis.run.MeasuredRunBuilder;
-import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
-import java.util.Random;
+import java.util.Set;
 
 /**
  * A torpedo that begins at rest and is steered by a rudder, its position noisy: a few samples tell
  * its velocity so badly that windows which begin by them lead astray, as its heading is unstable.
  */
 class NoisyTorpedoTest {
-    private static final int SAMPLES = 401;
-    private static final double SPACING = 0.1;
-    private static final double NOISE = 0.5;
-    private static final double TURN = 0.05;
-    private static final double RUDDER = 0.012;
-    private static final double WORN = 0.75 * RUDDER;
-
     private List<MeasuredRun> runs;
     private Noise noise;
 
     @BeforeEach
     void itIsMeasured() throws Exception {
-        BelievedModel worn = model(WORN);
-        runs = List.of(run(worn, 1, 0.3), run(worn, 2, -2.2), run(worn, 3, 1.9));
+        runs = runs(Vec3.ZERO);
         noise = Noise.of(runs);
     }
 
     @Test
     void itsModelFollowsItAllTheWay() throws Exception {
-        Fit fit = followed(model(WORN), Hypothesis.NONE);
+        Fit fit = followed(MeasuredTorpedo.model(MeasuredTorpedo.WORN), Hypothesis.NONE);
 
         assertThat(fit.windows()).allSatisfy(windows -> assertThat(windows).hasSize(1));
         assertThat(Judged.of(fit).isWhite()).isTrue();
@@ -53,7 +42,7 @@ class NoisyTorpedoTest {
     /** Windows that follow the run without what is missing begin where no model fits all of it. */
     @Test
     void onceTheCauseIsFoundTheRunsBeginAnew() throws Exception {
-        BelievedModel model = model(RUDDER);
+        BelievedModel model = MeasuredTorpedo.model(MeasuredTorpedo.RUDDER);
         Cause gain =
                 Library.of(model, runs).stream()
                         .filter(cause -> cause.id().equals("fin_gain"))
@@ -73,86 +62,44 @@ class NoisyTorpedoTest {
         assertThat(tried.eachSetOnce()).contains(anew);
     }
 
+    /** By Galileo both are the same; fits from starts of their own ended apart. */
+    @Test
+    void waterThatFlowsIsNotToldFromAPositionThatDrifts() throws Exception {
+        BelievedModel model = MeasuredTorpedo.model(MeasuredTorpedo.WORN);
+        List<MeasuredRun> flowing = runs(new Vec3(0.1, 0.3, 0));
+        List<Cause> causes =
+                Library.of(model, flowing).stream()
+                        .filter(c -> Set.of("current_constant", "position_drift").contains(c.id()))
+                        .toList();
+
+        Diagnosis diagnosis =
+                new Investigation(
+                                model,
+                                flowing.subList(0, 2),
+                                flowing.subList(2, 3),
+                                causes,
+                                1,
+                                Progress.SILENT)
+                        .diagnose();
+
+        assertThat(diagnosis.selected())
+                .extracting(Finding::cause)
+                .containsExactly("current_constant");
+        assertThat(diagnosis.alternatives())
+                .filteredOn(Alternative::isIndistinguishable)
+                .extracting(Alternative::causes)
+                .containsExactly(List.of("position_drift"));
+    }
+
     private Fit followed(BelievedModel model, Hypothesis hypothesis) {
         return Following.of(Stepping.exact(model), hypothesis, Misses.of(runs, noise), noise);
     }
 
-    private static MeasuredRun run(BelievedModel model, int seed, double heading) {
-        RigidMotion start =
-                new RigidMotion(new Vec3(0, 0, -15), heading(heading), Vec3.ZERO, Vec3.ZERO);
-        RigidMotion[] motion =
-                Ensemble.simulate(
-                        model,
-                        measured(seed, new RigidMotion[0]),
-                        0,
-                        SAMPLES - 1,
-                        List.of(new Ensemble.Entrant(model.variant(), start)))[0];
-        return measured(seed, motion);
-    }
-
-    /** Commands, and what is measured of a motion, both drawn by a seed. */
-    private static MeasuredRun measured(int seed, RigidMotion[] motion) {
-        Random commands = new Random(seed);
-        Random errors = new Random(seed + 100);
-        MeasuredRunBuilder run =
-                MeasuredRun.named("run" + seed).commands(List.of("screw", "rudder"));
-        double screw = 0;
-        double rudder = 0;
-        for (int k = 0; k < SAMPLES; k++) {
-            if (k % 40 == 0) {
-                int side = k / 40 % 2 == 0 ? 1 : -1;
-                screw = 0.5 + 0.4 * commands.nextDouble();
-                rudder = side * (0.05 + 0.2 * commands.nextDouble());
-            }
-            run.at(k * SPACING).command(0, screw).command(1, rudder);
-            if (motion.length > 0) {
-                Vec3 p = motion[k].position();
-                Vec3 ahead = motion[k].orientation().rotate(new Vec3(1, 0, 0));
-                double yaw = StrictMath.atan2(ahead.y(), ahead.x());
-                run.position(
-                                p.x() + NOISE * errors.nextGaussian(),
-                                p.y() + NOISE * errors.nextGaussian(),
-                                p.z() + NOISE * errors.nextGaussian())
-                        .orientation(
-                                heading(yaw + TURN * errors.nextGaussian()), false, false, true);
-            }
-        }
-        return run.build();
-    }
-
-    private static Quat heading(double yaw) {
-        return Quat.ofAxisAngle(new Vec3(0, 0, 1), yaw);
-    }
-
-    private static BelievedModel model(double rudder) throws Exception {
-        return new BelievedModel(
-                ScenarioLoader.load(NoisyTorpedoTest.class.getClassLoader())
-                        .parse(
-                                """
-                                <scenario><time-step delta="0.05"/>
-                                  <world-object name="Torpedo" mass="36">
-                                    <capsule radius="0.09" length="1.5"/>
-                                    <inertia xx="0.15" yy="6.2" zz="6.2"/>
-                                    <added-mass><linear x="1.2" y="33" z="33"/>
-                                      <angular x="0" y="5" z="5"/></added-mass>
-                                    <position x="0" y="0" z="-15"/><gravity/>
-                                    <buoyancy volume="0.035122" surface="100">
-                                      <centre x="0" y="0" z="0.2"/></buoyancy>
-                                    <damping><linear x="3" y="20" z="20"/>
-                                      <quadratic x="6" y="130" z="130"/>
-                                      <angular-linear x="0.6" y="9" z="9"/>
-                                      <angular-quadratic x="0.2" y="25" z="25"/></damping>
-                                    <propulsor name="screw" maximum-thrust="40">
-                                      <position x="-0.8" y="0" z="0"/></propulsor>
-                                    <fin name="rudder" area="%s" lift-slope="3.2"
-                                        drag-coefficient="0.02" induced-drag="0.1">
-                                      <position x="-0.75" y="0" z="0"/>
-                                      <span x="0" y="0" z="1"/></fin>
-                                  </world-object>
-                                </scenario>
-                                """
-                                        .formatted(rudder)
-                                        .getBytes(UTF_8)),
-                "Torpedo");
+    private static List<MeasuredRun> runs(Vec3 flow) throws Exception {
+        BelievedModel worn = MeasuredTorpedo.model(MeasuredTorpedo.WORN);
+        return List.of(
+                MeasuredTorpedo.run(worn, 1, 0.3, flow),
+                MeasuredTorpedo.run(worn, 2, -2.2, flow),
+                MeasuredTorpedo.run(worn, 3, 1.9, flow));
     }
 }

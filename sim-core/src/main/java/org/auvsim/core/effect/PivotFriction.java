@@ -37,6 +37,12 @@ public record PivotFriction(
         Domain.above0("a pivot friction", "slip rate", slipRate, "rad/s");
     }
 
+    /** Dry friction turns round as soon as the body does. */
+    @Override
+    public boolean isAbrupt() {
+        return coulomb > 0;
+    }
+
     @Override
     public BlockEffect layOut(List<List<Effect>> bySlot, Surroundings around) {
         return Layers.of(bySlot, PivotFrictionBlock::new);

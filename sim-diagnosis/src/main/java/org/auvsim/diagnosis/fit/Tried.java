@@ -69,16 +69,22 @@ final class Tried {
     }
 
     /**
-     * The same, brought to the very end, from where it is and from new starts of the runs: where
-     * something sticks or starts hardly matter there are several ends.
+     * The same, brought to the very end: from where it is, from new starts of the runs, and from
+     * windows that follow them. Where something sticks or starts hardly matter there are several
+     * ends.
      */
     Judged settled(Judged best) {
         Judged settled = finest(best);
         if (!course.goesOn()) {
             return settled;
         }
-        Judged anew = finest(Judged.of(Following.anew(settled.fit(), noise, course)));
-        return anew.score() < settled.score() ? anew : settled;
+        Fit of = settled.fit();
+        Fit followed = Following.of(of.stepping(), of.hypothesis(), of.data(), noise, course);
+        List<Judged> others =
+                List.of(
+                        finest(Judged.of(Following.anew(of, noise, course))),
+                        finest(Refinement.approach(followed, 1)));
+        return best(others, settled);
     }
 
     private Judged finest(Judged near) {

@@ -65,7 +65,7 @@ final class DemoReport {
         th:first-child, td:first-child { text-align: left } tr { border-bottom: 1px solid #ccc }
         img { max-width: 100%% }
         </style></head><body>
-        <h1>One robot, four simulations of it</h1>
+        <h1>One robot, five simulations of it</h1>
         <p>The same commands go to the simulated and to the physical robot, which feels a drag
         and a current that the scenario lacks. Errors are taken where no feedback came.</p>
         <table><tr><th>simulation</th><th>corrections</th><th>RMS error (m)</th>

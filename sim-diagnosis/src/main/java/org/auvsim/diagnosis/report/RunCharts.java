@@ -86,7 +86,7 @@ final class RunCharts {
                             k -> run.value(Channel.POSITION, k, 2),
                             motion -> motion.position().z()));
         }
-        if (!blocks.isEmpty()) {
+        if (!blocks.isEmpty() && models.size() > 1) {
             blocks.addFirst(new Text(BEGIN_ALIKE));
         }
         return blocks;

@@ -57,6 +57,7 @@ class ReportTest {
                 .contains("predictions/mine.txt", "predictions/run3.csv")
                 .doesNotContain("predictions/old.csv");
         assertThat(folder.resolve("diagnosis.json")).content().contains("\"none\"");
+        assertThat(folder.resolve("report.html")).content().doesNotContain("Both models");
     }
 
     @Test

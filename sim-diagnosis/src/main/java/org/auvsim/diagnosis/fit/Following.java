@@ -28,8 +28,7 @@ final class Following {
     private static final int MOST_ITERATIONS = 12;
     private static final int FEW_ITERATIONS = 4;
 
-    /** Steps are damped by ever more until they help. */
-    private static final List<Double> DAMPINGS = List.of(0.0, 1e-3, 1e-2, 0.1, 1.0, 10.0);
+    private static final int MOST_HALVINGS = 6;
 
     /** A window follows if its misses, without the noise, are below the larger of these. */
     private static final double SHARE_OF_RANGE = 0.003;
@@ -328,12 +327,13 @@ final class Following {
                         List.of(derivatives),
                         data.shown(from.window().from()),
                         Optional.of(known));
-        for (double damping : DAMPINGS) {
-            WindowBlock held = damping == 0 ? block : block.damped(damping);
-            Fitted tried = judged(held.moved(new double[0], 1).getFirst(), known);
+        double share = 1;
+        for (int halving = 0; halving < MOST_HALVINGS; halving++) {
+            Fitted tried = judged(block.moved(new double[0], share).getFirst(), known);
             if (tried.cost < from.cost) {
                 return tried;
             }
+            share /= 2;
         }
         return from;
     }

@@ -36,6 +36,11 @@ public record CoulombFriction(
     }
 
     @Override
+    public boolean isAbrupt() {
+        return coefficient > 0;
+    }
+
+    @Override
     public BlockEffect layOut(List<List<Effect>> bySlot, Surroundings around) {
         return OneByOne.stiff(bySlot, (effect, b, i) -> ((CoulombFriction) effect).add(b, i));
     }

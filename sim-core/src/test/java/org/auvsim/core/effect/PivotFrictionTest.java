@@ -95,11 +95,4 @@ class PivotFrictionTest {
                 .isThrownBy(() -> new PivotFriction(coulomb, viscous, slipRate))
                 .withMessageStartingWith(message);
     }
-
-    /** It turns round as soon as the body does; what only slows down does not. */
-    @Test
-    void onlyDryFrictionIsAbrupt() {
-        assertThat(new PivotFriction(0.1, 0, 0.01).isAbrupt()).isTrue();
-        assertThat(new PivotFriction(0, 0.1, 0.01).isAbrupt()).isFalse();
-    }
 }

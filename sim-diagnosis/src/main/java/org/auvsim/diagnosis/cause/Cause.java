@@ -84,6 +84,26 @@ public interface Cause {
         return price() + parameters().size() * StrictMath.log(measured);
     }
 
+    /**
+     * The same law with numbers more that runs seldom tell: its first ones are those of this cause,
+     * the others begin as its guesses have them. It is tried where this cause leaves something.
+     */
+    default Optional<Cause> freer() {
+        return Optional.empty();
+    }
+
+    /** Whether it is another one's law, with as many numbers or more or fewer. */
+    default boolean isFormOf(Cause other) {
+        return equals(other)
+                || freer().filter(other::equals).isPresent()
+                || other.freer().filter(this::equals).isPresent();
+    }
+
+    /** Whether it is in some form among some. */
+    default boolean isAmong(List<Cause> some) {
+        return some.stream().anyMatch(this::isFormOf);
+    }
+
     /** Whether it can imitate many others and so counts only where none of those passes. */
     default boolean isGeneric() {
         return false;

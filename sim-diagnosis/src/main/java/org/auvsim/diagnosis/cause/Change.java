@@ -22,6 +22,7 @@ final class Change implements Cause {
     private final List<Guess> guesses;
     private final int[] strengths;
     private final boolean generic;
+    private final Optional<Cause> freer;
     private final Law law;
     private final Function<double[], List<Quantity>> telling;
 
@@ -37,6 +38,7 @@ final class Change implements Cause {
             List<Parameter> parameters,
             List<Guess> guesses,
             boolean generic,
+            Optional<Cause> freer,
             Law law,
             Function<double[], List<Quantity>> telling) {
         this.id = id;
@@ -50,6 +52,7 @@ final class Change implements Cause {
                         .distinct()
                         .toArray();
         this.generic = generic;
+        this.freer = freer;
         this.law = law;
         this.telling = telling;
     }
@@ -64,6 +67,7 @@ final class Change implements Cause {
                 parameters,
                 List.of(guess(parameters, new double[parameters.size()], all)),
                 false,
+                Optional.empty(),
                 law,
                 theta -> Quantity.of(parameters, theta));
     }
@@ -90,7 +94,7 @@ final class Change implements Cause {
         return with(Optional.of(part), aspect, guesses, generic, telling);
     }
 
-    /** The same, one of several of the same part. */
+    /** The same, one of several that share a name. */
     Change by(String one) {
         return with(subject, Optional.of(one), guesses, generic, telling);
     }
@@ -101,7 +105,7 @@ final class Change implements Cause {
             List<Guess> begun,
             boolean isGeneric,
             Function<double[], List<Quantity>> told) {
-        return new Change(id, part, one, parameters, begun, isGeneric, law, told);
+        return new Change(id, part, one, parameters, begun, isGeneric, freer, law, told);
     }
 
     /** The same with other places to begin. */
@@ -112,6 +116,20 @@ final class Change implements Cause {
     /** The same that counts only where nothing specific passes. */
     Change asGeneric() {
         return with(subject, aspect, guesses, true, telling);
+    }
+
+    /** The same, which where it leaves something may have the numbers of another one. */
+    Change freedAs(Cause other) {
+        return new Change(
+                id,
+                subject,
+                aspect,
+                parameters,
+                guesses,
+                generic,
+                Optional.of(other),
+                law,
+                telling);
     }
 
     /** The same, its numbers told otherwise. */
@@ -140,9 +158,11 @@ final class Change implements Cause {
 
     @Override
     public String label() {
-        return aspect.isPresent() && subject.isPresent()
-                ? "%s (%s of %s)".formatted(id, aspect.get(), subject.get())
-                : name();
+        if (aspect.isEmpty()) {
+            return name();
+        }
+        String about = subject.map(part -> aspect.get() + " of " + part).orElse(aspect.get());
+        return "%s (%s)".formatted(id, about);
     }
 
     @Override
@@ -168,6 +188,11 @@ final class Change implements Cause {
     @Override
     public List<Quantity> quantities(double[] theta) {
         return telling.apply(theta);
+    }
+
+    @Override
+    public Optional<Cause> freer() {
+        return freer;
     }
 
     @Override

@@ -69,6 +69,11 @@ record Chosen(Cause cause, double less) implements Cause {
     }
 
     @Override
+    public Optional<Cause> freer() {
+        return cause.freer().map(freer -> new Chosen(freer, less));
+    }
+
+    @Override
     public boolean isGeneric() {
         return cause.isGeneric();
     }

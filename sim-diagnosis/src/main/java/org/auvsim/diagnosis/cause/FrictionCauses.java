@@ -7,12 +7,21 @@ import org.auvsim.core.entity.WorldObjectDefinition;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 
 /** Dry friction, in a pivot or on what the body slides on, and what contacts do. */
 final class FrictionCauses {
 
     /** Speeds (shares of the typical one) below which friction falls to nothing. */
     private static final double SLIP = 0.01;
+
+    /** Shares of that slip speed at which to begin. */
+    private static final List<Double> SLIPS = List.of(1.0, 4.0, 16.0, 0.25);
+
+    /** The lowest and the highest share of it which may be found. */
+    private static final double LEAST = 0.05;
+
+    private static final double MOST = 20;
 
     private FrictionCauses() {}
 
@@ -26,24 +35,41 @@ final class FrictionCauses {
                             List.of(Parameter.positive("c", "N m", s.torque())),
                             (v, t) -> v.with(b -> b.effect(new PivotFriction(t[0], 0, slip)))));
         } else {
+            Parameter mu = Parameter.positive("mu", "1", s.force() / (s.mass() * Earth.GRAVITY));
             double slip = SLIP * s.path().speed();
-            causes.add(
-                    Change.of(
-                            "coulomb_friction",
-                            List.of(
-                                    Parameter.positive(
-                                            "mu", "1", s.force() / (s.mass() * Earth.GRAVITY))),
-                            (v, t) ->
-                                    v.with(
-                                            b ->
-                                                    b.effect(
-                                                            new CoulombFriction(
-                                                                    t[0], Earth.GRAVITY, slip)))));
+            Parameter other = new Parameter("slip", "m/s", slip, LEAST * slip, MOST * slip);
+            Cause creeping = creeping(List.of(mu, other), slip);
+            causes.add(sliding(List.of(mu), t -> slip).freedAs(creeping));
         }
         if (mayTouch(s)) {
             causes.addAll(contacts(s.body()));
         }
         return causes;
+    }
+
+    private static Change sliding(List<Parameter> parameters, ToDoubleFunction<double[]> slip) {
+        return Change.of(
+                "coulomb_friction",
+                parameters,
+                (v, t) ->
+                        v.with(
+                                b ->
+                                        b.effect(
+                                                new CoulombFriction(
+                                                        t[0],
+                                                        Earth.GRAVITY,
+                                                        slip.applyAsDouble(t)))));
+    }
+
+    /** What rests for long tells how it creeps; what slides tells nothing of it. */
+    private static Change creeping(List<Parameter> parameters, double slip) {
+        return sliding(parameters, t -> t[1])
+                .by("creeping")
+                .from(
+                        SLIPS.stream()
+                                .map(share -> new double[] {0, share * slip})
+                                .map(begin -> Change.guess(parameters, begin, 0))
+                                .toList());
     }
 
     /** That of a friction which the model has; else a share of the typical rate (rad/s). */

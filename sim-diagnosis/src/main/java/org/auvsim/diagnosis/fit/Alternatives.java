@@ -53,9 +53,10 @@ final class Alternatives {
         return List.copyOf(competitors.subList(0, Math.min(MOST, competitors.size())));
     }
 
-    /** One that has all causes of the best, and more, is no alternative to it. */
+    /** One that has all causes of the best in some form, and more, is no alternative to it. */
     private static boolean contains(List<Cause> causes, Judged best) {
-        return causes.containsAll(best.fit().hypothesis().causes());
+        return best.fit().hypothesis().causes().stream()
+                .allMatch(own -> causes.stream().anyMatch(own::isFormOf));
     }
 
     /**

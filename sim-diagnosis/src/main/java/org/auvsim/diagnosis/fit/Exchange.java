@@ -40,7 +40,7 @@ record Exchange(List<Cause> library, Screening screening, Tried tried, Course co
         Hypothesis others = found.fit().hypothesis().without(of);
         List<Cause> lost =
                 aliases.stream()
-                        .filter(o -> !others.causes().contains(o))
+                        .filter(o -> !o.isAmong(others.causes()))
                         .filter(o -> !tried.has(others, o, found.score() + ALIKE))
                         .toList();
         return promising(others, lost, found);
@@ -57,7 +57,7 @@ record Exchange(List<Cause> library, Screening screening, Tried tried, Course co
         }
         List<Cause> untried =
                 library.stream()
-                        .filter(o -> !found.fit().hypothesis().causes().contains(o))
+                        .filter(o -> !o.isAmong(found.fit().hypothesis().causes()))
                         .filter(o -> !aliases.contains(o))
                         .filter(o -> !found.isWhite() || !screening.isSwept(o))
                         .filter(o -> !tried.has(others, o, Double.POSITIVE_INFINITY))

@@ -148,6 +148,26 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
         return new Hypothesis(others, theta);
     }
 
+    /** The same with a freer form of one cause, begun at each of that one's guesses. */
+    List<Hypothesis> freed(int place) {
+        return causes.get(place).freer().stream()
+                .flatMap(
+                        freer ->
+                                freer.guesses(List.of()).stream()
+                                        .map(guess -> with(place, freer, guess.theta())))
+                .toList();
+    }
+
+    /** The numbers of a cause, and those that a guess at another one adds to them. */
+    private Hypothesis with(int place, Cause other, List<Double> guess) {
+        double[] begun = guess.stream().mapToDouble(number -> number).toArray();
+        double[] own = theta.get(place);
+        System.arraycopy(own, 0, begun, 0, own.length);
+        List<double[]> others = new ArrayList<>(theta);
+        others.set(place, begun);
+        return new Hypothesis(with(place, other).causes, others);
+    }
+
     /** Whether each cause has as many numbers as parameters, all within their bounds. */
     boolean makesSense() {
         for (int c = 0; c < causes.size(); c++) {

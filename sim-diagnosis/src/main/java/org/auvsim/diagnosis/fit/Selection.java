@@ -143,7 +143,7 @@ final class Selection {
     /** With one more cause each, the most promising ones. */
     private List<Screen.Start> more(Judged best) {
         Hypothesis of = best.fit().hypothesis();
-        List<Cause> others = library.stream().filter(c -> !of.causes().contains(c)).toList();
+        List<Cause> others = library.stream().filter(c -> !c.isAmong(of.causes())).toList();
         return Screening.promising(screening.beside(of, others)).stream().limit(FORWARD).toList();
     }
 
@@ -170,19 +170,24 @@ final class Selection {
             return none;
         }
         Screen screen = screening.of(causes);
-        Judged best = tried.begunAnew(tried.tournament(screen.starts(1, isNew), none, 0.3, 0.5));
+        Judged best = whole(tried.tournament(screen.starts(1, isNew), none, 0.3, 0.5));
         if (!best.isWhite() && course.goesOn()) {
             Judged pair = tried.tournament(screen.starts(2, isNew), best, 0.5, 0.7);
-            best = tried.pruned(tried.begunAnew(pair));
+            best = tried.pruned(whole(pair));
         }
         return best;
+    }
+
+    /** With all that these causes can do. */
+    private Judged whole(Judged best) {
+        return tried.freed(tried.begunAnew(best));
     }
 
     /** With more causes, one by one, while something is missed. */
     private Judged extended(Judged found) {
         Judged best = found;
         while (hasRoom(best) && !best.isWhite() && course.goesOn()) {
-            Judged more = tried.pruned(tried.tournament(more(best), best, 0.7, 0.8));
+            Judged more = tried.pruned(tried.freed(tried.tournament(more(best), best, 0.7, 0.8)));
             if (more.score() >= best.score()) {
                 break;
             }

@@ -73,11 +73,11 @@ final class Traces {
     Identifiability identifiability(List<Cause> found) {
         Map<List<Cause>, Confusion> confusions = new LinkedHashMap<>();
         for (Seed seed : seeds) {
-            if (!found.isEmpty() && !found.contains(seed.cause())) {
+            if (!found.isEmpty() && !seed.cause().isAmong(found)) {
                 continue;
             }
             for (Seed other : seeds) {
-                boolean isOnce = found.contains(other.cause()) || found.isEmpty();
+                boolean isOnce = other.cause().isAmong(found) || found.isEmpty();
                 if (other.cause().equals(seed.cause())
                         || (isOnce && other.first() < seed.first())) {
                     continue;
@@ -107,7 +107,7 @@ final class Traces {
         Map<List<Object>, Smallest> smallest = new LinkedHashMap<>();
         for (Seed seed : seeds) {
             Cause cause = seed.cause();
-            if (beside.causes().contains(cause)) {
+            if (cause.isAmong(beside.causes())) {
                 continue;
             }
             double trace = NOISE + Math.sqrt(price.applyAsDouble(cause) + Selection.DOUBTFUL);
@@ -149,7 +149,8 @@ final class Traces {
         int[] columns = columns(cause);
         Set<Cause> alike = new LinkedHashSet<>();
         for (Seed other : seeds) {
-            if (!other.cause().equals(cause) && angle(columns, other.columns()) < NEARLY_THE_SAME) {
+            if (!other.cause().isFormOf(cause)
+                    && angle(columns, other.columns()) < NEARLY_THE_SAME) {
                 alike.add(other.cause());
             }
         }

@@ -57,15 +57,33 @@ final class Tried {
         return best.isNone() || best.isWhite() ? best : best(List.of(anew(best)), best);
     }
 
+    /** With more numbers of its causes, if it misses something and less by them. */
+    Judged freed(Judged best) {
+        Judged freest = best;
+        for (int c = 0; c < best.fit().hypothesis().causes().size(); c++) {
+            Fit fit = freest.fit();
+            for (Hypothesis freed : fit.hypothesis().freed(c)) {
+                if (!freest.isWhite() && course.goesOn()) {
+                    freest =
+                            best(List.of(toTheEnd(fit.with(freed, fit.windows()), freest)), freest);
+                }
+            }
+        }
+        return freest;
+    }
+
+    private Judged toTheEnd(Fit begun, Judged best) {
+        double toBeat = best.score() + Tournament.BESIDE;
+        Judged end = Descent.of(begun).steps(Tournament.TO_THE_END, toBeat, course);
+        judged.add(end);
+        return end;
+    }
+
     private Judged anew(Judged of) {
         if (!course.goesOn()) {
             return of;
         }
-        Judged anew =
-                Descent.of(Following.anew(of.fit(), noise, course))
-                        .steps(Tournament.TO_THE_END, of.score() + Tournament.BESIDE, course);
-        judged.add(anew);
-        return anew;
+        return toTheEnd(Following.anew(of.fit(), noise, course), of);
     }
 
     /**
@@ -105,9 +123,7 @@ final class Tried {
             Hypothesis hypothesis = best.fit().hypothesis();
             for (int c = 0; hypothesis.causes().size() > 1 && c < hypothesis.causes().size(); c++) {
                 Fit fewer = best.fit().with(hypothesis.without(c), best.fit().windows());
-                double toBeat = best.score() + Tournament.BESIDE;
-                Judged without = Descent.of(fewer).steps(Tournament.TO_THE_END, toBeat, course);
-                judged.add(without);
+                Judged without = toTheEnd(fewer, best);
                 if (without.score() < best.score()) {
                     best = without;
                     goesOn = true;

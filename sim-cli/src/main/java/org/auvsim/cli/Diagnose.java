@@ -274,9 +274,8 @@ final class Diagnose implements Callable<Integer> {
                     sound(model, runs)
                             .map(investigation::comparedWith)
                             .orElse(investigation)
-                            .diagnose()
-                            .noticing(runs.notices());
-            return told(diagnosis, runs);
+                            .diagnose();
+            return told(diagnosis.noticing(runs.noticesAfter(diagnosis.verdict())), runs);
         }
     }
 

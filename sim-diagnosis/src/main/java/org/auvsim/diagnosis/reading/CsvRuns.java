@@ -27,6 +27,8 @@ final class CsvRuns {
     private List<Source> sources = List.of();
     private Source longest;
     private Doubt doubt = Doubt.NONE;
+    private Optional<ManyTurns> turns = Optional.empty();
+    private Optional<LikeMilliseconds> milliseconds = Optional.empty();
 
     CsvRuns(Path file, String name, ColumnMapping mapping, MeasuredBody body, KnownOfRun known) {
         this.file = file;
@@ -81,6 +83,16 @@ final class CsvRuns {
     /** Whether some of that doubts that the numbers are what they are taken for. */
     Doubt doubt() {
         return doubt;
+    }
+
+    /** Angles that may be in degrees, if there are any. */
+    Optional<ManyTurns> turns() {
+        return turns;
+    }
+
+    /** Times that look like milliseconds, if they do. */
+    Optional<LikeMilliseconds> milliseconds() {
+        return milliseconds;
     }
 
     private void doubt(Doubt kind, String notice) {
@@ -142,23 +154,26 @@ final class CsvRuns {
                             .formatted(file, time, Figures.shown(1 / survey.interval())));
         }
         if (survey.looksLikeMilliseconds()) {
-            doubt(
-                    Doubt.OF_DATA,
-                    "%s:2: column '%s': rows are %s s apart by whole numbers: are these milliseconds? If so, map '%s' with a scale of 0.001 (--mapping)"
-                            .formatted(file, time, Figures.shown(survey.interval()), time));
+            LikeMilliseconds seen = new LikeMilliseconds(file, time, survey.interval());
+            doubt(Doubt.OF_DATA, seen.notice());
+            milliseconds = Optional.of(seen);
         }
     }
 
     private void tellAngles(RowReader rows) {
         if (rows.largestAngle() > SEVERAL_TURNS && !mapping.degrees()) {
-            doubt(
-                    Doubt.OF_TURNS,
-                    "%s:%d: column '%s': angles go up to %s rad: are they in degrees (--degrees)? Of a heading that counts its turns, take whole turns away"
-                            .formatted(
-                                    file,
-                                    rows.angleRow(),
-                                    rows.angleColumn(),
-                                    Figures.shown(rows.largestAngle())));
+            ManyTurns seen =
+                    new ManyTurns(
+                            "%s:%d: column '%s': angles go up to %s rad"
+                                    .formatted(
+                                            file,
+                                            rows.angleRow(),
+                                            rows.angleColumn(),
+                                            Figures.shown(rows.largestAngle())),
+                            "are they in degrees (--degrees)? Of a heading that counts its turns,"
+                                    + " take whole turns away");
+            doubt(Doubt.OF_TURNS, seen.notice());
+            turns = Optional.of(seen);
         }
     }
 

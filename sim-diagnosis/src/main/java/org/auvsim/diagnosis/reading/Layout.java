@@ -100,6 +100,11 @@ final class Layout {
         return of(Slots.TIME).orElseThrow();
     }
 
+    /** Whether the mapping says in which unit the time is. */
+    boolean statesUnitOfTime() {
+        return time().form() != CellForm.NUMBER || rule(time().name()).scale().isPresent();
+    }
+
     /** The column that fills a place. */
     Optional<BoundColumn> of(int slot) {
         return columns.stream().filter(c -> c.slot() == slot).findFirst();
@@ -145,10 +150,7 @@ final class Layout {
         return mapping.column().stream()
                 .filter(mapped -> mapped.name().equals(column))
                 .findFirst()
-                .orElseGet(
-                        () ->
-                                new MappedColumn(
-                                        column, Optional.empty(), 1, 0, CellForm.NUMBER, false));
+                .orElseGet(() -> MappedColumn.usual(column));
     }
 
     private void bind(int field, MappedColumn rule) throws DocumentException {
@@ -169,7 +171,7 @@ final class Layout {
 
     /** A column in its usual unit, whatever it means. */
     private static BoundColumn plain(int field, MappedColumn rule, int slot) {
-        return new BoundColumn(field, rule.name(), slot, rule.scale(), rule.offset(), rule.form());
+        return new BoundColumn(field, rule.name(), slot, rule.factor(), rule.offset(), rule.form());
     }
 
     private void bindMeaning(int field, MappedColumn rule) throws DocumentException {
@@ -225,7 +227,7 @@ final class Layout {
                         field,
                         rule.name(),
                         slot,
-                        factor * rule.scale(),
+                        factor * rule.factor(),
                         factor * rule.offset(),
                         form));
     }

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.reading;
 
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.mapping.Names;
+import org.auvsim.auvsml.run.CellForm;
 import org.auvsim.auvsml.run.ColumnMapping;
 import org.auvsim.auvsml.run.MappedColumn;
 
@@ -10,6 +11,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -28,10 +30,17 @@ final class Renames {
 
     /** Whether a column has another name, and its unit and all else are as usual. */
     static boolean isRename(MappedColumn column) {
-        return column.means()
-                .map(usual -> MappedColumn.renamed(column.name(), usual))
-                .filter(column::equals)
-                .isPresent();
+        MappedColumn plain =
+                new MappedColumn(
+                        column.name(),
+                        column.means(),
+                        column.scale(),
+                        0,
+                        CellForm.NUMBER,
+                        false,
+                        List.of(),
+                        Optional.empty());
+        return column.means().isPresent() && column.factor() == 1 && column.equals(plain);
     }
 
     /** Whether nothing is renamed. */

@@ -5,6 +5,7 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -15,6 +16,7 @@ import java.util.Optional;
  * @param role what the document beside it says that it is there for
  * @param notices what was done to the data, and what looks wrong with it
  * @param doubt whether some of them doubt that the numbers are what they are taken for
+ * @param settled what is left of some of them where a model explains the run
  */
 public record RunFile(
         Path file,
@@ -22,11 +24,13 @@ public record RunFile(
         List<Source> sources,
         Optional<RunRole> role,
         List<String> notices,
-        Doubt doubt) {
-    /** The lists cannot be changed. */
+        Doubt doubt,
+        Map<String, String> settled) {
+    /** The lists and the map cannot be changed. */
     public RunFile {
         runs = List.copyOf(runs);
         sources = List.copyOf(sources);
         notices = List.copyOf(notices);
+        settled = Map.copyOf(settled);
     }
 }

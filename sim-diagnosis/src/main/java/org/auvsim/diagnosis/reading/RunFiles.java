@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.reading;
 
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.run.RunRole;
+import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.Split;
@@ -10,7 +11,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 
 /**
@@ -21,19 +24,22 @@ import java.util.stream.Stream;
  * @param reference that are known to be sound, beside them
  * @param notices what was done to the data, and what looks wrong with it
  * @param doubt whether some of them doubt that the numbers are what they are taken for
+ * @param settled what is left of some of them where a model explains the runs
  */
 public record RunFiles(
         List<MeasuredRun> fit,
         List<MeasuredRun> heldOut,
         List<MeasuredRun> reference,
         List<String> notices,
-        Doubt doubt) {
-    /** The lists cannot be changed. */
+        Doubt doubt,
+        Map<String, String> settled) {
+    /** The lists and the map cannot be changed. */
     public RunFiles {
         fit = List.copyOf(fit);
         heldOut = List.copyOf(heldOut);
         reference = List.copyOf(reference);
         notices = List.copyOf(notices);
+        settled = Map.copyOf(settled);
     }
 
     /**
@@ -83,7 +89,10 @@ public record RunFiles(
         }
         ToldAlike.require(read);
         Doubt doubt = read.stream().map(RunFile::doubt).reduce(Doubt.NONE, Doubt::and);
-        return told(toFit, toJudge, sound, notices, doubt, all.subList(0, asked));
+        Map<String, String> settled = new LinkedHashMap<>();
+        read.forEach(file -> settled.putAll(file.settled()));
+        RunFiles files = new RunFiles(toFit, toJudge, sound, notices, doubt, settled);
+        return files.told(all.subList(0, asked));
     }
 
     /**
@@ -111,7 +120,7 @@ public record RunFiles(
                     "%s: fitted in %d parts of %s s, each with a start of its own"
                             .formatted(run.name(), count, Figures.shown(run.duration() / count)));
         }
-        return new RunFiles(parts, heldOut, reference, told, doubt);
+        return new RunFiles(parts, heldOut, reference, told, doubt, settled);
     }
 
     private static MeasuredRun part(MeasuredRun run, int i, int of) {
@@ -124,26 +133,29 @@ public record RunFiles(
                         (int) ((long) (i + 1) * last / of));
     }
 
-    private static RunFiles told(
-            List<MeasuredRun> fit,
-            List<MeasuredRun> heldOut,
-            List<MeasuredRun> reference,
-            List<String> notices,
-            Doubt doubt,
-            List<Path> all)
-            throws DocumentException {
+    /** What is to be said of the data after a verdict: of a doubt that it settles, how. */
+    public List<String> noticesAfter(Verdict verdict) {
+        boolean isExplained = verdict == Verdict.EXPLAINED || verdict == Verdict.NONE;
+        return !isExplained || doubt.isOpen(verdict)
+                ? notices
+                : notices.stream().map(said -> settled.getOrDefault(said, said)).toList();
+    }
+
+    /** The same, some of the runs held out if none are. */
+    private RunFiles told(List<Path> all) throws DocumentException {
         if (fit.isEmpty()) {
             throw new DocumentException(
                     "all runs of %s are to be held out; expected one to fit at least"
                             .formatted(all));
         }
         if (!heldOut.isEmpty()) {
-            return new RunFiles(fit, heldOut, reference, notices, doubt);
+            return this;
         }
         try {
             Split split = Split.of(fit);
-            notices.add(split.notice());
-            return new RunFiles(split.fit(), split.heldOut(), reference, notices, doubt);
+            List<String> more = new ArrayList<>(notices);
+            more.add(split.notice());
+            return new RunFiles(split.fit(), split.heldOut(), reference, more, doubt, settled);
         } catch (IllegalArgumentException e) {
             throw new DocumentException(all.getFirst() + ": " + e.getMessage(), e);
         }

@@ -18,7 +18,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 
 /**
  * Reads measured runs of one body: CSV with a document beside it, or recordings with feedback. Long
@@ -156,12 +159,17 @@ public final class RunReader {
         Run document = documentBeside(file, name, notices);
         CsvRuns csv = csv(file, name, document, mapping.axes());
         List<MeasuredRun> runs = csv.read();
+        if (csv.milliseconds().isPresent()) {
+            double step = model.scenario().timeStep().delta();
+            csv.milliseconds().get().requireFewSteps(stretch.of(runs, csv.sources()), step);
+        }
         notices.addAll(csv.notices());
         List<String> doubts = new ArrayList<>();
         new ModelAxes(model, mapping.axes())
                 .suspicion(runs, other -> csv(file, name, document, other).read())
                 .ifPresent(doubt -> doubts.add(file + ": " + doubt));
-        return checked(file, runs, csv.sources(), document, notices, doubts, csv.doubt());
+        return checked(
+                file, runs, csv.sources(), document, notices, doubts, csv.turns(), csv.doubt());
     }
 
     private CsvRuns csv(Path file, String name, Run document, MeasuredAxes axes) {
@@ -176,10 +184,11 @@ public final class RunReader {
             Run document,
             List<String> notices,
             List<String> doubts,
+            Optional<ManyTurns> ofAngles,
             Doubt before)
             throws DocumentException {
         List<MeasuredRun> sound = new ArrayList<>();
-        List<String> turns = new ArrayList<>();
+        List<ManyTurns> turns = new ArrayList<>();
         for (int i = 0; i < runs.size(); i++) {
             Spikes spikes = new Spikes(sources.get(i), runs.get(i));
             notices.addAll(spikes.notices());
@@ -187,12 +196,15 @@ public final class RunReader {
             Plausibility plausibility =
                     new Plausibility(model, sound.get(i), sources.get(i), mapping.degrees());
             doubts.addAll(plausibility.notices());
-            plausibility.turn().ifPresent(turns::add);
+            plausibility.turns().ifPresent(turns::add);
         }
         doubts.addAll(new StatedPlausibility(beside(file), document, sound, sources).notices());
         notices.addAll(doubts);
-        notices.addAll(turns);
+        turns.forEach(each -> notices.add(each.notice()));
         Doubt ofTurns = turns.isEmpty() ? Doubt.NONE : Doubt.OF_TURNS;
+        ofAngles.ifPresent(turns::add);
+        Map<String, String> settled = new LinkedHashMap<>();
+        turns.forEach(each -> settled.put(each.notice(), each.settled()));
         Doubt ofData = doubts.isEmpty() ? Doubt.NONE : Doubt.OF_DATA;
         return new RunFile(
                 file,
@@ -200,7 +212,8 @@ public final class RunReader {
                 sources,
                 document.role(),
                 notices,
-                before.and(ofTurns).and(ofData));
+                before.and(ofTurns).and(ofData),
+                settled);
     }
 
     private RunFile recorded(Path file, String name) throws DocumentException {
@@ -211,7 +224,15 @@ public final class RunReader {
         List<MeasuredRun> runs = recorded.read();
         notices.addAll(recorded.notices());
         List<Source> sources = Collections.nCopies(runs.size(), Source.of(file));
-        return checked(file, runs, sources, document, notices, new ArrayList<>(), Doubt.NONE);
+        return checked(
+                file,
+                runs,
+                sources,
+                document,
+                notices,
+                new ArrayList<>(),
+                Optional.empty(),
+                Doubt.NONE);
     }
 
     /** Where a document is that says something of a file's runs, if there is one. */

@@ -23,6 +23,7 @@ final class Survey {
     private final CsvTable table;
     private final Cells cells;
     private final BoundColumn time;
+    private final boolean isOfStatedUnit;
     private final Midnight midnight;
     private final Optional<BoundColumn> run;
     private final List<BoundColumn> commands;
@@ -53,6 +54,7 @@ final class Survey {
         this.table = table;
         this.cells = new Cells(table);
         this.time = layout.time();
+        this.isOfStatedUnit = layout.statesUnitOfTime();
         this.midnight = new Midnight(time);
         this.run = layout.of(Slots.RUN);
         this.commands = layout.columns().stream().filter(c -> c.slot() >= Slots.COMMANDS).toList();
@@ -194,9 +196,12 @@ final class Survey {
         return hasWholeSeconds() ? 1 / rate() : intervals.getResult();
     }
 
-    /** Whether times are whole numbers that are far apart, as those in ms would be. */
+    /**
+     * Whether times are whole numbers that are far apart, as those in ms would be, and nobody said
+     * in which unit they are.
+     */
     boolean looksLikeMilliseconds() {
-        return isWhole && !hasWholeSeconds() && rows > 2 && interval() >= 5;
+        return !isOfStatedUnit && isWhole && !hasWholeSeconds() && rows > 2 && interval() >= 5;
     }
 
     /** Rows a second, of the seconds that are whole. */

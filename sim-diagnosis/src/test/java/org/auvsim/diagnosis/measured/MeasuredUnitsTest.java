@@ -81,7 +81,7 @@ class MeasuredUnitsTest {
                             ? new MappedColumn(
                                     c.name(),
                                     c.means(),
-                                    c.scale() * factor,
+                                    c.factor() * factor,
                                     c.offset() * factor,
                                     c.form(),
                                     c.ignored(),

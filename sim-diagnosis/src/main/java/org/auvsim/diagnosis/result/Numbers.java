@@ -70,22 +70,23 @@ public final class Numbers {
         return new BigDecimal(value).setScale(decimals, RoundingMode.HALF_UP);
     }
 
-    /** Share of a whole in percent: {@code 99.1 %}. */
+    /**
+     * Share of a whole in percent: {@code 99.1 %}; what rounds to all of it is {@code more than
+     * 99.9 %}, as noise decides whether anything is left.
+     */
     public static String percent(double share) {
         double percent = 100 * share;
         if (percent > 0 && percent < 0.05) {
             return "less than 0.1 %";
         }
-        return percent >= 99.95 && percent < 100
+        return percent >= 99.95
                 ? "more than 99.9 %"
                 : String.format(Locale.ROOT, "%.1f %%", percent);
     }
 
     /** A probability in percent: {@code 92.5 %}, {@code > 99.9 %}. */
     public static String probability(double value) {
-        return value > 0.9995 && value < 1
-                ? "> 99.9 %"
-                : value >= 0.0005 ? percent(value) : "< 0.1 %";
+        return value >= 0.9995 ? "> 99.9 %" : value >= 0.0005 ? percent(value) : "< 0.1 %";
     }
 
     private static boolean isPlain(double value) {

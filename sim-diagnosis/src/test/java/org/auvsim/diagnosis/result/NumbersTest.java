@@ -40,12 +40,20 @@ class NumbersTest {
     @CsvSource({
         "0.9912, 99.1 %",
         "0.99991, more than 99.9 %",
-        "1, 100.0 %",
+        "1, more than 99.9 %",
+        "0.9994, 99.9 %",
         "0, 0.0 %",
         "0.0004, less than 0.1 %",
         "-0.02, -2.0 %",
     })
     void sharesAreInPercent(double share, String text) {
         assertThat(Numbers.percent(share)).isEqualTo(text);
+    }
+
+    /** Of several sets none is certain: 1 is what was rounded to it. */
+    @ParameterizedTest
+    @CsvSource({"0.9251, 92.5 %", "0.9996, > 99.9 %", "1, > 99.9 %", "0.0004, < 0.1 %"})
+    void probabilitiesAreInPercent(double value, String text) {
+        assertThat(Numbers.probability(value)).isEqualTo(text);
     }
 }

@@ -174,7 +174,7 @@ class SentenceTest {
         assertThat(sentence.explained(List.of(periodic), 1, List.of()))
                 .startsWith(
                         "A periodic force is missing: force (2.00 +- 0.10, 0.00 +- 0.10) N, omega"
-                                + " 1.500 +- 0.002 rad/s; it explains 100.0 %");
+                                + " 1.500 +- 0.002 rad/s; it explains more than 99.9 %");
     }
 
     /** Of a pure number neither the words nor the unit say what it is. */

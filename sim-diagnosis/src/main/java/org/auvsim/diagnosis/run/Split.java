@@ -21,6 +21,9 @@ public record Split(List<MeasuredRun> fit, List<MeasuredRun> heldOut, String not
     /** A block has so many samples at least. */
     private static final int FEWEST = 16;
 
+    /** From here on (s) times are told from the run's first row: of UNIX time nobody reads more. */
+    private static final double FAR = 1e6;
+
     /** The lists cannot be changed. */
     public Split {
         fit = List.copyOf(fit);
@@ -75,6 +78,7 @@ public record Split(List<MeasuredRun> fit, List<MeasuredRun> heldOut, String not
         }
         List<MeasuredRun> fit = new ArrayList<>();
         List<MeasuredRun> heldOut = new ArrayList<>();
+        double since = Math.abs(run.time(0)) > FAR ? run.time(0) : 0;
         for (int block = 0; block < blocks; block += 3) {
             fit.add(part(run, fit.size() + heldOut.size(), block, block + 2, blocks));
             heldOut.add(part(run, fit.size() + heldOut.size(), block + 2, block + 3, blocks));
@@ -82,11 +86,12 @@ public record Split(List<MeasuredRun> fit, List<MeasuredRun> heldOut, String not
         return new Split(
                 fit,
                 heldOut,
-                "there is one run: its time is split, %s held out"
+                "there is one run: its time is split, %s%s held out"
                         .formatted(
                                 heldOut.stream()
-                                        .map(Split::times)
-                                        .collect(Collectors.joining(" and "))));
+                                        .map(part -> times(part, since))
+                                        .collect(Collectors.joining(" and ")),
+                                since == 0 ? "" : " after its first row"));
     }
 
     private static MeasuredRun part(MeasuredRun run, int number, int from, int to, int of) {
@@ -94,8 +99,9 @@ public record Split(List<MeasuredRun> fit, List<MeasuredRun> heldOut, String not
                 run.name() + "-" + (number + 1), from * run.size() / of, to * run.size() / of - 1);
     }
 
-    private static String times(MeasuredRun run) {
-        return "%s to %s s".formatted(shown(run.time(0)), shown(run.time(run.size() - 1)));
+    private static String times(MeasuredRun run, double since) {
+        return "%s to %s s"
+                .formatted(shown(run.time(0) - since), shown(run.time(run.size() - 1) - since));
     }
 
     private static String shown(double time) {

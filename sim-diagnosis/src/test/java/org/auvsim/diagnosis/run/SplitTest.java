@@ -55,6 +55,20 @@ class SplitTest {
                                 + " out");
     }
 
+    /** As UNIX time has it. */
+    @Test
+    void whatBeginsFarFromZeroIsToldFromItsFirstRow() {
+        MeasuredRunBuilder run = MeasuredRun.named("dive");
+        for (int i = 0; i < 120; i++) {
+            run.at(1_718_000_000 + 0.5 * i).position(i, 0, 0);
+        }
+
+        assertThat(Split.of(List.of(run.build())).notice())
+                .isEqualTo(
+                        "there is one run: its time is split, 20 to 29.5 s and 50 to 59.5 s after"
+                                + " its first row held out");
+    }
+
     /** Else only the first of two blocks would be seen to begin where it is known to. */
     @Test
     void aRunWhoseStartIsKnownIsSplitOnce() {

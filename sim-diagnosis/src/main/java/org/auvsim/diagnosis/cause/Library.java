@@ -6,7 +6,9 @@ import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.ServiceLoader;
 import java.util.function.Function;
 import java.util.stream.Stream;
@@ -109,6 +111,10 @@ public final class Library {
     /** Those that hold what was written, as all laws of drag do, or else those that are near. */
     private static List<String> meant(String name, List<Cause> library) {
         List<String> ids = library.stream().map(Cause::id).distinct().toList();
+        List<String> ofOthers = ofOthers(name, library);
+        if (!ofOthers.isEmpty()) {
+            return ofOthers;
+        }
         List<String> holding = ids.stream().filter(id -> id.contains(name)).toList();
         return holding.isEmpty() || name.length() < SHORTEST
                 ? Names.near(
@@ -117,6 +123,24 @@ public final class Library {
                                 .distinct()
                                 .toList())
                 : holding.subList(0, Math.min(MOST_MEANT, holding.size()));
+    }
+
+    /**
+     * Where the kind of a cause is written rightly, and what it is about is not: that of a name
+     * that is near, or else of all.
+     */
+    private static List<String> ofOthers(String name, List<Cause> library) {
+        Map<String, String> bySubject = new LinkedHashMap<>();
+        for (Cause cause : library) {
+            if (name.startsWith(cause.id() + " (")) {
+                cause.subject().ifPresent(about -> bySubject.put(about, cause.name()));
+            }
+        }
+        String about = name.replaceFirst("^[^(]*\\(", "").replaceFirst("\\)$", "");
+        List<String> near = Names.near(about, bySubject.keySet());
+        return near.isEmpty()
+                ? List.copyOf(bySubject.values())
+                : near.stream().map(bySubject::get).toList();
     }
 
     private static boolean isNamed(Cause cause, String name) {

@@ -22,8 +22,13 @@ record Stretch(double from, double until) {
     Stretch {
         if (!(from >= 0) || !(until > from)) {
             throw new IllegalArgumentException(
-                    "a run is taken from %s s until %s s after its first row; expected 0 or more, and a later end"
-                            .formatted(Figures.shown(from), Figures.shown(until)));
+                    "a run is taken from %s s %s; expected 0 or more, and a later end"
+                            .formatted(
+                                    Figures.shown(from),
+                                    Double.isInfinite(until)
+                                            ? "after its first row to its end"
+                                            : "until %s s after its first row"
+                                                    .formatted(Figures.shown(until))));
         }
     }
 

@@ -11,14 +11,19 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Pattern;
 
 /** A run where the scenario is expected, and the scenario among the runs. */
 final class SwappedFiles {
     private SwappedFiles() {}
 
-    /** Refuses a scenario that is no XML, as a table is not; of what cannot be read others tell. */
+    /** As people name the time, with a unit behind it or none: t, time_s, UTC_time, Time [s]. */
+    private static final Pattern TIME =
+            Pattern.compile("(?i)\"?(t|([^\\s\"]*_)?time(stamp)?)([_.][^\\s\"]*|\\s*[(\\[].*)?\"?");
+
+    /** Refuses a table in place of a scenario; of what else is no scenario others tell. */
     static void requireScenario(Path scenario, List<Path> runs) {
-        if (!isText(scenario)) {
+        if (!isTable(scenario)) {
             return;
         }
         Optional<Path> meant = runs.stream().filter(SwappedFiles::isScenario).findFirst();
@@ -33,12 +38,13 @@ final class SwappedFiles {
                                                 .formatted(scenario)));
     }
 
-    /** Whether a file begins with words and commas, and not as XML does. */
-    private static boolean isText(Path file) {
+    /** Whether a file begins with names between commas, and one of them is that of the time. */
+    private static boolean isTable(Path file) {
         try (InputStream in = Files.newInputStream(file)) {
             String text = new String(in.readNBytes(DocumentKind.BEGINNING), UTF_8);
             String line = text.lines().findFirst().orElse("").strip();
-            return line.matches("[^<]*[,;\t][^<]*");
+            List<String> names = List.of(line.split("\\s*[,;\t]\\s*", -1));
+            return names.size() > 1 && names.stream().anyMatch(TIME.asMatchPredicate());
         } catch (IOException _) {
             return false;
         }

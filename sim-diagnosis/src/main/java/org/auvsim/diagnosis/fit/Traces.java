@@ -5,6 +5,7 @@ import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.CholeskyDecomposition;
 import org.apache.commons.math3.linear.LUDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.RealVector;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Parameter;
@@ -82,21 +83,26 @@ final class Traces {
                         || (isOnce && other.first() < seed.first())) {
                     continue;
                 }
-                double angle = angle(seed.columns(), other.columns());
-                if (angle < ALIKE) {
+                Nearest nearest = nearest(seed.columns(), other.columns());
+                if (nearest.angle() < ALIKE) {
                     confusions.merge(
                             List.of(seed.cause(), other.cause()),
-                            new Confusion(seed.cause().label(), other.cause().label(), angle),
+                            new Confusion(
+                                    seed.cause().label(),
+                                    number(seed, nearest.one()),
+                                    other.cause().label(),
+                                    number(other, nearest.other()),
+                                    nearest.angle()),
                             (one, more) -> more.angle() < one.angle() ? more : one);
                 }
             }
         }
-        List<Confusion> nearest =
+        List<Confusion> pairs =
                 confusions.values().stream()
                         .sorted(Comparator.comparingDouble(Confusion::angle))
                         .limit(MOST)
                         .toList();
-        return new Identifiability(nearest, unseen(), smallest());
+        return new Identifiability(pairs, unseen(), smallest());
     }
 
     /**
@@ -150,7 +156,7 @@ final class Traces {
         Set<Cause> alike = new LinkedHashSet<>();
         for (Seed other : seeds) {
             if (!other.cause().isFormOf(cause)
-                    && angle(columns, other.columns()) < NEARLY_THE_SAME) {
+                    && nearest(columns, other.columns()).angle() < NEARLY_THE_SAME) {
                 alike.add(other.cause());
             }
         }
@@ -201,12 +207,25 @@ final class Traces {
         return Arrays.stream(columns).filter(c -> gram.product(c, c) > 0).toArray();
     }
 
-    /** Degrees; 90 where one of them leaves no trace. */
-    private double angle(int[] ofOne, int[] ofOther) {
+    /** The name of the number that a column of a seed is of. */
+    private static String number(Seed seed, int column) {
+        return seed.parameters().get(column - seed.first()).name();
+    }
+
+    /**
+     * The smallest angle between traces, and the columns that are nearest to where it is.
+     *
+     * @param angle degrees; 90 where one of them leaves no trace
+     */
+    private record Nearest(double angle, int one, int other) {
+        static final Nearest NONE = new Nearest(90, -1, -1);
+    }
+
+    private Nearest nearest(int[] ofOne, int[] ofOther) {
         int[] a = telling(ofOne);
         int[] b = telling(ofOther);
         if (a.length == 0 || b.length == 0) {
-            return 90;
+            return Nearest.NONE;
         }
         RealMatrix between = matrix(a, b);
         try {
@@ -221,11 +240,29 @@ final class Traces {
                                             .getSolver()
                                             .getInverse()
                                             .transpose());
-            double cosine = new SingularValueDecomposition(cosines).getSingularValues()[0];
-            return Math.toDegrees(StrictMath.acos(Math.min(1, cosine)));
+            SingularValueDecomposition directions = new SingularValueDecomposition(cosines);
+            double cosine = Math.min(1, directions.getSingularValues()[0]);
+            return new Nearest(
+                    Math.toDegrees(StrictMath.acos(cosine)),
+                    a[along(directions.getU().getColumnVector(0), one)],
+                    b[along(directions.getV().getColumnVector(0), other)]);
         } catch (MathIllegalArgumentException e) {
-            return 90; // no trace, so nothing to be confused with
+            return Nearest.NONE; // no trace, so nothing to be confused with
         }
+    }
+
+    /** Which of some columns, the rows here, is most along a direction. */
+    private static int along(RealVector direction, RealMatrix columns) {
+        int best = 0;
+        double most = -1;
+        for (int i = 0; i < columns.getRowDimension(); i++) {
+            double cosine = Math.abs(columns.getRowVector(i).cosine(direction));
+            if (cosine > most) {
+                most = cosine;
+                best = i;
+            }
+        }
+        return best;
     }
 
     private RealMatrix root(int[] columns) {

@@ -78,16 +78,22 @@ final class IdentifiabilityTables {
         List<List<String>> rows = new ArrayList<>();
         for (Confusion pair : pairs) {
             rows.add(
-                    List.of(pair.first(), pair.second(), Numbers.rounded(pair.angle()) + "\u00b0"));
+                    List.of(
+                            pair.first(),
+                            pair.firstNumber(),
+                            pair.second(),
+                            pair.secondNumber(),
+                            Numbers.rounded(pair.angle()) + "\u00b0"));
         }
         int more = of.identifiability().pairs().size() - pairs.size();
         return List.of(
                 new Table(
-                        List.of("one cause", "another", "angle"),
+                        List.of("one cause", "its number", "another", "its number", "angle"),
                         rows,
                         "Angles between the traces that causes leave in this data: 90\u00b0 can be"
                                 + " told apart best, 0\u00b0 not at all. Of a cause with several"
-                                + " numbers, the one counts that is most like the other cause."
+                                + " numbers, those together count that are most like the other"
+                                + " cause, and the one that is most so is named."
                                 + (more > 0
                                         ? " diagnosis.json has %d more.".formatted(more)
                                         : "")));

@@ -10,8 +10,16 @@ import java.util.List;
  * @param smallest what would hardly have been missed of the others
  */
 public record Identifiability(List<Confusion> pairs, List<String> unseen, List<Smallest> smallest) {
-    /** Two causes and the angle (degrees) between their traces: 90 apart, 0 the same. */
-    public record Confusion(String first, String second, double angle) {}
+    /**
+     * Two causes and the angle (degrees) between their traces: 90 apart, 0 the same.
+     *
+     * @param first a cause
+     * @param firstNumber its number that is most like the other cause
+     * @param second the other cause
+     * @param secondNumber its number that is most like the first
+     */
+    public record Confusion(
+            String first, String firstNumber, String second, String secondNumber, double angle) {}
 
     /**
      * How large a number of a cause must be to be found in this data, to first order; of what acts

@@ -306,8 +306,8 @@ final class Diagnoses {
                                 41)),
                 new Identifiability(
                         List.of(
-                                new Confusion("quadratic_drag", "linear_drag", 11.2),
-                                new Confusion("mass_error", "added_mass", 0.4)),
+                                new Confusion("quadratic_drag", "k", "linear_drag", "c", 11.2),
+                                new Confusion("mass_error", "factor", "added_mass", "m.x", 0.4)),
                         List.of("restitution", "contact_friction"),
                         List.of(new Smallest("mass_error", "factor", "1", 0.0123))),
                 extended,

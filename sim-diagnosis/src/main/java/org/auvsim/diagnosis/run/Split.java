@@ -86,12 +86,12 @@ public record Split(List<MeasuredRun> fit, List<MeasuredRun> heldOut, String not
         return new Split(
                 fit,
                 heldOut,
-                "there is one run: its time is split, %s%s held out"
+                "there is one run: its time is split, %s held out%s"
                         .formatted(
                                 heldOut.stream()
                                         .map(part -> times(part, since))
                                         .collect(Collectors.joining(" and ")),
-                                since == 0 ? "" : " after its first row"));
+                                since == 0 ? "" : " (from its first row)"));
     }
 
     private static MeasuredRun part(MeasuredRun run, int number, int from, int to, int of) {

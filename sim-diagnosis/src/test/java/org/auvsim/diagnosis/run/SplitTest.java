@@ -65,8 +65,8 @@ class SplitTest {
 
         assertThat(Split.of(List.of(run.build())).notice())
                 .isEqualTo(
-                        "there is one run: its time is split, 20 to 29.5 s and 50 to 59.5 s after"
-                                + " its first row held out");
+                        "there is one run: its time is split, 20 to 29.5 s and 50 to 59.5 s"
+                                + " held out (from its first row)");
     }
 
     /** Else only the first of two blocks would be seen to begin where it is known to. */

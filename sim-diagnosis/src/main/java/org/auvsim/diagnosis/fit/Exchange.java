@@ -48,18 +48,20 @@ record Exchange(List<Cause> library, Screening screening, Tried tried, Course co
 
     /**
      * Others with what promises most and was not judged yet. What leaves noise alone did not stand
-     * for what swings.
+     * for what swings, unless it swings, too.
      */
     private List<Screen.Start> untried(int of, Judged found, List<Cause> aliases) {
         Hypothesis others = found.fit().hypothesis().without(of);
         if (others.causes().isEmpty()) {
             return List.of();
         }
+        Cause exchanged = found.fit().hypothesis().causes().get(of);
+        boolean maySwing = !found.isWhite() || screening.isSwept(exchanged);
         List<Cause> untried =
                 library.stream()
                         .filter(o -> !o.isAmong(found.fit().hypothesis().causes()))
                         .filter(o -> !aliases.contains(o))
-                        .filter(o -> !found.isWhite() || !screening.isSwept(o))
+                        .filter(o -> maySwing || !screening.isSwept(o))
                         .filter(o -> !tried.has(others, o, Double.POSITIVE_INFINITY))
                         .toList();
         return promising(others, untried, found).stream().limit(MOST).toList();

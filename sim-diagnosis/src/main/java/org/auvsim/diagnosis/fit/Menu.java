@@ -35,6 +35,9 @@ final class Menu {
     private static final int SAMPLES = 200;
     private static final int AXES = 3;
 
+    /** Steps from new starts. */
+    private static final int STEPS = 12;
+
     /** As long as the longest of the runs, but not more (s). */
     private static final double LONGEST = 30;
 
@@ -172,13 +175,19 @@ final class Menu {
 
     /**
      * Half of what a hypothesis misses of it, from the start that suits it after a few steps, which
-     * one would not find where drag is quadratic; 0 if it gets lost.
+     * one would not find where drag is quadratic; where that is much, from new starts, too, as that
+     * of a body which nothing steadies is hard to find. 0 if it gets lost.
      */
     private double evidence(MeasuredRun run, RigidMotion start, Hypothesis of) {
         List<Window> whole = List.of(new Window(0, run.size() - 1, start));
         List<Misses> data = List.of(new Misses(run, noise));
         Fit fit = new Fit(stepping, data, of.settled(), List.of(whole), Knowledge.NONE);
         double missed = Refinement.approach(fit, 1).cost();
+        if (missed > 2 * STRONG) {
+            Fit begun = Following.anew(fit, noise, Course.UNHEARD);
+            missed =
+                    Math.min(missed, Descent.of(Refinement.approach(begun, 1)).steps(STEPS).cost());
+        }
         return Double.isFinite(missed) ? missed / 2 : 0;
     }
 

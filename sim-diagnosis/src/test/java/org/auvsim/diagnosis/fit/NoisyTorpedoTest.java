@@ -89,6 +89,7 @@ class NoisyTorpedoTest {
                 .filteredOn(Alternative::isIndistinguishable)
                 .extracting(Alternative::causes)
                 .containsExactly(List.of("position_drift"));
+        assertThat(diagnosis.nextExperiment()).isEmpty(); // it would tell no more
     }
 
     private Fit followed(BelievedModel model, Hypothesis hypothesis) {

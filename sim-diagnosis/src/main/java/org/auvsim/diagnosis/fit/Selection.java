@@ -131,9 +131,40 @@ final class Selection {
         if (!isOpen || contest.isPresent()) {
             return best;
         }
+        List<Screen.Start> beside = more(best);
         List<Screen.Start> missed =
-                more(best).stream().filter(start -> start.promise() > DOUBTFUL).toList();
-        return missed.isEmpty() ? best : tried.pruned(tried.tournament(missed, best, 0.8, 0.85));
+                beside.stream().filter(start -> start.promise() > DOUBTFUL).toList();
+        if (!missed.isEmpty()) {
+            return tried.pruned(tried.tournament(missed, best, 0.8, 0.85));
+        }
+        boolean mayStandForTwo = best.fit().hypothesis().causes().size() == 1;
+        return mayStandForTwo && beside.stream().anyMatch(start -> start.promise() > 0)
+                ? asTwo(best)
+                : best;
+    }
+
+    /** Two other causes in place of one, where they promise more than any alone does. */
+    private Judged asTwo(Judged one) {
+        Hypothesis of = one.fit().hypothesis();
+        Screen screen =
+                screening.of(
+                        library.stream()
+                                .filter(c -> of.isGeneric() || !c.isGeneric())
+                                .filter(c -> !c.isAmong(of.causes()))
+                                .toList());
+        List<Screen.Start> alone = screen.starts(1, cause -> true);
+        List<Screen.Start> two =
+                screen.starts(2, cause -> true).stream()
+                        .filter(pair -> promisesMore(pair, alone))
+                        .toList();
+        return tried.pruned(whole(tried.tournament(two, one, 0.8, 0.85)));
+    }
+
+    /** Than any cause alone does at that level, more than noise lets it. */
+    private static boolean promisesMore(Screen.Start pair, List<Screen.Start> alone) {
+        return alone.stream()
+                .filter(other -> other.perBlock() == pair.perBlock())
+                .allMatch(other -> pair.promise() > other.promise() + DOUBTFUL);
     }
 
     private static boolean hasRoom(Judged best) {

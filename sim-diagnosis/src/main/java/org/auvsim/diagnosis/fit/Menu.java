@@ -183,12 +183,17 @@ final class Menu {
         List<Misses> data = List.of(new Misses(run, noise));
         Fit fit = new Fit(stepping, data, of.settled(), List.of(whole), Knowledge.NONE);
         double missed = Refinement.approach(fit, 1).cost();
-        if (missed > 2 * STRONG) {
+        if (missed > 2 * STRONG && isPlaceTold()) {
             Fit begun = Following.anew(fit, noise, Course.UNHEARD);
             missed =
                     Math.min(missed, Descent.of(Refinement.approach(begun, 1)).steps(STEPS).cost());
         }
         return Double.isFinite(missed) ? missed / 2 : 0;
+    }
+
+    /** If not, where it starts is known only as the experiment has it. */
+    private boolean isPlaceTold() {
+        return IntStream.range(0, AXES).allMatch(axis -> tells(Channel.POSITION, axis));
     }
 
     /** As the sensors would tell it, without noise, if this were true. */

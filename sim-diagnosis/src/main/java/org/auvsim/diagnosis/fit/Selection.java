@@ -17,6 +17,9 @@ final class Selection {
     /** A gain below this may be one of noise, among so many causes. */
     static final double DOUBTFUL = 30;
 
+    /** What promises more beside what leaves noise alone is tried. */
+    private static final double TELLING = 5;
+
     private static final double FALSE_ALARMS = 0.01;
 
     /** What promises less than this share of a gain, to first order, does not gain more. */
@@ -133,14 +136,13 @@ final class Selection {
         }
         List<Screen.Start> beside = more(best);
         List<Screen.Start> missed =
-                beside.stream().filter(start -> start.promise() > DOUBTFUL).toList();
-        if (!missed.isEmpty()) {
-            return tried.pruned(tried.tournament(missed, best, 0.8, 0.85));
-        }
-        boolean mayStandForTwo = best.fit().hypothesis().causes().size() == 1;
-        return mayStandForTwo && beside.stream().anyMatch(start -> start.promise() > 0)
-                ? asTwo(best)
-                : best;
+                beside.stream().filter(start -> start.promise() > TELLING).toList();
+        Judged more =
+                missed.isEmpty() ? best : tried.pruned(tried.tournament(missed, best, 0.8, 0.85));
+        boolean mayStandForTwo =
+                best.fit().hypothesis().causes().size() == 1
+                        && beside.stream().anyMatch(start -> start.promise() > 0);
+        return more.equals(best) && mayStandForTwo ? asTwo(best) : more;
     }
 
     /** Two other causes in place of one, where they promise more than any alone does. */
@@ -253,14 +255,20 @@ final class Selection {
                 .toList();
     }
 
-    /** What has many places to begin is begun at the best of them: alone, then beside another. */
+    /**
+     * What has many places to begin is begun at the best of them: alone, then beside another. So is
+     * what takes another form, of which a small part tells little.
+     */
     private Judged rescued(Judged best, List<Cause> causes) {
-        List<Cause> many = causes.stream().filter(screening::hasManyGuesses).toList();
+        List<Cause> many =
+                causes.stream()
+                        .filter(c -> screening.hasManyGuesses(c) || c.freer().isPresent())
+                        .toList();
         Judged alone = rescued(best, screening.of(many));
         return alone.isWhite() ? alone : rescued(alone, screening.beside(tried.strongest(), many));
     }
 
     private Judged rescued(Judged best, Screen screen) {
-        return tried.pruned(tried.tournament(screen.startsOfEach(), best, 0.8, 0.9));
+        return tried.pruned(whole(tried.tournament(screen.startsOfEach(), best, 0.8, 0.9)));
     }
 }

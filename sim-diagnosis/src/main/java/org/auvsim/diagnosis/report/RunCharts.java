@@ -72,24 +72,32 @@ final class RunCharts {
         }
     }
 
-    /** The path from above, and the height. */
+    /** The path from above, or the one way along it that is measured, and the height. */
     List<Block> paths() {
         List<Block> blocks = new ArrayList<>();
-        if (run.measures(Channel.POSITION, 0) || run.measures(Channel.POSITION, 1)) {
+        if (run.measures(Channel.POSITION, 0) && run.measures(Channel.POSITION, 1)) {
             blocks.add(fromAbove());
+        } else {
+            blocks.addAll(along(0, "Way along x over time"));
+            blocks.addAll(along(1, "Way along y over time"));
         }
-        if (run.measures(Channel.POSITION, 2)) {
-            blocks.add(
-                    overTime(
-                            "Height over time",
-                            "z (m)",
-                            k -> run.value(Channel.POSITION, k, 2),
-                            motion -> motion.position().z()));
-        }
+        blocks.addAll(along(2, "Height over time"));
         if (!blocks.isEmpty() && models.size() > 1) {
             blocks.addFirst(new Text(BEGIN_ALIKE));
         }
         return blocks;
+    }
+
+    /** Of an axis, if that is measured. */
+    private List<Block> along(int axis, String title) {
+        return run.measures(Channel.POSITION, axis)
+                ? List.of(
+                        overTime(
+                                title,
+                                AXES.charAt(axis) + " (m)",
+                                k -> run.value(Channel.POSITION, k, axis),
+                                motion -> motion.position().component(axis)))
+                : List.of();
     }
 
     List<Block> all() {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.result.DiagnosedRun;
+import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.plot.page.Block.Chart;
@@ -36,7 +37,11 @@ class RunChartsTest {
             Vec3 place = new Vec3(SPEED * k / 10, 0, 0);
             told.add(new RigidMotion(place, Quat.IDENTITY, AHEAD, Vec3.ZERO));
         }
-        DiagnosedRun of = new DiagnosedRun(run.build(), false, told, told, List.of(), Set.of());
+        return charts(run.build(), told);
+    }
+
+    private static List<Chart> charts(MeasuredRun run, List<RigidMotion> told) {
+        DiagnosedRun of = new DiagnosedRun(run, false, told, told, List.of(), Set.of());
         return new RunCharts(of, Map.of(), List.of("simulated"))
                 .all().stream().filter(Chart.class::isInstance).map(Chart.class::cast).toList();
     }
@@ -64,6 +69,25 @@ class RunChartsTest {
     void everyFixIsOnThePath() {
         assertThat(shown(curve("The path from above", "measured"))).isEqualTo(90);
         assertThat(shown(curve("Height over time", "measured"))).isEqualTo(90);
+    }
+
+    /** Of a cart on a rail nobody sees anything from above. */
+    @Test
+    void oneWayIsDrawnOverTime() {
+        MeasuredRunBuilder run = MeasuredRun.named("rail");
+        List<RigidMotion> told = new ArrayList<>();
+        for (int k = 0; k < ROWS; k++) {
+            run.at(k / 10.0).measured(Channel.POSITION, SPEED * k / 10, Double.NaN, Double.NaN);
+            Vec3 place = new Vec3(SPEED * k / 10, 0, 0);
+            told.add(new RigidMotion(place, Quat.IDENTITY, AHEAD, Vec3.ZERO));
+        }
+
+        List<Chart> drawn = charts(run.build(), told);
+
+        assertThat(shown(curve(drawn, "Way along x over time", "measured"))).isPositive();
+        assertThat(drawn)
+                .extracting(Chart::title)
+                .doesNotContain("The path from above", "Way along y over time", "Height over time");
     }
 
     @Test

@@ -4,6 +4,7 @@ import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Parameter;
 import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -148,12 +149,12 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
         return new Hypothesis(others, theta);
     }
 
-    /** The same with a freer form of one cause, begun at each of that one's guesses. */
-    List<Hypothesis> freed(int place) {
+    /** The same with a freer form of one cause, begun at each of its guesses at runs. */
+    List<Hypothesis> freed(int place, List<MeasuredRun> runs) {
         return causes.get(place).freer().stream()
                 .flatMap(
                         freer ->
-                                freer.guesses(List.of()).stream()
+                                freer.guesses(runs).stream()
                                         .map(guess -> with(place, freer, guess.theta())))
                 .toList();
     }

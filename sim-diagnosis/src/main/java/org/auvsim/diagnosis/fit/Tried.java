@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -59,10 +60,11 @@ final class Tried {
 
     /** With more numbers of its causes, if it misses something and less by them. */
     Judged freed(Judged best) {
+        List<MeasuredRun> runs = best.fit().data().stream().map(Misses::run).toList();
         Judged freest = best;
         for (int c = 0; c < best.fit().hypothesis().causes().size(); c++) {
             Fit fit = freest.fit();
-            for (Hypothesis freed : fit.hypothesis().freed(c)) {
+            for (Hypothesis freed : fit.hypothesis().freed(c, runs)) {
                 if (!freest.isWhite() && course.goesOn()) {
                     freest =
                             best(List.of(toTheEnd(fit.with(freed, fit.windows()), freest)), freest);

@@ -3,7 +3,6 @@ package org.auvsim.diagnosis.report;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.ForceResidual;
-import org.auvsim.diagnosis.result.Moments;
 import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.run.Channel;
@@ -63,7 +62,7 @@ final class RunCharts {
         this.run = of.run();
         this.counted = of.counted();
         this.forces = of.forces();
-        this.isFar = new Moments(List.of(run)).areFar();
+        this.isFar = run.beginsFar();
         this.noise = noise;
         boolean isOnly = names.size() == 1;
         models.add(new Model(names.getFirst(), isOnly ? Mark.LINE : Mark.DASHED, of.before()));

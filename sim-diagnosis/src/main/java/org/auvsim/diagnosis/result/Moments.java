@@ -17,9 +17,6 @@ public record Moments(List<MeasuredRun> runs) {
     /** All is told as it is. */
     public static final Moments PLAIN = new Moments(List.of());
 
-    /** From here on (s) the digits before the point say nothing to people. */
-    private static final double FAR = 1e6;
-
     private static final Set<String> NAMES = Set.of("from", "at");
 
     /** What swings has a phase at the world's time 0. */
@@ -43,7 +40,7 @@ public record Moments(List<MeasuredRun> runs) {
 
     /** Whether the runs begin far from 0. */
     public boolean areFar() {
-        return runs.stream().anyMatch(run -> Math.abs(run.time(0)) > FAR);
+        return runs.stream().anyMatch(MeasuredRun::beginsFar);
     }
 
     /** The time (s) at which the first of the runs begins; 0 without any. */

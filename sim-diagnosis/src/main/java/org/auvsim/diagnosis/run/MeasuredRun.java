@@ -19,6 +19,9 @@ import java.util.stream.IntStream;
  * was not measured is NaN. Immutable.
  */
 public final class MeasuredRun {
+    /** From here on (s) the digits before the point say nothing to people. */
+    private static final double FAR = 1e6;
+
     private static final int AXES = 3;
 
     private final String name;
@@ -102,6 +105,11 @@ public final class MeasuredRun {
     public int sampleAt(double time) {
         int found = Arrays.binarySearch(times, time);
         return found >= 0 ? found : Math.max(0, -found - 2);
+    }
+
+    /** Whether it begins far from 0, as by UNIX time: then people count from its first row. */
+    public boolean beginsFar() {
+        return Math.abs(time(0)) > FAR;
     }
 
     /** Time from the first sample to the last (s). */

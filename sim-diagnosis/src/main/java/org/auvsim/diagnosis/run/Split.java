@@ -21,9 +21,6 @@ public record Split(List<MeasuredRun> fit, List<MeasuredRun> heldOut, String not
     /** A block has so many samples at least. */
     private static final int FEWEST = 16;
 
-    /** From here on (s) times are told from the run's first row: of UNIX time nobody reads more. */
-    private static final double FAR = 1e6;
-
     /** The lists cannot be changed. */
     public Split {
         fit = List.copyOf(fit);
@@ -78,7 +75,7 @@ public record Split(List<MeasuredRun> fit, List<MeasuredRun> heldOut, String not
         }
         List<MeasuredRun> fit = new ArrayList<>();
         List<MeasuredRun> heldOut = new ArrayList<>();
-        double since = Math.abs(run.time(0)) > FAR ? run.time(0) : 0;
+        double since = run.beginsFar() ? run.time(0) : 0;
         for (int block = 0; block < blocks; block += 3) {
             fit.add(part(run, fit.size() + heldOut.size(), block, block + 2, blocks));
             heldOut.add(part(run, fit.size() + heldOut.size(), block + 2, block + 3, blocks));

@@ -23,6 +23,11 @@ final class FrictionCauses {
 
     private static final double MOST = 20;
 
+    /** The share of a contact's friction without which a body surely slides. */
+    private static final double LESS = 0.75;
+
+    private static final double MOST_ROOT = 3;
+
     private FrictionCauses() {}
 
     static List<Cause> of(Setting s) {
@@ -85,9 +90,10 @@ final class FrictionCauses {
         return s.model().scenario().worldObject().stream().anyMatch(WorldObjectDefinition::fixed);
     }
 
+    /** Of two bodies the geometric mean of the frictions counts, which is linear in a root. */
     private static List<Cause> contacts(WorldObjectDefinition body) {
         double e = body.restitution();
-        double mu = body.friction();
+        double root = Math.sqrt(body.friction());
         return List.of(
                 Change.of(
                                 "restitution",
@@ -97,9 +103,19 @@ final class FrictionCauses {
                         .told(t -> List.of(new Quantity("e", "1", e + t[0]))),
                 Change.of(
                                 "contact_friction",
-                                List.of(new Parameter("mu", "1", 0.1, -mu, 10)),
-                                (v, t) -> v.with(b -> b.friction(mu + t[0])))
-                        .from(List.of(Change.secant(0.05)))
-                        .told(t -> List.of(new Quantity("mu", "1", mu + t[0]))));
+                                List.of(new Parameter("root_mu", "1", 0.1, -root, MOST_ROOT)),
+                                (v, t) -> v.with(b -> b.friction(square(root + t[0]))))
+                        .from(moreAndLess(root))
+                        .told(t -> List.of(new Quantity("mu", "1", square(root + t[0])))));
+    }
+
+    /** More or much less of it: what grips tells nothing of a little less. */
+    private static List<Guess> moreAndLess(double root) {
+        Guess more = Change.secant(0.05);
+        return root > 0 ? List.of(more, Change.secant(-LESS * root)) : List.of(more);
+    }
+
+    private static double square(double root) {
+        return root * root;
     }
 }

@@ -145,14 +145,17 @@ final class Screen {
                         size == 1 ? bestSingles(blocks, isWhole, isNew) : bestPairs(blocks, isNew));
     }
 
-    /** Several starts of each cause alone, from each level. */
+    /** Starts of each cause alone, from each level: one at least, several of what promises most. */
     List<Start> startsOfEach() {
         return starts(
-                (blocks, isWhole) ->
-                        firstOfEach(
-                                best(lackingLittle(blocks)),
-                                isWhole ? 1 : THOROUGH,
-                                MOST_THOROUGH));
+                (blocks, isWhole) -> {
+                    List<Promise> best = best(lackingLittle(blocks));
+                    Set<Promise> starts = new LinkedHashSet<>(firstOfEach(best, 1, best.size()));
+                    if (!isWhole) {
+                        starts.addAll(firstOfEach(best, THOROUGH, MOST_THOROUGH));
+                    }
+                    return List.copyOf(starts);
+                });
     }
 
     private List<Promise> lackingLittle(List<List<WindowBlock>> blocks) {

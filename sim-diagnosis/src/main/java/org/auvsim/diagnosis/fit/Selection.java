@@ -256,16 +256,21 @@ final class Selection {
     }
 
     /**
-     * What has many places to begin is begun at the best of them: alone, then beside another. So is
-     * what takes another form, of which a small part tells little.
+     * Each cause alone is begun in blocks of every length: what promised less than others, or got
+     * lost from long ones, may be it, as impacts tell little to first order. Then what has many
+     * places to begin, at the best of them, and what takes another form, of which a small part
+     * tells little, beside another.
      */
     private Judged rescued(Judged best, List<Cause> causes) {
+        Judged alone = rescued(best, screening.of(causes));
+        if (alone.isWhite()) {
+            return alone;
+        }
         List<Cause> many =
                 causes.stream()
                         .filter(c -> screening.hasManyGuesses(c) || c.freer().isPresent())
                         .toList();
-        Judged alone = rescued(best, screening.of(many));
-        return alone.isWhite() ? alone : rescued(alone, screening.beside(tried.strongest(), many));
+        return rescued(alone, screening.beside(tried.strongest(), many));
     }
 
     private Judged rescued(Judged best, Screen screen) {

@@ -167,12 +167,7 @@ public final class Examination {
         boolean isExplained = verdict == Verdict.EXPLAINED;
         List<Finding> selected = isExplained ? Findings.of(found) : List.of();
         double share = Findings.share(found.none(), best);
-        List<Alternative> alternatives =
-                found.competitors().stream()
-                        .filter(other -> !other.isNone())
-                        .sorted(Comparator.comparingDouble(Judged::logEvidence).reversed())
-                        .map(other -> Alternatives.alternative(best, other))
-                        .toList();
+        List<Alternative> alternatives = isExplained ? alternatives(found) : List.of();
         Foretold foretold =
                 turns.map(of -> Foretold.byTurns(asBelieved(found), of, found.noise()))
                         .orElseGet(() -> Foretold.of(before, after, found.noise()));
@@ -196,7 +191,7 @@ public final class Examination {
                 model.body(),
                 selected,
                 causes.size(),
-                Ranking.of(found),
+                Ranking.of(found, verdict != Verdict.UNEXPLAINED),
                 alternatives,
                 found.noise().byChannel(),
                 gains,
@@ -212,6 +207,15 @@ public final class Examination {
                 new Notices(model, fit, heldOut).of(found, verdict, foretold),
                 seed,
                 course.goesOn());
+    }
+
+    /** To what was found. */
+    private static List<Alternative> alternatives(Search.Found found) {
+        return found.competitors().stream()
+                .filter(other -> !other.isNone())
+                .sorted(Comparator.comparingDouble(Judged::logEvidence).reversed())
+                .map(other -> Alternatives.alternative(found.best(), other))
+                .toList();
     }
 
     private LeaveOneOut asBelieved(Search.Found found) {

@@ -14,12 +14,15 @@ final class Ranking {
     private Ranking() {}
 
     /**
-     * All that were tried: first what was chosen, which is not always that of the largest evidence
-     * (a specific cause stands before one that can imitate others, a common one before what the
-     * data cannot tell from it), then the others, those of most evidence first: a score also has
-     * the price of many tries, which evidence has not.
+     * All that were tried: first that of the verdict, if it has one, then the others, those of most
+     * evidence first: a score also has the price of many tries, which evidence has not. What was
+     * chosen is not always that of the largest evidence (a specific cause stands before one that
+     * can imitate others, a common one before what the data cannot tell from it).
+     *
+     * @param isOfVerdict whether the best is what the verdict names; else it is only what comes
+     *     nearest, and stands where its evidence has it
      */
-    static List<Ranked> of(Search.Found found) {
+    static List<Ranked> of(Search.Found found, boolean isOfVerdict) {
         List<Judged> fitted =
                 found.judged().stream()
                         .filter(j -> found.judged().stream().noneMatch(j::isBehind))
@@ -32,13 +35,13 @@ final class Ranking {
         }
         List<Ranked> ranked = new ArrayList<>();
         for (Judged judged : fitted) {
-            boolean isChosen = causes(judged).equals(causes(found.best()));
+            boolean isBest = causes(judged).equals(causes(found.best()));
             ranked.add(
-                    isChosen ? 0 : ranked.size(),
+                    isBest && isOfVerdict ? 0 : ranked.size(),
                     ranked(
                             judged,
                             StrictMath.exp(judged.logEvidence() - most) / sum,
-                            isChosen ? Optional.empty() : behind(judged, found)));
+                            isBest ? Optional.empty() : behind(judged, found)));
         }
         return ranked;
     }

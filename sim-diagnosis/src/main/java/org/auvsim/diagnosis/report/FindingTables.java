@@ -152,8 +152,13 @@ final class FindingTables {
                 new Table(
                         List.of("causes", "numbers", "log evidence", "probability"),
                         rows,
-                        "Natural logarithm of the evidence, less that of the set that was chosen,"
-                                + " which stands first: below about -5 a set can be ruled out."
+                        (of.verdict() == Verdict.UNEXPLAINED
+                                        ? "Natural logarithm of the evidence, less that of the"
+                                                + " set that has most. None of them explains the"
+                                                + " runs."
+                                        : "Natural logarithm of the evidence, less that of the"
+                                                + " set that was chosen, which stands first: below"
+                                                + " about -5 a set can be ruled out.")
                                 + (more > 0
                                         ? " diagnosis.json has %d more.".formatted(more)
                                         : "")));

@@ -50,20 +50,11 @@ final class IdentifiabilityTables {
                                 ? List.of("instead", "how close", "what the data does determine")
                                 : List.of("instead", "how close"),
                         rows,
-                        "Causes that explain the data about as well as " + chosen() + "."));
+                        "Causes that explain the data about as well as " + found() + "."));
     }
 
-    /** What others are compared with: what was found or, if that is nothing, the best tried. */
-    private String chosen() {
-        if (!of.selected().isEmpty()) {
-            return of.selected().stream().map(Finding::name).collect(Collectors.joining(" + "));
-        }
-        return of.ranked().stream()
-                .limit(1)
-                .filter(best -> !best.causes().isEmpty())
-                .map(best -> "the best that was tried, " + best.name())
-                .findFirst()
-                .orElse("the model as believed");
+    private String found() {
+        return of.selected().stream().map(Finding::name).collect(Collectors.joining(" + "));
     }
 
     List<Block> pairs() {

@@ -17,8 +17,10 @@ import java.util.TreeMap;
  * @param body the measured body's name
  * @param selected the causes found; none unless the verdict is {@link Verdict#EXPLAINED}
  * @param candidates how many causes were looked for
- * @param ranked sets of causes that were tried: what was chosen, then the others, the best first
- * @param alternatives that explain the data about as well, the most probable first
+ * @param ranked sets of causes that were tried: that of the verdict, if it has one, then the
+ *     others, those of most evidence first
+ * @param alternatives that explain the data about as well as those selected, the most probable
+ *     first
  * @param noise standard deviation of each channel that was measured
  * @param heldOut error on held-out runs by channel
  * @param horizons the same, by how far ahead is predicted

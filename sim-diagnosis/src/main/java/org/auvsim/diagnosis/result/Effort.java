@@ -24,7 +24,10 @@ public final class Effort {
         return form.formatted(of.candidates(), sets);
     }
 
-    /** Why sets with more evidence than what was chosen were not, if there are any. */
+    /**
+     * Why sets with more evidence than what was chosen were not, if there are any; where nothing
+     * was, why errors and residuals are not of them.
+     */
     public static Optional<String> behind(Diagnosis of) {
         Map<String, List<String>> byReason = new LinkedHashMap<>();
         for (Ranked set : of.ranked()) {
@@ -42,8 +45,25 @@ public final class Effort {
                                 .collect(
                                         Collectors.joining(
                                                 "; ",
-                                                "Not chosen despite higher evidence: ",
+                                                of.verdict() == Verdict.UNEXPLAINED
+                                                        ? ofNearest(of)
+                                                        : "Not chosen despite higher evidence: ",
                                                 ".")));
+    }
+
+    /** Where none of them explains the runs, what is left is told of the one that comes nearest. */
+    private static String ofNearest(Diagnosis of) {
+        return "Errors and residuals are those %s, despite higher evidence not with "
+                .formatted(
+                        of.ranked().stream()
+                                .filter(set -> set.behind().isEmpty())
+                                .findFirst()
+                                .map(
+                                        set ->
+                                                set.causes().isEmpty()
+                                                        ? "of the model as believed"
+                                                        : "with " + set.name())
+                                .orElseThrow());
     }
 
     private static String list(List<String> names) {

@@ -12,7 +12,9 @@ import java.util.Optional;
  * @param quantities the numbers of each cause
  * @param logEvidence natural logarithm, up to the same constant for all sets
  * @param probability among all sets that were tried
- * @param behind why it was not chosen, where its evidence is larger than that of what was
+ * @param behind why it was not chosen, where its evidence is larger than that of what was; where
+ *     nothing was, why errors and residuals are not told of it. The first without it is the one
+ *     that they are told of
  */
 public record Ranked(
         List<String> causes,

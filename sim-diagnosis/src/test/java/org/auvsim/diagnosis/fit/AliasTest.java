@@ -54,7 +54,7 @@ class AliasTest {
     /** Whoever sees it behind a set of less evidence is told why. */
     @Test
     void whatIsRankedBehindLessEvidenceSaysWhy() {
-        List<Ranked> ranked = Ranking.of(found);
+        List<Ranked> ranked = Ranking.of(found, true);
         double chosen = ranked.getFirst().logEvidence();
 
         assertThat(ranked.getFirst().behind()).isEmpty();
@@ -62,8 +62,8 @@ class AliasTest {
                 .allMatch(set -> set.behind().isPresent() == set.logEvidence() > chosen)
                 .anyMatch(set -> set.behind().isEmpty());
         Search.Found other = found.nothing();
-        assertThat(Ranking.of(other).getFirst().name()).isEqualTo("none");
-        assertThat(Ranking.of(other).get(1).behind())
+        assertThat(Ranking.of(other, true).getFirst().name()).isEqualTo("none");
+        assertThat(Ranking.of(other, true).get(1).behind())
                 .contains("held-out runs do not confirm it, or noise alone could gain as much");
     }
 
@@ -79,11 +79,24 @@ class AliasTest {
                         found.competitors(),
                         found.traces(),
                         found.noise());
-        List<Ranked> ranked = Ranking.of(other);
+        List<Ranked> ranked = Ranking.of(other, true);
 
-        assertThat(ranked).hasSameSizeAs(Ranking.of(found));
+        assertThat(ranked).hasSameSizeAs(Ranking.of(found, true));
         assertThat(ranked.subList(1, ranked.size()))
                 .isSortedAccordingTo(Comparator.comparingDouble(Ranked::logEvidence).reversed());
+    }
+
+    /** What explains nothing has no place of its own; which one errors are told of is seen. */
+    @Test
+    void whereNothingWasChosenMostEvidenceComesFirst() {
+        List<Ranked> ranked = Ranking.of(found.nothing(), false);
+
+        assertThat(ranked)
+                .isSortedAccordingTo(Comparator.comparingDouble(Ranked::logEvidence).reversed());
+        assertThat(ranked.getFirst().causes()).isNotEmpty();
+        assertThat(ranked.stream().filter(set -> set.behind().isEmpty()).findFirst())
+                .map(Ranked::name)
+                .contains("none");
     }
 
     @Test

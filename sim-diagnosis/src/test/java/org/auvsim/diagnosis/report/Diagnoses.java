@@ -370,16 +370,12 @@ final class Diagnoses {
         return with(of, of.body(), of.ranked(), horizons, of.nextExperiment(), of.isComplete());
     }
 
-    /** The same where linear drag was the best that was tried, though it was not believed. */
-    static Diagnosis rivalled(Diagnosis of, Alternative other) {
-        return with(
-                of,
-                of.body(),
-                of.ranked().subList(1, of.ranked().size()),
-                List.of(other),
-                of.horizons(),
-                of.nextExperiment(),
-                of.isComplete());
+    /** The same, a set having more evidence than that which errors are told of. */
+    static Diagnosis overtaken(Diagnosis of, String reason) {
+        List<Ranked> sets = new ArrayList<>(of.ranked());
+        sets.addFirst(
+                new Ranked(List.of("magnetic"), List.of(List.of()), 0, 0, Optional.of(reason)));
+        return with(of, of.body(), sets, of.horizons(), of.nextExperiment(), of.isComplete());
     }
 
     /** The same, its held-out runs used for the search, too. */
@@ -420,17 +416,6 @@ final class Diagnoses {
             List<HorizonGain> horizons,
             Optional<NextExperiment> next,
             boolean isComplete) {
-        return with(of, body, ranked, of.alternatives(), horizons, next, isComplete);
-    }
-
-    private static Diagnosis with(
-            Diagnosis of,
-            String body,
-            List<Ranked> ranked,
-            List<Alternative> alternatives,
-            List<HorizonGain> horizons,
-            Optional<NextExperiment> next,
-            boolean isComplete) {
         return new Diagnosis(
                 of.verdict(),
                 of.sentence(),
@@ -438,7 +423,7 @@ final class Diagnoses {
                 of.selected(),
                 of.candidates(),
                 ranked,
-                alternatives,
+                of.alternatives(),
                 of.noise(),
                 of.heldOut(),
                 horizons,

@@ -208,14 +208,17 @@ class ReportTest {
                                 + "<td class=\"words\">mass / thruster gain = 1.20</td>");
     }
 
-    /** They are compared with the best that was tried: the model as believed explains nothing. */
+    /** Sets of more evidence than the one that errors are told of stand before it. */
     @Test
-    void alternativesOfTheUnexplainedAreThoseOfTheBestThatWasTried() throws IOException {
-        Alternative other = new Alternative(List.of("mass_error"), false, "");
-        assertThat(page(Diagnoses.rivalled(Diagnoses.unexplained(), other)))
+    void whereNothingExplainsThePageSaysWhatItsErrorsAreOf() throws IOException {
+        String page = page(Diagnoses.overtaken(Diagnoses.unexplained(), "its gain is too small"));
+
+        assertThat(page)
                 .contains(
-                        "Causes that explain the data about as well as the best that was tried,"
-                                + " linear_drag.");
+                        "Errors and residuals are those of the model as believed, despite higher"
+                                + " evidence not with magnetic (its gain is too small).",
+                        "less that of the set that has most. None of them explains the runs.")
+                .doesNotContain("Not chosen", "which stands first");
     }
 
     @Test

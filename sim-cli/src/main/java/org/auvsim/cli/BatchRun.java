@@ -9,6 +9,8 @@ import org.auvsim.core.world.WorldException;
 import java.util.Locale;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** A world that runs on its own, as fast as it can. */
 final class BatchRun {
@@ -63,25 +65,35 @@ final class BatchRun {
         return (world.time() - startTime) / elapsed();
     }
 
-    /** What has been done, in a line. */
+    /** What has been done, in a line; of what seldom comes about only what did. */
     String summary() {
         StepStatistics done = world.statistics();
         return String.format(
-                Locale.ROOT,
-                "%d steps: %.6g s of world time in %.3g s, %.3g times real time; %d collisions,"
-                        + " %d events, %d sub-steps, %d contacts held, %d quick hits,"
-                        + " %d crowded hits, %d lowered hits, %d islands unsolved",
-                steps,
-                world.time() - startTime,
-                elapsed(),
-                timesRealTime(),
-                collisions,
-                done.events(),
-                done.subSteps(),
-                done.heldPairs(),
-                done.quickHits(),
-                done.crowdedHits(),
-                done.loweredHits(),
-                done.unsolvedIslands());
+                        Locale.ROOT,
+                        "%d steps: %.6g s of world time in %.3g s, %.3g times real time; %s",
+                        steps,
+                        world.time() - startTime,
+                        elapsed(),
+                        timesRealTime(),
+                        collisions == 0 ? "no collisions" : counted(collisions, "collision"))
+                + Stream.of(
+                                counted(done.events(), "event"),
+                                counted(done.subSteps(), "sub-step"),
+                                counted(done.heldPairs(), "contact", " held"),
+                                counted(done.quickHits(), "quick hit"),
+                                counted(done.crowdedHits(), "crowded hit"),
+                                counted(done.loweredHits(), "lowered hit"),
+                                counted(done.unsolvedIslands(), "island", " unsolved"))
+                        .filter(count -> !count.startsWith("0 "))
+                        .map(", "::concat)
+                        .collect(Collectors.joining());
+    }
+
+    private static String counted(long count, String one) {
+        return counted(count, one, "");
+    }
+
+    private static String counted(long count, String one, String how) {
+        return "%d %s%s%s".formatted(count, one, count == 1 ? "" : "s", how);
     }
 }

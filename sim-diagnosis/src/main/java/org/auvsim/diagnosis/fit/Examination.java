@@ -204,7 +204,7 @@ public final class Examination {
                 new Menu(best.fit(), found.noise()).next(best, found.competitors()),
                 found.traces().identifiability(best.fit().hypothesis().causes()),
                 extended(isExplained ? best.fit().variant() : model.variant(), selected),
-                new Notices(model, fit, heldOut).of(found, verdict, foretold),
+                new Notices(model, fit, heldOut).of(found, after, verdict, foretold),
                 seed,
                 course.goesOn());
     }

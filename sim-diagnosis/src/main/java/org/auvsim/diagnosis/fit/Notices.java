@@ -37,8 +37,12 @@ final class Notices {
         all.addAll(heldOut);
     }
 
-    /** Steps that follow data which no model fits tell of that data, not of the scenario. */
-    List<String> of(Search.Found found, Verdict verdict, Foretold foretold) {
+    /**
+     * Steps that follow data which no model fits tell of that data, not of the scenario.
+     *
+     * @param heldOut what was found on the runs that judge
+     */
+    List<String> of(Search.Found found, Judged heldOut, Verdict verdict, Foretold foretold) {
         List<String> notices = new ArrayList<>(overruled());
         boolean isTested = !foretold.gains().isEmpty();
         if (verdict == Verdict.EXPLAINED && isTested && !foretold.isBetter()) {
@@ -64,6 +68,7 @@ final class Notices {
         if (verdict != Verdict.EXPLAINED) {
             all.forEach(run -> StatedStarts.notice(run, found.noise()).ifPresent(notices::add));
         }
+        notices.addAll(new NoisierRuns(found.best(), heldOut).notices());
         for (Misses of : Misses.of(all, found.noise())) {
             HeavyTails.notice(of.run(), of.rows(), found.noise()).ifPresent(notices::add);
         }

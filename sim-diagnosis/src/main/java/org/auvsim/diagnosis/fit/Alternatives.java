@@ -6,7 +6,6 @@ import org.auvsim.diagnosis.result.Alternative;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 
 /** Other sets of causes that explain the runs about as well as the best. */
@@ -22,9 +21,6 @@ final class Alternatives {
      * more likely a common cause is than another one before anything was measured.
      */
     private static final double POSITIVE = 2;
-
-    /** Factors nearer to each other are one and the same. */
-    private static final double ALIKE = 0.05;
 
     private Alternatives() {}
 
@@ -123,11 +119,11 @@ final class Alternatives {
         return sum;
     }
 
-    /** What both have in common, in words. */
+    /** What may be instead of each other, where each has one number of its own; else empty. */
     private static String determined(Hypothesis best, Hypothesis other) {
         Optional<Amount> a = onlyOne(best, other);
         Optional<Amount> b = onlyOne(other, best);
-        return a.isPresent() && b.isPresent() ? relation(a.get(), b.get()) : "";
+        return a.isPresent() && b.isPresent() ? Barter.words(a.get(), b.get()) : "";
     }
 
     /** The number of the causes that the other hypothesis has not, if it is only one. */
@@ -141,37 +137,5 @@ final class Alternatives {
         return own.getFirst().quantities(theta).size() == 1
                 ? Optional.of(Amount.of(own.getFirst(), theta, 0))
                 : Optional.empty();
-    }
-
-    /**
-     * What stays the same when some of one amount is replaced by some of the other, where either
-     * alone explains the runs: {@code a + 2 b = 3 N}. Of each counts what it is beyond that which
-     * changes nothing.
-     */
-    static String relation(Amount a, Amount b) {
-        String one = a.of().name();
-        String other = b.of().name();
-        if (a.isFactor() && b.isFactor()) {
-            if (areAlike(a.of().value() * b.of().value(), 1)) {
-                return String.format(Locale.ROOT, "%s / %s = %.3g", one, other, a.of().value());
-            }
-            if (areAlike(a.of().value(), b.of().value())) {
-                return String.format(Locale.ROOT, "%s * %s = %.3g", one, other, a.of().value());
-            }
-        }
-        double rate = a.excess() / b.excess();
-        return String.format(
-                Locale.ROOT,
-                "%s %s %.3g %s = %.3g%s",
-                a.term(),
-                rate < 0 ? "-" : "+",
-                Math.abs(rate),
-                b.term(),
-                a.excess(),
-                a.unitText());
-    }
-
-    private static boolean areAlike(double a, double b) {
-        return Math.abs(a - b) < ALIKE * Math.abs(b);
     }
 }

@@ -2,23 +2,30 @@ package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Quantity;
-
-import java.util.Locale;
+import org.auvsim.diagnosis.result.Numbers;
 
 /**
- * A number of a cause, and what it is where the cause leaves the model as it is.
+ * A number of a cause, under a name for people, and what it is where the cause leaves the model as
+ * it is.
  *
  * @param neutral 1 of a factor, what the model has of a restitution
  */
 record Amount(Quantity of, double neutral) {
     private static final String PURE = "1";
+    private static final int DIGITS = 3;
 
-    /** The so many-th number of a cause, under its name. */
+    /** The so many-th number of a cause. */
     static Amount of(Cause cause, double[] theta, int number) {
         Quantity told = cause.quantities(theta).get(number);
         double neutral = cause.quantities(new double[theta.length]).get(number).value();
-        return new Amount(
-                new Quantity(cause.name() + " " + told.name(), told.unit(), told.value()), neutral);
+        return new Amount(new Quantity(name(cause, told), told.unit(), told.value()), neutral);
+    }
+
+    /** {@code thruster gain (port) factor}; a delay of {@code sensor_delay} is named once. */
+    private static String name(Cause cause, Quantity told) {
+        String id = cause.id().replace('_', ' ');
+        String named = id + cause.subject().map(" (%s)"::formatted).orElse("");
+        return id.endsWith(" " + told.name()) ? named : named + " " + told.name();
     }
 
     /** Beyond that which changes nothing. */
@@ -31,19 +38,24 @@ record Amount(Quantity of, double neutral) {
         return neutral == 1 && of.unit().equals(PURE);
     }
 
-    /** Its excess in words. */
-    String term() {
-        return neutral == 0 ? of.name() : "(%s - %s)".formatted(of.name(), text(neutral));
+    /** Whether it and another one can be added: both of the same unit, and 0 for nothing. */
+    boolean isAddedTo(Amount other) {
+        return neutral == 0 && other.neutral == 0 && of.unit().equals(other.of.unit());
     }
 
-    /** A space and the unit; nothing after pure numbers. */
-    String unitText() {
-        return of.unit().equals(PURE) ? "" : " " + of.unit();
-    }
-
-    private static String text(double value) {
-        return value == Math.rint(value)
-                ? String.valueOf((long) value)
-                : String.format(Locale.ROOT, "%.3g", value);
+    /** In words: {@code a clock offset of 0.700 s}. */
+    String words() {
+        String unit = of.unit().equals(PURE) ? "" : " " + of.unit();
+        String otherwise =
+                neutral == 0 || isFactor()
+                        ? ""
+                        : " instead of " + Numbers.rounded(neutral, DIGITS) + unit;
+        return "%s %s of %s%s%s"
+                .formatted(
+                        "aeio".indexOf(of.name().charAt(0)) < 0 ? "a" : "an",
+                        of.name(),
+                        Numbers.rounded(of.value(), DIGITS),
+                        unit,
+                        otherwise);
     }
 }

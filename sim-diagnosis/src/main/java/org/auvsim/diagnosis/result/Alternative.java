@@ -7,7 +7,8 @@ import java.util.List;
  *
  * @param causes names as {@link Finding#name}
  * @param isIndistinguishable whether no amount of such data could tell them apart
- * @param determined what the data does determine, in words: {@code mass / thruster gain = 1.20}
+ * @param determined what the data leaves possible, in words, as {@code a sensor delay of 0.700 s,
+ *     or a clock offset of 0.700 s, or parts of both: only their sum is told}; or empty
  */
 public record Alternative(List<String> causes, boolean isIndistinguishable, String determined) {
     /** The list cannot be changed. */

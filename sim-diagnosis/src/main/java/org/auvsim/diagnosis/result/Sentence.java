@@ -165,7 +165,7 @@ public final class Sentence {
                                 ? ""
                                 : ", and %d more set%s of causes"
                                         .formatted(more, more == 1 ? "" : "s"),
-                        determined.isEmpty() ? "" : "; it determines " + determined);
+                        determined.isEmpty() ? "" : "; it could be " + determined);
     }
 
     /** Nothing is wrong that shows. */

@@ -215,7 +215,8 @@ class SentenceTest {
     void whatTheDataCannotTellApart() {
         Finding mass =
                 found("mass_error", List.of(new Quantity("factor", "1", 1.2)), List.of(0.004));
-        Alternative gain = new Alternative(List.of("thruster_gain"), true, "mass / gain = 1.20");
+        Alternative gain =
+                new Alternative(List.of("thruster_gain"), true, "mass 1.20, or gain 0.83");
         Alternative worse = new Alternative(List.of("magnus"), false, "");
         assertThat(sentence.explained(List.of(mass), 0.9, List.of(gain, worse)))
                 .startsWith(
@@ -223,7 +224,7 @@ class SentenceTest {
                                 + " 90.0 %")
                 .endsWith(
                         "; this data cannot tell apart: the mass is wrong, or the thrust of all"
-                                + " thrusters is wrong; it determines mass / gain = 1.20");
+                                + " thrusters is wrong; it could be mass 1.20, or gain 0.83");
     }
 
     /** The page lists them all. */

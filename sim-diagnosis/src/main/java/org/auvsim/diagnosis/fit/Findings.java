@@ -39,7 +39,9 @@ final class Findings {
                     new Finding(
                             cause.id(),
                             cause.subject(),
-                            cause.quantities(hypothesis.theta().get(c)),
+                            deviations.get(c).isEmpty()
+                                    ? Told.of(cause, hypothesis.theta().get(c))
+                                    : cause.quantities(hypothesis.theta().get(c)),
                             deviations.get(c),
                             share(found.none(), without, best),
                             !cause.in(believed, hypothesis.theta().get(c)).movesAs(believed));

@@ -85,7 +85,7 @@ final class Ranking {
         List<List<Quantity>> quantities = new ArrayList<>();
         for (int c = 0; c < of.causes().size(); c++) {
             names.add(of.causes().get(c).label());
-            quantities.add(of.causes().get(c).quantities(of.theta().get(c)));
+            quantities.add(Told.of(of.causes().get(c), of.theta().get(c)));
         }
         return new Ranked(names, quantities, judged.logEvidence(), probability, behind);
     }

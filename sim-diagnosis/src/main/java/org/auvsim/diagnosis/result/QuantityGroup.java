@@ -13,6 +13,7 @@ import java.util.stream.IntStream;
  *
  * @param name of the number or of the vector
  * @param unit 1 for pure numbers
+ * @param values NaN of what is not determined, where no deviations tell of that
  * @param deviations standard deviations of the values, NaN of what leaves no trace; empty if none
  *     can be stated
  */
@@ -91,7 +92,7 @@ public record QuantityGroup(
                 IntStream.range(0, values.size())
                         .mapToObj(this::text)
                         .collect(Collectors.joining(", "));
-        return (isVector ? "(" + numbers + ")" : numbers) + unitText();
+        return (isVector ? "(" + numbers + ")" : numbers) + (isAnyDetermined() ? unitText() : "");
     }
 
     /** The deviations, NaN of values that are not determined; empty if none can be stated. */
@@ -102,15 +103,21 @@ public record QuantityGroup(
     }
 
     private String text(int i) {
-        if (deviations.isEmpty()) {
-            return Numbers.uncertain(values.get(i), Double.NaN);
+        if (!isDetermined(i)) {
+            return "not determined";
         }
-        return isDetermined(i)
-                ? Numbers.uncertain(values.get(i), deviations.get(i))
-                : "not determined";
+        return Numbers.uncertain(
+                values.get(i), deviations.isEmpty() ? Double.NaN : deviations.get(i));
+    }
+
+    private boolean isAnyDetermined() {
+        return IntStream.range(0, values.size()).anyMatch(this::isDetermined);
     }
 
     private boolean isDetermined(int i) {
+        if (deviations.isEmpty()) {
+            return !Double.isNaN(values.get(i));
+        }
         double deviation = deviations.get(i);
         boolean isAnyAngle = unit.equals("rad") && deviation > Math.PI;
         return Double.isFinite(deviation) && deviation <= FAR * largest() && !isAnyAngle;

@@ -9,7 +9,7 @@ import java.util.Optional;
  * A set of causes that was tried; the empty one is the model as it is believed.
  *
  * @param causes names as {@link Finding#name}
- * @param quantities the numbers of each cause
+ * @param quantities the numbers of each cause, NaN of what the data does not determine
  * @param logEvidence natural logarithm, up to the same constant for all sets
  * @param probability among all sets that were tried
  * @param behind why it was not chosen, where its evidence is larger than that of what was; where

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.result.Ranked;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -97,6 +98,21 @@ class AliasTest {
         assertThat(ranked.stream().filter(set -> set.behind().isEmpty()).findFirst())
                 .map(Ranked::name)
                 .contains("none");
+    }
+
+    /** Of the cart only the way ahead is measured. */
+    @Test
+    void whatTheDataDoesNotDetermineHasNoNumber() {
+        List<Quantity> current =
+                Ranking.of(found, true).stream()
+                        .filter(set -> set.causes().contains("current_constant"))
+                        .map(set -> set.quantities().get(set.causes().indexOf("current_constant")))
+                        .findFirst()
+                        .orElseThrow();
+
+        assertThat(current).extracting(Quantity::name).containsExactly("u.x", "u.y", "u.z");
+        assertThat(current.stream().map(of -> Double.isNaN(of.value())))
+                .containsExactly(false, true, true);
     }
 
     @Test

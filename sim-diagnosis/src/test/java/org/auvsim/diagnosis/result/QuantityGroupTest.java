@@ -34,14 +34,21 @@ class QuantityGroupTest {
                         new QuantityGroup("u", "m/s", true, List.of(0.12, 0.0, 0.0), deviations)
                                 .toldDeviations())
                 .isEqualTo(deviations);
-        assertThat(text(List.of(0.1), List.of(Double.NaN))).isEqualTo("not determined m/s");
+        assertThat(text(List.of(0.1), List.of(Double.NaN))).isEqualTo("not determined");
+    }
+
+    /** Of what explains nothing no deviations are known. */
+    @Test
+    void withoutDeviationsNoNumberIsToldOfWhatIsNone() {
+        assertThat(text(List.of(0.12, Double.NaN, Double.NaN), List.of()))
+                .isEqualTo("(0.120, not determined, not determined) m/s");
     }
 
     /** A phase at the world's time 0, of a swing that was seen long after that. */
     @Test
     void anAngleThatMayBeAnyIsNotTold() {
         assertThat(phase(2.9)).isEqualTo("1 +- 3 rad");
-        assertThat(phase(3.2)).isEqualTo("not determined rad");
+        assertThat(phase(3.2)).isEqualTo("not determined");
     }
 
     private static String phase(double deviation) {

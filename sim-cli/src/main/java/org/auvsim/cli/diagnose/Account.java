@@ -27,8 +27,10 @@ public final class Account {
         if (!ranked.isEmpty() && !diagnosis.isUntried()) {
             lines.add("");
             lines.add(Effort.words(diagnosis) + ".");
-            lines.add("");
-            addRanking(ranked, lines);
+            if (Effort.isRanked(diagnosis)) {
+                lines.add("");
+                addRanking(ranked, lines);
+            }
             Effort.behind(diagnosis)
                     .ifPresent(
                             reasons -> {

@@ -21,6 +21,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 
@@ -39,6 +40,9 @@ final class Traces {
 
     /** A cause a hundred times its telling size that stays below noise leaves no trace. */
     private static final double UNSEEN = 0.01;
+
+    /** What its telling size leaves below this (in standard deviations) is rounding. */
+    private static final double ROUNDING = 1e-9;
 
     /** What would have to be so many times its telling size hardly shows. */
     private static final double MOST_SCALES = 100;
@@ -73,11 +77,13 @@ final class Traces {
     /** What is confused with the causes that were found, and what could not have been seen. */
     Identifiability identifiability(List<Cause> found) {
         Map<List<Cause>, Confusion> confusions = new LinkedHashMap<>();
-        for (Seed seed : seeds) {
+        List<Seed> telling =
+                seeds.stream().filter(s -> s.cause().isAmong(found) || leaves(s, UNSEEN)).toList();
+        for (Seed seed : telling) {
             if (!found.isEmpty() && !seed.cause().isAmong(found)) {
                 continue;
             }
-            for (Seed other : seeds) {
+            for (Seed other : telling) {
                 boolean isOnce = other.cause().isAmong(found) || found.isEmpty();
                 if (other.cause().equals(seed.cause())
                         || (isOnce && other.first() < seed.first())) {
@@ -102,7 +108,14 @@ final class Traces {
                         .sorted(Comparator.comparingDouble(Confusion::angle))
                         .limit(MOST)
                         .toList();
-        return new Identifiability(pairs, unseen(), smallest());
+        Set<Cause> seen = leaving(UNSEEN);
+        Set<Cause> observable = leaving(ROUNDING);
+        seen.addAll(found);
+        return new Identifiability(
+                pairs,
+                labels(cause -> observable.contains(cause) && !cause.isAmong(List.copyOf(seen))),
+                labels(cause -> !observable.contains(cause) && !cause.isAmong(List.copyOf(seen))),
+                smallest());
     }
 
     /**
@@ -175,27 +188,23 @@ final class Traces {
         return new int[0];
     }
 
-    /** Labels of causes none of whose guesses leaves a trace. */
-    private List<String> unseen() {
-        Set<Cause> seen = new HashSet<>();
-        for (Seed seed : seeds) {
-            if (isSeen(seed)) {
-                seen.add(seed.cause());
-            }
-        }
-        return seeds.stream()
-                .map(Seed::cause)
-                .distinct()
-                .filter(cause -> !seen.contains(cause))
-                .map(Cause::label)
-                .toList();
+    private List<String> labels(Predicate<Cause> which) {
+        return seeds.stream().map(Seed::cause).distinct().filter(which).map(Cause::label).toList();
     }
 
-    private boolean isSeen(Seed seed) {
+    /** Causes some guess of which leaves more than so many standard deviations. */
+    private Set<Cause> leaving(double trace) {
+        Set<Cause> leaving = new HashSet<>();
+        seeds.stream().filter(s -> leaves(s, trace)).map(Seed::cause).forEach(leaving::add);
+        return leaving;
+    }
+
+    /** Whether a number at its telling size leaves more than so many standard deviations. */
+    private boolean leaves(Seed seed, double trace) {
         for (int c = 0; c < seed.columns().length; c++) {
             int p = seed.guess().columns().get(c);
             double scale = seed.cause().parameters().get(p).scale();
-            if (gram.norm(seed.columns()[c]) * scale > UNSEEN) {
+            if (gram.norm(seed.columns()[c]) * scale > trace) {
                 return true;
             }
         }

@@ -133,6 +133,16 @@ final class FindingTables {
         if (of.ranked().isEmpty() || of.isUntried()) {
             return List.of();
         }
+        List<Block> blocks = new ArrayList<>();
+        blocks.add(new Text(Effort.words(of) + "."));
+        if (Effort.isRanked(of)) {
+            blocks.add(sets());
+        }
+        Effort.behind(of).map(Text::new).ifPresent(blocks::add);
+        return blocks;
+    }
+
+    private Table sets() {
         double best = of.ranked().getFirst().logEvidence();
         List<List<String>> rows = new ArrayList<>();
         for (Ranked ranked : of.ranked().subList(0, Math.min(MOST_RANKED, of.ranked().size()))) {
@@ -146,24 +156,18 @@ final class FindingTables {
                             Numbers.probability(ranked.probability())));
         }
         int more = of.ranked().size() - rows.size();
-        List<Block> blocks = new ArrayList<>();
-        blocks.add(new Text(Effort.words(of) + "."));
-        blocks.add(
-                new Table(
-                        List.of("causes", "numbers", "log evidence", "probability"),
-                        rows,
-                        (of.verdict() == Verdict.UNEXPLAINED
-                                        ? "Natural logarithm of the evidence, less that of the"
-                                                + " set that has most. None of them explains the"
-                                                + " runs."
-                                        : "Natural logarithm of the evidence, less that of the"
-                                                + " set that was chosen, which stands first: below"
-                                                + " about -5 a set can be ruled out.")
-                                + (more > 0
-                                        ? " diagnosis.json has %d more.".formatted(more)
-                                        : "")));
-        Effort.behind(of).map(Text::new).ifPresent(blocks::add);
-        return blocks;
+        return new Table(
+                List.of("causes", "numbers", "log evidence", "probability"),
+                rows,
+                evidence() + (more > 0 ? " diagnosis.json has %d more.".formatted(more) : ""));
+    }
+
+    private String evidence() {
+        return of.verdict() == Verdict.UNEXPLAINED
+                ? "Natural logarithm of the evidence, less that of the set that has most. None of"
+                        + " them explains the runs."
+                : "Natural logarithm of the evidence, less that of the set that was chosen, which"
+                        + " stands first: below about -5 a set can be ruled out.";
     }
 
     private String numbers(Ranked ranked) {

@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** What the data can tell apart, and what it cannot. */
 final class IdentifiabilityTables {
@@ -47,7 +48,7 @@ final class IdentifiabilityTables {
         return List.of(
                 new Table(
                         isAnyDetermined
-                                ? List.of("instead", "how close", "what the data does determine")
+                                ? List.of("instead", "how close", "what it could be")
                                 : List.of("instead", "how close"),
                         rows,
                         "Causes that explain the data about as well as " + found() + "."));
@@ -91,13 +92,21 @@ final class IdentifiabilityTables {
     }
 
     List<Block> unseen() {
-        List<String> unseen = of.identifiability().unseen();
-        return unseen.isEmpty()
-                ? List.of()
-                : List.of(
-                        new Text(
-                                "Unless they are very strong, these leave no trace in this data: %s."
-                                        .formatted(String.join(", ", unseen))));
+        return Stream.concat(
+                        words(
+                                "Unless they are very strong, these leave no trace in this data",
+                                of.identifiability().unseen()),
+                        words(
+                                "These change nothing that was measured: what they do is held, was"
+                                        + " not measured, or does not come about in these runs",
+                                of.identifiability().unobservable()))
+                .toList();
+    }
+
+    private static Stream<Block> words(String what, List<String> causes) {
+        return causes.isEmpty()
+                ? Stream.empty()
+                : Stream.of(new Text("%s: %s.".formatted(what, String.join(", ", causes))));
     }
 
     List<Block> smallest() {

@@ -13,15 +13,27 @@ public final class Effort {
 
     private Effort() {}
 
-    /** In words: {@code Causes looked for: 62; sets of them that were fitted: 23}. */
+    /**
+     * In words: {@code Causes looked for: 62; sets of them that were fitted: 23}. What promises no
+     * more than noise would is not fitted.
+     */
     public static String words(Diagnosis of) {
         long sets = of.ranked().stream().filter(set -> !set.causes().isEmpty()).count();
+        if (of.isComplete() && sets == 0) {
+            return "Causes looked for: %d; none of them promised enough to be fitted"
+                    .formatted(of.candidates());
+        }
         String form =
                 of.isComplete()
                         ? "Causes looked for: %d; sets of them that were fitted: %d"
                         : "Causes to be looked for: %d; sets of them that were fitted before the"
                                 + " search was stopped: %d";
         return form.formatted(of.candidates(), sets);
+    }
+
+    /** Whether sets of causes were tried beside the model as it is believed: else nothing ranks. */
+    public static boolean isRanked(Diagnosis of) {
+        return of.ranked().stream().anyMatch(set -> !set.causes().isEmpty());
     }
 
     /**

@@ -7,9 +7,15 @@ import java.util.List;
  *
  * @param pairs causes whose traces in the data are nearly the same
  * @param unseen causes that leave no trace in this data unless they are very strong
+ * @param unobservable causes that change nothing of what was measured: what they do is held by a
+ *     mount, was not measured, or does not come about
  * @param smallest what would hardly have been missed of the others
  */
-public record Identifiability(List<Confusion> pairs, List<String> unseen, List<Smallest> smallest) {
+public record Identifiability(
+        List<Confusion> pairs,
+        List<String> unseen,
+        List<String> unobservable,
+        List<Smallest> smallest) {
     /**
      * Two causes and the angle (degrees) between their traces: 90 apart, 0 the same.
      *
@@ -36,6 +42,7 @@ public record Identifiability(List<Confusion> pairs, List<String> unseen, List<S
     public Identifiability {
         pairs = List.copyOf(pairs);
         unseen = List.copyOf(unseen);
+        unobservable = List.copyOf(unobservable);
         smallest = List.copyOf(smallest);
     }
 }

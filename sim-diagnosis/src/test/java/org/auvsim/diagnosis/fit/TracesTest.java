@@ -11,6 +11,7 @@ import org.auvsim.diagnosis.result.Identifiability;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.junit.jupiter.api.Test;
 
+import java.util.Arrays;
 import java.util.List;
 
 /** A motor that fails soon after the beginning leaves nearly the trace of one that is weak. */
@@ -72,6 +73,56 @@ class TracesTest {
         assertThat(told.smallest())
                 .extracting(Identifiability.Smallest::parameter)
                 .containsExactlyInAnyOrder("factor", "c", "factor");
+    }
+
+    /** Upwards nothing was measured. */
+    @Test
+    void aCauseIsInOneListOnly() throws Exception {
+        Cause weight = CART.cause("buoyancy_weight");
+        Cause gain = CART.cause("thruster_gain");
+        Cause mass = CART.cause("mass_error");
+        Cause faint = new Faint(gain);
+        Fit fit = CART.fit(Hypothesis.NONE).whole();
+
+        Identifiability told =
+                new Screen(
+                                fit,
+                                List.of(weight, faint, gain, mass),
+                                guesses(weight, faint, gain, mass),
+                                fit.outcome())
+                        .traces()
+                        .identifiability(List.of());
+
+        assertThat(told.unobservable()).containsExactly("buoyancy_weight");
+        assertThat(told.unseen()).containsExactly("faint");
+        assertThat(told.pairs())
+                .extracting(Identifiability.Confusion::first, Identifiability.Confusion::second)
+                .containsExactly(tuple("thruster_gain (motor)", "mass_error"));
+    }
+
+    /** One that does next to nothing, but that like another one. */
+    private record Faint(Cause cause) implements Cause {
+        private static final double SHARE = 1e-7;
+
+        @Override
+        public String id() {
+            return "faint";
+        }
+
+        @Override
+        public List<Parameter> parameters() {
+            return cause.parameters();
+        }
+
+        @Override
+        public Variant in(Variant model, double[] theta) {
+            return cause.in(model, Arrays.stream(theta).map(t -> SHARE * t).toArray());
+        }
+
+        @Override
+        public List<Guess> guesses(List<MeasuredRun> runs) {
+            return cause.guesses(runs);
+        }
     }
 
     /** One that has its name with others in common. */

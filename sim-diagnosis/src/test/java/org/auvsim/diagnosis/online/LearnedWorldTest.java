@@ -98,7 +98,7 @@ class LearnedWorldTest {
                 Optional.empty(),
                 Optional.empty(),
                 Optional.empty(),
-                new Identifiability(List.of(), List.of(), List.of()),
+                new Identifiability(List.of(), List.of(), List.of(), List.of()),
                 extended,
                 List.of(),
                 1,

@@ -308,6 +308,7 @@ final class Diagnoses {
                         List.of(
                                 new Confusion("quadratic_drag", "k", "linear_drag", "c", 11.2),
                                 new Confusion("mass_error", "factor", "added_mass", "m.x", 0.4)),
+                        List.of("magnus"),
                         List.of("restitution", "contact_friction"),
                         List.of(new Smallest("mass_error", "factor", "1", 0.0123))),
                 extended,

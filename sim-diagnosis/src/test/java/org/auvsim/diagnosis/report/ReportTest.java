@@ -101,7 +101,9 @@ class ReportTest {
                         ">magnus</td>",
                         ">s = 8.10 kg</td><td>minus infinity</td><td>&lt; 0.1 %</td>",
                         "What this data can tell apart",
-                        "Unless they are very strong",
+                        "Unless they are very strong, these leave no trace in this data: magnus.",
+                        "These change nothing that was measured",
+                        ": restitution, contact_friction.",
                         "What could have been missed",
                         "<td>0.012</td>",
                         "What to measure next",
@@ -206,6 +208,15 @@ class ReportTest {
                 .contains(
                         ">thruster_gain</td><td class=\"words\">indistinguishable in such data</td>"
                                 + "<td class=\"words\">mass / thruster gain = 1.20</td>");
+    }
+
+    @Test
+    void whereNoSetWasFittedThereIsNothingToRank() throws IOException {
+        assertThat(page(Diagnoses.untried(Diagnoses.none())))
+                .contains(
+                        "<p>Causes looked for: 62; none of them promised enough to be"
+                                + " fitted.</p>")
+                .doesNotContain("<th>log evidence</th>");
     }
 
     /** Sets of more evidence than the one that errors are told of stand before it. */

@@ -68,10 +68,10 @@ final class Ranking {
             return "held-out runs do not confirm it, or noise alone could gain as much";
         }
         if (of.isGeneric() && !best.isGeneric()) {
-            return "it can imitate other causes; the chosen set cannot";
+            return "it can imitate other causes";
         }
         if (Alternatives.areSame(other, chosen)) {
-            return "it predicts the same within the noise, and the chosen cause is more common";
+            return "it predicts the same within the noise, and its cause is less common";
         }
         if (chosen.isWhite() && !other.isWhite()) {
             return "its residuals are more than noise";

@@ -98,7 +98,8 @@ final class Alternatives {
         return new Alternative(
                 other.fit().hypothesis().causes().stream().map(Cause::label).toList(),
                 isSame,
-                isSame ? determined(best.fit().hypothesis(), other.fit().hypothesis()) : "");
+                isSame ? determined(best.fit().hypothesis(), other.fit().hypothesis()) : "",
+                isSame ? new Unmeasured(best, other).words() : "");
     }
 
     /** Whether two models predict the same of the runs, within their noise. */

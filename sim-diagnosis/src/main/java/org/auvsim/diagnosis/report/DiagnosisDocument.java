@@ -60,7 +60,8 @@ record DiagnosisDocument(
             List<Map<String, Object>> params,
             Optional<String> behind) {}
 
-    record AlternativePart(List<String> names, boolean indistinguishable, String determined) {}
+    record AlternativePart(
+            List<String> names, boolean indistinguishable, String determined, String otherSensor) {}
 
     /** Errors so far ahead (s). */
     record HorizonPart(double ahead, Map<String, Gain> errors) {}

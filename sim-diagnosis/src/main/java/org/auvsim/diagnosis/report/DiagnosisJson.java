@@ -86,7 +86,8 @@ final class DiagnosisJson {
                                         new AlternativePart(
                                                 a.causes(),
                                                 a.isIndistinguishable(),
-                                                a.determined()))
+                                                a.determined(),
+                                                a.otherSensor()))
                         .toList(),
                 byName(of.noise()),
                 position.map(Gain::before),

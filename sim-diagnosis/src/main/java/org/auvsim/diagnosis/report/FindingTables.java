@@ -32,6 +32,7 @@ import java.util.stream.Stream;
 /** What was found and tried, as tables. */
 final class FindingTables {
     private static final int MOST_RANKED = 20;
+    private static final int MOST_SENSORS = 3;
 
     private final Diagnosis of;
     private final Moments moments;
@@ -178,7 +179,20 @@ final class FindingTables {
     }
 
     List<Block> next() {
-        return List.of(of.nextExperiment().map(FindingTables::next).orElseGet(this::noNext));
+        Block run = of.nextExperiment().map(FindingTables::next).orElseGet(this::noNext);
+        return Stream.concat(Stream.of(run), otherSensors().limit(MOST_SENSORS)).toList();
+    }
+
+    private Stream<Block> otherSensors() {
+        return of.alternatives().stream()
+                .filter(alternative -> !alternative.otherSensor().isEmpty())
+                .map(
+                        alternative ->
+                                new Text(
+                                        "Another sensor would tell %s apart in such runs: it differs in the %s."
+                                                .formatted(
+                                                        String.join(" + ", alternative.causes()),
+                                                        alternative.otherSensor())));
     }
 
     private Block noNext() {

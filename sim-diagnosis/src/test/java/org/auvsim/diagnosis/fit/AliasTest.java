@@ -2,8 +2,12 @@ package org.auvsim.diagnosis.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Quantity;
+import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Ranked;
+import org.auvsim.diagnosis.result.Verdict;
+import org.auvsim.diagnosis.run.MeasuredRun;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
@@ -11,6 +15,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -50,6 +55,29 @@ class AliasTest {
                         .findFirst()
                         .orElseThrow();
         assertThat(Alternatives.alternative(found.best(), alias).isIndistinguishable()).isTrue();
+    }
+
+    /** Of runs with a drag that is not looked for, weak motors and masses explain as little. */
+    @Test
+    void whatExplainsNothingHasNoAlternatives() throws Exception {
+        Cart slow = new Cart(0.8, 0.01, 0);
+        List<MeasuredRun> runs = List.of(slow.run());
+        List<Cause> causes = List.of(slow.cause("thruster_gain"), slow.cause("mass_error"));
+
+        Diagnosis diagnosis =
+                new Examination(
+                                Cart.believed(),
+                                runs,
+                                runs,
+                                causes,
+                                1,
+                                Optional.empty(),
+                                Progress.SILENT)
+                        .diagnosis();
+
+        assertThat(diagnosis.verdict()).isEqualTo(Verdict.UNEXPLAINED);
+        assertThat(slow.found(causes).competitors()).isNotEmpty();
+        assertThat(diagnosis.alternatives()).isEmpty();
     }
 
     /** Whoever sees it behind a set of less evidence is told why. */

@@ -47,7 +47,7 @@ class DragLawTest {
 
     @Test
     void whatIsToldAsAnAlternativeIsNotToldAgain() throws Exception {
-        Alternative told = new Alternative(List.of("quadratic_drag"), true, "");
+        Alternative told = new Alternative(List.of("quadratic_drag"), true, "", "");
 
         assertThat(DragLaw.unsettled(found(erring()), List.of(told))).isEmpty();
     }

@@ -67,7 +67,7 @@ class DiagnosisJsonTest {
                 Diagnoses.explained(
                         List.of(Diagnoses.QUADRATIC_DRAG, Diagnoses.THRUST, Diagnoses.CURRENT),
                         100,
-                        List.of(new Alternative(List.of("mass_error"), true, "mass / gain"))));
+                        List.of(new Alternative(List.of("mass_error"), true, "mass / gain", ""))));
     }
 
     @ParameterizedTest

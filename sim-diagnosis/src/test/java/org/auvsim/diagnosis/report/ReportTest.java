@@ -152,10 +152,24 @@ class ReportTest {
 
     @Test
     void whereNoRunTellsAlternativesApartThePageSaysSo() throws IOException {
-        List<Alternative> drift = List.of(new Alternative(List.of("position_drift"), true, ""));
+        List<Alternative> drift = List.of(new Alternative(List.of("position_drift"), true, "", ""));
         assertThat(page(Diagnoses.settled(Diagnoses.explained(50, drift))))
                 .contains("<p>No run is proposed: none of those considered would tell")
                 .doesNotContain("Nothing is left open");
+    }
+
+    @Test
+    void thePageSaysWhichOtherSensorWouldTell() throws IOException {
+        Alternative scale =
+                new Alternative(
+                        List.of("sensor_scale"),
+                        true,
+                        "",
+                        "velocity along x, by 0.30 m/s (root mean square)");
+        assertThat(page(Diagnoses.settled(Diagnoses.explained(50, List.of(scale)))))
+                .contains(
+                        "Another sensor would tell sensor_scale apart in such runs: it differs in"
+                                + " the velocity along x, by 0.30 m/s (root mean square).");
     }
 
     @Test
@@ -202,7 +216,7 @@ class ReportTest {
     @Test
     void thePageTellsWhatCannotBeToldApart() throws IOException {
         Alternative other =
-                new Alternative(List.of("thruster_gain"), true, "mass / thruster gain = 1.20");
+                new Alternative(List.of("thruster_gain"), true, "mass / thruster gain = 1.20", "");
         assertThat(page(Diagnoses.explained(200, List.of(other))))
                 .contains("this data cannot tell apart: quadratic drag is missing, or the thrust")
                 .contains(

@@ -206,7 +206,7 @@ class SentenceTest {
                         List.of(new Quantity("angle", "rad", 0.1)),
                         List.of(0.004));
         Alternative tilt =
-                new Alternative(List.of("thruster_misalignment (tilt of port)"), true, "");
+                new Alternative(List.of("thruster_misalignment (tilt of port)"), true, "", "");
         assertThat(sentence.explained(List.of(angle), 0.9, List.of(tilt)))
                 .contains("or the tilt of 'port' is wrong");
     }
@@ -216,8 +216,8 @@ class SentenceTest {
         Finding mass =
                 found("mass_error", List.of(new Quantity("factor", "1", 1.2)), List.of(0.004));
         Alternative gain =
-                new Alternative(List.of("thruster_gain"), true, "mass 1.20, or gain 0.83");
-        Alternative worse = new Alternative(List.of("magnus"), false, "");
+                new Alternative(List.of("thruster_gain"), true, "mass 1.20, or gain 0.83", "");
+        Alternative worse = new Alternative(List.of("magnus"), false, "", "");
         assertThat(sentence.explained(List.of(mass), 0.9, List.of(gain, worse)))
                 .startsWith(
                         "The mass is wrong: 1.200 +- 0.004 times what the model has; it explains"
@@ -232,7 +232,7 @@ class SentenceTest {
     void ofManyThatCannotBeToldApartTheMostProbableIsNamed() {
         List<Alternative> many =
                 Stream.of("position_drift", "mass_error", "magnus")
-                        .map(cause -> new Alternative(List.of(cause), true, ""))
+                        .map(cause -> new Alternative(List.of(cause), true, "", ""))
                         .toList();
         assertThat(sentence.explained(List.of(CURRENT), 0.9, many))
                 .endsWith(

@@ -4,6 +4,7 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /** Judges a model where all runs were searched with: each is predicted by what the others say. */
 final class LeaveOneOut {
@@ -59,6 +60,11 @@ final class LeaveOneOut {
             predictions.add(converged(alone.with(hypothesis, alone.windows()).knowing(known)));
         }
         return predictions;
+    }
+
+    /** Each run fitted alone, from where all together have led. */
+    List<Judged> alone() {
+        return IntStream.range(0, runs()).mapToObj(r -> converged(only(judged.fit(), r))).toList();
     }
 
     private int runs() {

@@ -72,8 +72,8 @@ final class Trial {
     }
 
     /**
-     * Whether each of the runs that all were searched with is predicted by the others, and not one
-     * of them alone asks for the causes.
+     * Whether each of the runs that all were searched with is predicted by the others and wants the
+     * same numbers, and not one of them alone asks for the causes.
      *
      * @param none the model as it was believed, fitted to the same runs
      * @param turns of what was fitted
@@ -82,7 +82,8 @@ final class Trial {
         List<Judged> predictions = turns.adjusted();
         return !restsOnOneRun(none, fitted)
                 && isConfirmed(none, predictions, fitted)
-                && predictions.stream().allMatch(prediction -> holds(prediction, fitted));
+                && predictions.stream().allMatch(prediction -> holds(prediction, fitted))
+                && Agreement.ofEach(fitted, turns);
     }
 
     /** Whether what is missed of other runs, parameters held to what the fit says, is noise. */

@@ -9,6 +9,7 @@ import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.OrientationError;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.Optional;
@@ -140,7 +141,7 @@ final class LocalMotion {
                 continue;
             }
             double time = run.time(k) - run.time(from);
-            Optional<Vec3> turn = run.orientation(k).map(q -> Misses.turn(axes, q));
+            Optional<Vec3> turn = run.orientation(k).map(q -> OrientationError.turn(axes, q));
             if (turn.isPresent() && turn.get().norm() > MOST_TURN) {
                 break;
             }

@@ -5,6 +5,7 @@ import org.apache.commons.math3.util.ResizableDoubleArray;
 import org.auvsim.core.math.Quat;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.OrientationError;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
@@ -163,7 +164,7 @@ final class Looseness {
                 int axis = measured().findFirst().orElseThrow();
                 Quat from = run.orientation(before.samples[axis]).orElseThrow();
                 Quat to = run.orientation(samples[axis]).orElseThrow();
-                return Misses.turn(from, to).norm() / duration(before, axis);
+                return OrientationError.turn(from, to).norm() / duration(before, axis);
             }
             double squares =
                     measured().mapToDouble(axis -> along(before, axis)).map(v -> v * v).sum();

@@ -6,6 +6,7 @@ import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.Sensing;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.OrientationError;
 import org.auvsim.diagnosis.run.Reading;
 import org.auvsim.server.feedback.RigidMotion;
 
@@ -341,27 +342,13 @@ final class Misses {
     private Vec3 told(Channel channel, int sample, RigidMotion told) {
         return switch (channel) {
             case POSITION -> told.position();
-            case ORIENTATION -> turned(run.orientation(sample).orElseThrow(), told.orientation());
+            case ORIENTATION -> OrientationError.of(told.orientation(), run, sample);
             case VELOCITY -> inFrame(told.velocity(), told.orientation(), channel);
             case ANGULAR_VELOCITY -> inFrame(told.angularVelocity(), told.orientation(), channel);
         };
     }
 
-    private Vec3 turned(Quat measured, Quat told) {
-        return inFrame(turn(measured, told), measured, Channel.ORIENTATION);
-    }
-
     private Vec3 inFrame(Vec3 world, Quat orientation, Channel channel) {
         return run.frame(channel) == Frame.BODY ? orientation.rotateInverse(world) : world;
-    }
-
-    /** The rotation vector (rad, world axes) that turns one orientation into another. */
-    static Vec3 turn(Quat from, Quat to) {
-        double[] error = still(to).minus(still(from));
-        return new Vec3(error[3], error[4], error[5]);
-    }
-
-    private static RigidMotion still(Quat orientation) {
-        return new RigidMotion(Vec3.ZERO, orientation, Vec3.ZERO, Vec3.ZERO);
     }
 }

@@ -5,6 +5,7 @@ import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.OrientationError;
 
 import java.util.stream.IntStream;
 
@@ -58,7 +59,7 @@ final class Series {
     }
 
     private Vec3 turn(Quat before, Quat after) {
-        Vec3 turn = Misses.turn(before, after);
+        Vec3 turn = OrientationError.turn(before, after);
         return run.frame(channel) == Frame.BODY ? before.rotateInverse(turn) : turn;
     }
 

@@ -6,6 +6,7 @@ import org.auvsim.diagnosis.result.Axis;
 import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.OrientationError;
 import org.auvsim.server.feedback.RigidMotion;
 
 /**
@@ -83,7 +84,7 @@ final class Unmeasured {
     private static Vec3 between(Channel channel, RigidMotion a, RigidMotion b) {
         return switch (channel) {
             case POSITION -> b.position().minus(a.position());
-            case ORIENTATION -> Misses.turn(a.orientation(), b.orientation());
+            case ORIENTATION -> OrientationError.turn(a.orientation(), b.orientation());
             case VELOCITY -> b.velocity().minus(a.velocity());
             case ANGULAR_VELOCITY -> b.angularVelocity().minus(a.angularVelocity());
         };

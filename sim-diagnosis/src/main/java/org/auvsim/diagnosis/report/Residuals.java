@@ -5,6 +5,7 @@ import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.OrientationError;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.List;
@@ -20,7 +21,7 @@ record Residuals(MeasuredRun run, List<RigidMotion> told) {
         return Math.min(run.size(), told.size());
     }
 
-    /** In the channel's unit; of orientations the rotation vector. */
+    /** In the channel's unit; of orientations as {@link OrientationError} has it. */
     Vec3 of(Channel channel, int sample) {
         RigidMotion motion = told.get(sample);
         return switch (channel) {
@@ -41,17 +42,9 @@ record Residuals(MeasuredRun run, List<RigidMotion> told) {
     }
 
     private Vec3 turn(int sample, RigidMotion motion) {
-        Quat measured = run.orientation(sample).orElse(motion.orientation());
-        double[] error =
-                new RigidMotion(
-                                motion.position(),
-                                measured,
-                                motion.velocity(),
-                                motion.angularVelocity())
-                        .minus(motion);
-        Vec3 turn = new Vec3(error[3], error[4], error[5]);
-        boolean isInBody = run.frame(Channel.ORIENTATION) == Frame.BODY;
-        return isInBody ? measured.rotateInverse(turn) : turn;
+        return run.orientation(sample).isPresent()
+                ? OrientationError.of(motion.orientation(), run, sample).times(-1)
+                : Vec3.ZERO;
     }
 
     private Vec3 inFrame(Channel channel, int sample, Vec3 world, Quat orientation) {

@@ -8,6 +8,7 @@ import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.diagnosis.run.OrientationError;
 import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -55,7 +56,7 @@ class LocalMotionTest {
         RigidMotion at = LocalMotion.at(run.build(), otherwise, 10, 30);
 
         Quat expected = Quat.ofAxisAngle(new Vec3(0, 0, 1), 1.3);
-        assertThat(Misses.turn(expected, at.orientation()).norm()).isLessThan(1e-9);
+        assertThat(OrientationError.turn(expected, at.orientation()).norm()).isLessThan(1e-9);
         assertThat(at.angularVelocity().distance(new Vec3(0, 0, 0.3))).isLessThan(1e-9);
     }
 

@@ -12,6 +12,7 @@ import org.auvsim.diagnosis.run.EulerAngles;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.server.feedback.RigidMotion;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -43,6 +44,24 @@ class OneAngleTest {
         assertThat(misses.turns(0)[across]).isTrue();
         assertThat(misses.turns(0)[1 - across]).isFalse();
         assertThat(noise).isBetween(0.5 * NOISE, 2 * NOISE);
+    }
+
+    /** Rolled by 0.5 rad and pitched by -0.7 it heads where it headed. */
+    @Test
+    void aHeadingAloneIsTheSameHeadingOfABodyThatRollsAndPitches() {
+        MeasuredRunBuilder measured = MeasuredRun.named("turn");
+        for (int k = 0; k < 60; k++) {
+            Quat q = EulerAngles.orientation(0, 0, 3.1 + NOISE * Math.sin(k));
+            measured.at(0.1 * k).orientation(q, false, false, true);
+        }
+        MeasuredRun run = measured.build();
+        Misses misses = new Misses(run, Noise.of(List.of(run)));
+        double noise = misses.deviation(0);
+
+        assertThat(missed(misses, EulerAngles.orientation(0.5, -0.7, 3.1))[0])
+                .isCloseTo(0, within(1e-9));
+        assertThat(missed(misses, EulerAngles.orientation(0.5, -0.7, -3.1))[0])
+                .isCloseTo((2 * Math.PI - 6.2) / noise, within(1e-9));
     }
 
     private static double[] missed(Misses misses, Quat orientation) {

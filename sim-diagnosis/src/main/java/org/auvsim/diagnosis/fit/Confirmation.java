@@ -21,11 +21,12 @@ final class Confirmation {
      *
      * @param before by run, what the believed model misses, in standard deviations of the noise
      * @param after what is missed with the causes, which were adjusted to these runs
-     * @param parameters how many numbers were adjusted: each may gain as much as noise
+     * @param parameters how many numbers were adjusted: each may gain as much as noise, but no more
+     *     than it changes
      */
     static boolean of(List<double[]> before, List<double[]> after, int parameters) {
         double change = 0;
-        double gain = -parameters;
+        double gain = 0;
         double left = 0;
         int count = 0;
         for (int r = 0; r < after.size(); r++) {
@@ -41,6 +42,7 @@ final class Confirmation {
         if (Double.isNaN(left)) {
             return false;
         }
+        gain -= Math.min(parameters, change);
         double noise = Math.max(1, left / count);
         return Double.isNaN(change)
                 || gain / noise >= SHARE * change / noise - CHANCE * Math.sqrt(change / noise);

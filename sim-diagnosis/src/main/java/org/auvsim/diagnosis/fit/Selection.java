@@ -97,7 +97,7 @@ final class Selection {
             chosen = choice.instead(best, course);
         }
         return new Search.Found(
-                none,
+                chosen.isNone() ? chosen : none,
                 chosen,
                 choice.judged(),
                 choice.competitors(chosen),

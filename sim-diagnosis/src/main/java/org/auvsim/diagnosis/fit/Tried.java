@@ -116,14 +116,17 @@ final class Tried {
         return finest;
     }
 
-    /** Without the causes that are not worth their price. */
+    /**
+     * Without the causes that are not worth their price. Even one alone may not be: it was begun
+     * from other starts than the model without it.
+     */
     Judged pruned(Judged start) {
         Judged best = start;
         boolean goesOn = true;
         while (goesOn && course.goesOn()) {
             goesOn = false;
             Hypothesis hypothesis = best.fit().hypothesis();
-            for (int c = 0; hypothesis.causes().size() > 1 && c < hypothesis.causes().size(); c++) {
+            for (int c = 0; c < hypothesis.causes().size(); c++) {
                 Fit fewer = best.fit().with(hypothesis.without(c), best.fit().windows());
                 Judged without = toTheEnd(fewer, best);
                 if (without.score() < best.score()) {

@@ -56,7 +56,7 @@ class ConfirmationTest {
     void whatChangesNothingIsNotDenied() {
         double[] misses = noise(new Random(1));
 
-        assertThat(Confirmation.of(List.of(misses), List.of(misses), 0)).isTrue();
+        assertThat(Confirmation.of(List.of(misses), List.of(misses), 4)).isTrue();
     }
 
     @Test

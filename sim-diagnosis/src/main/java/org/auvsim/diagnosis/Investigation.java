@@ -2,8 +2,6 @@ package org.auvsim.diagnosis;
 
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.field.FieldSearch;
-import org.auvsim.diagnosis.fit.Arena;
-import org.auvsim.diagnosis.fit.Examination;
 import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.genetic.Evolution;
 import org.auvsim.diagnosis.genetic.FormulaSearch;
@@ -11,8 +9,10 @@ import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.Split;
+import org.auvsim.diagnosis.search.Arena;
 import org.auvsim.diagnosis.shaking.Imbalance;
 import org.auvsim.diagnosis.shaking.SoundRuns;
+import org.auvsim.diagnosis.verdict.Examination;
 
 import java.util.List;
 import java.util.Optional;

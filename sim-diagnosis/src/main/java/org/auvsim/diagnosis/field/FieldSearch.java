@@ -5,8 +5,6 @@ import org.apache.commons.math3.linear.ArrayRealVector;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.RealVector;
 import org.auvsim.core.math.Vec3;
-import org.auvsim.diagnosis.fit.ImitationTrial;
-import org.auvsim.diagnosis.fit.Imitator;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.ForceResidual;
@@ -14,6 +12,8 @@ import org.auvsim.diagnosis.result.Gain;
 import org.auvsim.diagnosis.result.Proposal;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.verdict.ImitationTrial;
+import org.auvsim.diagnosis.verdict.Imitator;
 
 import java.util.ArrayList;
 import java.util.Arrays;

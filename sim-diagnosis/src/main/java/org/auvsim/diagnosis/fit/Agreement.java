@@ -1,5 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.diagnosis.residual.Whiteness;
+
 import java.util.List;
 
 /**
@@ -7,7 +9,7 @@ import java.util.List;
  * parameters free by held, is a chi square of as many degrees of freedom as there are parameters
  * that were freed (Wilks 1938).
  */
-final class Agreement {
+public final class Agreement {
     private static final int STEPS = 12;
 
     /** Above this they do not. */
@@ -21,7 +23,7 @@ final class Agreement {
      * runs, but not so. Nor can one that is right in a model which is only nearly so: that they
      * disagree is a reason to ask all runs together.
      */
-    static boolean of(Judged held) {
+    public static boolean of(Judged held) {
         int parameters = held.fit().hypothesis().size();
         if (parameters == 0) {
             return true;
@@ -37,7 +39,7 @@ final class Agreement {
      *
      * @param turns of what was fitted
      */
-    static boolean ofEach(Judged fitted, LeaveOneOut turns) {
+    public static boolean ofEach(Judged fitted, LeaveOneOut turns) {
         List<Judged> alone = turns.alone();
         int parameters = fitted.fit().hypothesis().size() * (alone.size() - 1);
         double free = alone.stream().mapToDouble(Judged::cost).sum();

@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /** How far numbers may be moved and still make sense. */
-final class Bounds {
+public final class Bounds {
     private final double[] least;
     private final double[] most;
 
@@ -22,7 +22,7 @@ final class Bounds {
     }
 
     /** Of parameters that have these numbers now. */
-    static Bounds of(List<Parameter> parameters, double[] numbers) {
+    public static Bounds of(List<Parameter> parameters, double[] numbers) {
         double[] least = new double[numbers.length];
         double[] most = new double[numbers.length];
         for (int i = 0; i < numbers.length; i++) {
@@ -33,7 +33,7 @@ final class Bounds {
     }
 
     /** Those of some of the numbers. */
-    Bounds of(int[] some) {
+    public Bounds of(int[] some) {
         return new Bounds(
                 Arrays.stream(some).mapToDouble(i -> least[i]).toArray(),
                 Arrays.stream(some).mapToDouble(i -> most[i]).toArray());

@@ -10,7 +10,7 @@ import java.util.stream.Stream;
  * the last ones led where they should (Levenberg-Marquardt: Marquardt 1963). Derivatives are taken
  * anew where those there were did not foretell what is missed.
  */
-final class Descent {
+public final class Descent {
     /** A share of the cost that is not worth a step. */
     private static final double ENOUGH = 1e-4;
 
@@ -42,12 +42,12 @@ final class Descent {
     }
 
     /** From a fit of one window a run. */
-    static Descent of(Fit start) {
+    public static Descent of(Fit start) {
         return new Descent(Place.of(start));
     }
 
     /** The same of one that was judged. */
-    static Descent of(Judged start) {
+    public static Descent of(Judged start) {
         return new Descent(Place.of(start));
     }
 
@@ -58,13 +58,13 @@ final class Descent {
     }
 
     /** The same, to the very end of long valleys. */
-    Descent finely() {
+    public Descent finely() {
         enough = ENOUGH_AT_LAST;
         return this;
     }
 
     /** So many steps, or as many as help. */
-    Judged steps(int most) {
+    public Judged steps(int most) {
         return steps(most, Double.POSITIVE_INFINITY, Course.UNHEARD);
     }
 
@@ -72,7 +72,7 @@ final class Descent {
      * So many steps, or as many as help; given up where a score is out of reach, as far as the last
      * step tells, and once it was told to stop.
      */
-    Judged steps(int most, double score, Course course) {
+    public Judged steps(int most, double score, Course course) {
         for (int s = 0; s < most && course.goesOn(); s++) {
             Tangents here =
                     tangents.map(t -> t.at(best.at())).orElseGet(() -> Tangents.of(best.at()));

@@ -1,9 +1,14 @@
 package org.auvsim.diagnosis.fit;
 
-import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.Partings;
 import org.auvsim.diagnosis.model.Partings.Leg;
 import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.shooting.LegResponse;
+import org.auvsim.diagnosis.shooting.Shooting;
+import org.auvsim.diagnosis.shooting.Window;
+import org.auvsim.diagnosis.shooting.WindowDerivatives;
+import org.auvsim.diagnosis.shooting.WindowDerivatives.Moves;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
@@ -18,7 +23,7 @@ import java.util.stream.IntStream;
  * the sensors is seen from the model's motion itself. Where errors of measurements last, what is
  * missed in a leg depends on those before: then whole windows are simulated.
  */
-final class FirstOrder {
+public final class FirstOrder {
     private final Shooting shooting;
     private final Variant variant;
     private final Misses of;
@@ -39,7 +44,7 @@ final class FirstOrder {
     }
 
     /** Those of all windows of a fit, run by run. */
-    static List<List<WindowDerivatives>> derivatives(Fit fit, Moves moves) {
+    public static List<List<WindowDerivatives>> derivatives(Fit fit, Moves moves) {
         List<List<WindowDerivatives>> all = new ArrayList<>();
         for (int r = 0; r < fit.data().size(); r++) {
             all.add(new FirstOrder(fit, fit.data().get(r), moves).windows(fit.windows().get(r)));

@@ -1,10 +1,17 @@
 package org.auvsim.diagnosis.fit;
 
-import org.auvsim.diagnosis.fit.Outcome.Squares;
-import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.residual.Outcome;
+import org.auvsim.diagnosis.residual.Outcome.Squares;
 import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.shooting.Shooting;
+import org.auvsim.diagnosis.shooting.Stepping;
+import org.auvsim.diagnosis.shooting.Window;
+import org.auvsim.diagnosis.shooting.WindowBlock;
+import org.auvsim.diagnosis.shooting.WindowDerivatives;
+import org.auvsim.diagnosis.shooting.WindowDerivatives.Moves;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
@@ -23,14 +30,14 @@ import java.util.stream.IntStream;
  * @param windows of each run, in order
  * @param knowledge of the hypothesis's parameters beside these runs
  */
-record Fit(
+public record Fit(
         Stepping stepping,
         List<Misses> data,
         Hypothesis hypothesis,
         List<List<Window>> windows,
         Knowledge knowledge) {
     /** The model in the steps of predictions. */
-    BelievedModel model() {
+    public BelievedModel model() {
         return stepping.model();
     }
 
@@ -40,26 +47,26 @@ record Fit(
     }
 
     /** The model with the causes. */
-    Variant variant() {
+    public Variant variant() {
         return hypothesis.in(stepping.variant());
     }
 
-    Fit with(Hypothesis other, List<List<Window>> moved) {
+    public Fit with(Hypothesis other, List<List<Window>> moved) {
         return new Fit(stepping, data, other, moved, knowledge);
     }
 
     /** The model as it is believed from the same starts: what it would have foretold from there. */
-    Fit asBelieved() {
+    public Fit asBelieved() {
         return with(Hypothesis.NONE, windows);
     }
 
     /** The same in steps of other lengths. */
-    Fit in(Stepping other) {
+    public Fit in(Stepping other) {
         return new Fit(other, data, hypothesis, windows, knowledge);
     }
 
     /** The same with parameters of which something is known. */
-    Fit knowing(Knowledge other) {
+    public Fit knowing(Knowledge other) {
         return new Fit(stepping, data, hypothesis, windows, other);
     }
 
@@ -71,7 +78,7 @@ record Fit(
     }
 
     /** Those by the starts of the windows and by other parameters. */
-    List<List<WindowDerivatives>> derivatives(Moves moves) {
+    public List<List<WindowDerivatives>> derivatives(Moves moves) {
         return IntStream.range(0, data.size())
                 .parallel()
                 .mapToObj(r -> derivatives(shooting(data.get(r)), windows.get(r), moves))
@@ -84,7 +91,7 @@ record Fit(
     }
 
     /** Windows chained in blocks of so many; known starts hold the first of each run. */
-    List<List<WindowBlock>> blocks(List<List<WindowDerivatives>> derivatives, int perBlock) {
+    public List<List<WindowBlock>> blocks(List<List<WindowDerivatives>> derivatives, int perBlock) {
         List<List<WindowBlock>> all = new ArrayList<>();
         for (int r = 0; r < data.size(); r++) {
             List<WindowDerivatives> ofRun = derivatives.get(r);
@@ -103,19 +110,19 @@ record Fit(
     }
 
     /** Most windows of a run. */
-    int longest() {
+    public int longest() {
         return windows.stream().mapToInt(List::size).max().orElse(1);
     }
 
     /** One window a run, from the start of its first. */
-    Fit whole() {
+    public Fit whole() {
         return with(
                 hypothesis,
                 IntStream.range(0, data.size()).mapToObj(r -> List.of(whole(r))).toList());
     }
 
     /** The same windows, each begun where another fit's motion is then. */
-    Fit along(Fit other) {
+    public Fit along(Fit other) {
         List<RigidMotion[]> motions = other.motions();
         return with(
                 hypothesis,
@@ -129,7 +136,7 @@ record Fit(
     }
 
     /** The motion of each run, simulated in one go from its start. */
-    List<RigidMotion[]> motions() {
+    public List<RigidMotion[]> motions() {
         return IntStream.range(0, data.size())
                 .parallel()
                 .mapToObj(r -> shooting(data.get(r)).motion(whole(r)))
@@ -142,7 +149,7 @@ record Fit(
     }
 
     /** By how much that is off by channel, in its unit, however far; but for outliers. */
-    Map<Channel, Squares> errors() {
+    public Map<Channel, Squares> errors() {
         List<RigidMotion[]> motions = motions();
         Variant variant = variant();
         Map<Channel, Squares> errors = new EnumMap<>(Channel.class);
@@ -170,7 +177,7 @@ record Fit(
     }
 
     /** Sum of squares of the same, in standard deviations of the noise alone, whatever lasts. */
-    double squares() {
+    public double squares() {
         List<RigidMotion[]> motions = motions();
         Variant variant = variant();
         double sum = 0;
@@ -182,7 +189,7 @@ record Fit(
     }
 
     /** What the start of a run misses of what is known of it; empty where nothing is. */
-    double[] startMisses(int run) {
+    public double[] startMisses(int run) {
         RigidMotion start = windows.get(run).getFirst().start();
         return data.get(run)
                 .run()
@@ -192,7 +199,7 @@ record Fit(
     }
 
     /** What that misses. */
-    Outcome outcome() {
+    public Outcome outcome() {
         return outcome(motions());
     }
 

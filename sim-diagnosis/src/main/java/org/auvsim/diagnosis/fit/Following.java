@@ -1,10 +1,20 @@
 package org.auvsim.diagnosis.fit;
 
-import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.residual.LocalMotion;
+import org.auvsim.diagnosis.residual.Looseness;
+import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.residual.Outcome;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.shooting.Shooting;
+import org.auvsim.diagnosis.shooting.Stepping;
+import org.auvsim.diagnosis.shooting.Window;
+import org.auvsim.diagnosis.shooting.WindowBlock;
+import org.auvsim.diagnosis.shooting.WindowDerivatives;
+import org.auvsim.diagnosis.shooting.WindowDerivatives.Moves;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
@@ -18,7 +28,7 @@ import java.util.stream.IntStream;
  * then twice as long ones, as long as the model can follow. A model without faults needs one
  * window; one that lacks much keeps many.
  */
-final class Following {
+public final class Following {
     private static final int MOST_WINDOWS = 32;
     private static final int FEWEST_SAMPLES = 8;
 
@@ -57,12 +67,12 @@ final class Following {
     private final List<Double> looseness;
 
     /** Of one run under a variant of the model. */
-    Following(Shooting shooting, Noise noise) {
+    public Following(Shooting shooting, Noise noise) {
         this(shooting, noise, Course.UNHEARD);
     }
 
     /** The same, as far as it has come once it was told to stop. */
-    Following(Shooting shooting, Noise noise, Course course) {
+    public Following(Shooting shooting, Noise noise, Course course) {
         this.shooting = shooting;
         this.model = shooting.stepping().model();
         this.data = shooting.of();
@@ -73,12 +83,12 @@ final class Following {
     }
 
     /** Windows that follow runs under a hypothesis. */
-    static Fit of(Stepping stepping, Hypothesis hypothesis, List<Misses> data, Noise noise) {
+    public static Fit of(Stepping stepping, Hypothesis hypothesis, List<Misses> data, Noise noise) {
         return of(stepping, hypothesis, data, noise, Course.UNHEARD);
     }
 
     /** The same, as far as it has come once it was told to stop. */
-    static Fit of(
+    public static Fit of(
             Stepping stepping,
             Hypothesis hypothesis,
             List<Misses> data,
@@ -92,7 +102,7 @@ final class Following {
     }
 
     /** A fit of whole runs, those of them begun anew that miss less so. */
-    static Fit anew(Fit of, Noise noise, Course course) {
+    public static Fit anew(Fit of, Noise noise, Course course) {
         List<List<Window>> windows =
                 IntStream.range(0, of.data().size())
                         .parallel()
@@ -158,7 +168,7 @@ final class Following {
      * Many short windows, each fitted alone: they follow whatever moves the body. Where it touches
      * something each step takes long, and they follow less closely.
      */
-    List<Window> shortWindows() {
+    public List<Window> shortWindows() {
         int iterations = model.touchesNothing() ? MOST_ITERATIONS : FEW_ITERATIONS;
         return shortest(iterations).stream().map(Fitted::window).toList();
     }
@@ -172,7 +182,7 @@ final class Following {
     }
 
     /** The longest windows in which the model follows, of equal length but for the last. */
-    List<Window> windows() {
+    public List<Window> windows() {
         Optional<Fitted> one = inOneGo(fitted -> follows(List.of(fitted)));
         if (one.isPresent()) {
             return List.of(one.get().window());

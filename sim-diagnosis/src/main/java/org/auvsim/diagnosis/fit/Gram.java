@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.fit;
 
 import org.auvsim.core.math.Cholesky;
 import org.auvsim.diagnosis.cause.Parameter;
+import org.auvsim.diagnosis.shooting.WindowBlock;
 
 import java.util.Arrays;
 import java.util.List;
@@ -11,7 +12,7 @@ import java.util.stream.IntStream;
  * All products of columns with one another and with the misses, the starts projected out: what any
  * set of columns explains follows from it by a small solve.
  */
-final class Gram {
+public final class Gram {
     /**
      * Share of a column's size that is added to it, so that columns that are alike can be solved.
      */
@@ -26,13 +27,13 @@ final class Gram {
     private final int misses;
 
     /** Of products of columns with one another, those with the misses last. */
-    Gram(double[][] products) {
+    public Gram(double[][] products) {
         this.products = products;
         this.misses = products.length - 1;
     }
 
     /** Of blocks of windows of all runs. */
-    static Gram of(List<List<WindowBlock>> blocks, int columns) {
+    public static Gram of(List<List<WindowBlock>> blocks, int columns) {
         double[][] products = new double[columns + 1][columns + 1];
         List<double[][]> rows =
                 blocks.stream().flatMap(List::stream).map(WindowBlock::projectedRows).toList();
@@ -53,7 +54,7 @@ final class Gram {
     }
 
     /** Of some of the columns alone. */
-    static Gram of(List<List<WindowBlock>> blocks, int[] some, int columns) {
+    public static Gram of(List<List<WindowBlock>> blocks, int[] some, int columns) {
         int[] all = Arrays.copyOf(some, some.length + 1);
         all[some.length] = columns;
         double[][] products = new double[all.length][all.length];
@@ -109,7 +110,7 @@ final class Gram {
     }
 
     /** The same with other misses, of which the products with each column are given. */
-    Gram missing(double[] withColumns) {
+    public Gram missing(double[] withColumns) {
         double[][] other = products.clone();
         other[misses] = Arrays.copyOf(withColumns, misses + 1);
         return new Gram(other);
@@ -121,17 +122,17 @@ final class Gram {
     }
 
     /** How many columns there are. */
-    int columns() {
+    public int columns() {
         return misses;
     }
 
     /** Size of a column: root of its sum of squares, the starts projected out. */
-    double norm(int column) {
+    public double norm(int column) {
         return Math.sqrt(Math.max(0, products[column][column]));
     }
 
     /** The product of two columns. */
-    double product(int a, int b) {
+    public double product(int a, int b) {
         return products[a][b];
     }
 
@@ -147,7 +148,7 @@ final class Gram {
     }
 
     /** The change of these parameters, within their bounds, that explains most. */
-    double[] solve(int[] columns, Bounds bounds) {
+    public double[] solve(int[] columns, Bounds bounds) {
         return solve(columns, bounds, RIDGE, new double[columns.length]);
     }
 
@@ -217,7 +218,7 @@ final class Gram {
      *
      * @param parameters that the first columns are of
      */
-    Gram cautious(List<Parameter> parameters) {
+    public Gram cautious(List<Parameter> parameters) {
         double[][] sum = copy();
         for (int i = 0; i < parameters.size(); i++) {
             double most = MOST_SCALES * parameters.get(i).scale();
@@ -227,7 +228,7 @@ final class Gram {
     }
 
     /** By how much the cost falls with a change of these parameters. */
-    double drop(int[] columns, double[] change) {
+    public double drop(int[] columns, double[] change) {
         double drop = 0;
         int[] changed = IntStream.range(0, columns.length).filter(i -> change[i] != 0).toArray();
         for (int a : changed) {

@@ -2,9 +2,9 @@ package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Parameter;
-import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.shooting.WindowDerivatives.Moves;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -16,9 +16,9 @@ import java.util.function.UnaryOperator;
  *
  * @param theta for each cause a number for each of its parameters
  */
-record Hypothesis(List<Cause> causes, List<double[]> theta) {
+public record Hypothesis(List<Cause> causes, List<double[]> theta) {
     /** That the model lacks nothing. */
-    static final Hypothesis NONE = new Hypothesis(List.of(), List.of());
+    public static final Hypothesis NONE = new Hypothesis(List.of(), List.of());
 
     /** Causes whose numbers are not to be moved any more. */
     private record Settled(Hypothesis hypothesis) implements Cause {
@@ -39,7 +39,7 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
     }
 
     /** The same, its numbers not to be moved. */
-    Hypothesis settled() {
+    public Hypothesis settled() {
         return new Hypothesis(List.of(new Settled(this)), List.of(new double[0]));
     }
 
@@ -57,37 +57,37 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
     }
 
     /** Whether one of the causes is one that can imitate others. */
-    boolean isGeneric() {
+    public boolean isGeneric() {
         return causes.stream().anyMatch(Cause::isGeneric);
     }
 
     /** Whether both have the same causes, in whatever order. */
-    boolean hasCausesOf(Hypothesis other) {
+    public boolean hasCausesOf(Hypothesis other) {
         return causes.size() == other.causes.size() && causes.containsAll(other.causes);
     }
 
     /** Number of parameters of all causes. */
-    int size() {
+    public int size() {
         return theta.stream().mapToInt(t -> t.length).sum();
     }
 
     /** What all causes must gain to be believed, beside what their parameters must. */
-    double price() {
+    public double price() {
         return causes.stream().mapToDouble(Cause::price).sum();
     }
 
     /** What they must gain in all, as {@link Cause#price(int, double)}. */
-    double price(int measured, double independent) {
+    public double price(int measured, double independent) {
         return causes.stream().mapToDouble(cause -> cause.price(measured, independent)).sum();
     }
 
     /** Parameters of all causes in a row. */
-    List<Parameter> parameters() {
+    public List<Parameter> parameters() {
         return causes.stream().flatMap(cause -> cause.parameters().stream()).toList();
     }
 
     /** The model with the causes. */
-    Variant in(Variant model) {
+    public Variant in(Variant model) {
         Variant variant = model;
         for (int c = 0; c < causes.size(); c++) {
             variant = causes.get(c).in(variant, theta.get(c));
@@ -98,7 +98,7 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
     /**
      * The model with the causes, one parameter moved by a small step in each, within its bounds.
      */
-    Moves moves(Variant model) {
+    public Moves moves(Variant model) {
         double[] numbers = numbers();
         List<Parameter> parameters = parameters();
         List<Double> steps = new ArrayList<>();
@@ -115,7 +115,7 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
     }
 
     /** The numbers of all causes in a row. */
-    double[] numbers() {
+    public double[] numbers() {
         return theta.stream().flatMapToDouble(Arrays::stream).toArray();
     }
 
@@ -125,7 +125,7 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
     }
 
     /** The same with one more cause. */
-    Hypothesis and(Cause cause, double[] numbers) {
+    public Hypothesis and(Cause cause, double[] numbers) {
         List<Cause> more = new ArrayList<>(causes);
         more.add(cause);
         List<double[]> all = new ArrayList<>(theta);
@@ -134,7 +134,7 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
     }
 
     /** The same without one of the causes. */
-    Hypothesis without(int cause) {
+    public Hypothesis without(int cause) {
         List<Cause> fewer = new ArrayList<>(causes);
         fewer.remove(cause);
         List<double[]> left = new ArrayList<>(theta);
@@ -143,14 +143,14 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
     }
 
     /** The same with another cause in place of one, its numbers kept. */
-    Hypothesis with(int place, Cause cause) {
+    public Hypothesis with(int place, Cause cause) {
         List<Cause> others = new ArrayList<>(causes);
         others.set(place, cause);
         return new Hypothesis(others, theta);
     }
 
     /** The same with a freer form of one cause, begun at each of its guesses at runs. */
-    List<Hypothesis> freed(int place, List<MeasuredRun> runs) {
+    public List<Hypothesis> freed(int place, List<MeasuredRun> runs) {
         return causes.get(place).freer().stream()
                 .flatMap(
                         freer ->
@@ -170,7 +170,7 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
     }
 
     /** Whether each cause has as many numbers as parameters, all within their bounds. */
-    boolean makesSense() {
+    public boolean makesSense() {
         for (int c = 0; c < causes.size(); c++) {
             List<Parameter> parameters = causes.get(c).parameters();
             double[] numbers = theta.get(c);
@@ -187,7 +187,7 @@ record Hypothesis(List<Cause> causes, List<double[]> theta) {
     }
 
     /** The same with other numbers, clipped to those that make sense. */
-    Hypothesis plus(double[] change) {
+    public Hypothesis plus(double[] change) {
         return plus(change, this::clipped);
     }
 

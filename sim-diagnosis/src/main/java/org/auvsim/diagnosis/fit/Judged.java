@@ -1,6 +1,8 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.residual.Outcome;
+import org.auvsim.diagnosis.residual.Whiteness;
 
 import java.util.List;
 
@@ -8,12 +10,12 @@ import java.util.List;
  * A fit, its outcome and its score: Schwarz's criterion (1978), and a surcharge for each cause. The
  * smaller, the better.
  */
-record Judged(Fit fit, Outcome outcome, double score) {
-    static Judged of(Fit fit) {
+public record Judged(Fit fit, Outcome outcome, double score) {
+    public static Judged of(Fit fit) {
         return of(fit, fit.outcome());
     }
 
-    static Judged of(Fit fit, Outcome outcome) {
+    public static Judged of(Fit fit, Outcome outcome) {
         return new Judged(fit, outcome, outcome.deviance() + price(fit.hypothesis(), outcome));
     }
 
@@ -22,17 +24,17 @@ record Judged(Fit fit, Outcome outcome, double score) {
     }
 
     /** The same at another price. */
-    Judged dearer(double by) {
+    public Judged dearer(double by) {
         return new Judged(fit, outcome, score + by);
     }
 
     /** By how much the deviance must fall for its causes to be believed. */
-    double price() {
+    public double price() {
         return price(fit.hypothesis(), outcome);
     }
 
     /** The logarithm of the model's evidence (Schwarz 1978), up to a constant. */
-    double logEvidence() {
+    public double logEvidence() {
         double byNumbers = fit.hypothesis().size() * StrictMath.log(outcome.count());
         return -(score - price() + byNumbers) / 2;
     }
@@ -41,7 +43,7 @@ record Judged(Fit fit, Outcome outcome, double score) {
      * Whether another one, which has only some of its causes, fits better: then its own fit was
      * given up before it was at its best, and tells nothing.
      */
-    boolean isBehind(Judged other) {
+    public boolean isBehind(Judged other) {
         List<Cause> causes = fit.hypothesis().causes();
         List<Cause> fewer = other.fit.hypothesis().causes();
         return fewer.size() < causes.size()
@@ -50,17 +52,17 @@ record Judged(Fit fit, Outcome outcome, double score) {
     }
 
     /** Whether both are of the same causes. */
-    boolean hasCausesOf(Judged other) {
+    public boolean hasCausesOf(Judged other) {
         return fit.hypothesis().hasCausesOf(other.fit.hypothesis());
     }
 
     /** Whether what is missed of each run is noise. */
-    boolean isWhite() {
+    public boolean isWhite() {
         return whiteness() < Whiteness.LIMIT;
     }
 
     /** The largest deviate of the block sums over all runs. */
-    double whiteness() {
+    public double whiteness() {
         double largest = 0;
         for (int r = 0; r < fit.data().size(); r++) {
             largest =
@@ -71,11 +73,11 @@ record Judged(Fit fit, Outcome outcome, double score) {
     }
 
     /** Whether nothing is wrong with the model, by this. */
-    boolean isNone() {
+    public boolean isNone() {
         return fit.hypothesis().causes().isEmpty();
     }
 
-    double cost() {
+    public double cost() {
         return outcome.cost();
     }
 }

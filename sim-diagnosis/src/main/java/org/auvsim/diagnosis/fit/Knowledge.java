@@ -1,9 +1,9 @@
 package org.auvsim.diagnosis.fit;
 
 /** What is known of parameters beside the runs at hand: that they are normally distributed. */
-final class Knowledge {
+public final class Knowledge {
     /** Nothing. */
-    static final Knowledge NONE = new Knowledge(new double[0], new double[0][]);
+    public static final Knowledge NONE = new Knowledge(new double[0], new double[0][]);
 
     private final double[] mean;
     private final double[][] information;
@@ -15,7 +15,7 @@ final class Knowledge {
     }
 
     /** That one of some numbers is what it is, but for a deviation. */
-    static Knowledge of(double[] numbers, int one, double deviation) {
+    public static Knowledge of(double[] numbers, int one, double deviation) {
         double[][] information = new double[numbers.length][numbers.length];
         information[one][one] = 1 / (deviation * deviation);
         return new Knowledge(numbers, information);

@@ -1,13 +1,15 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.shooting.Window;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 
 /** Judges a model where all runs were searched with: each is predicted by what the others say. */
-final class LeaveOneOut {
+public final class LeaveOneOut {
     private static final int STEPS = 6;
 
     private final Judged judged;
@@ -21,7 +23,7 @@ final class LeaveOneOut {
      *
      * @param course once it was told to stop, some are as all runs together have it
      */
-    LeaveOneOut(Judged judged, Course course) {
+    public LeaveOneOut(Judged judged, Course course) {
         this.judged = judged;
         this.course = course;
     }
@@ -30,7 +32,7 @@ final class LeaveOneOut {
      * Whether runs can judge one another. Parts of one run whose start is known cannot: what that
      * shows, as the zero of a sensor, the first of them tells alone.
      */
-    static boolean canJudge(List<MeasuredRun> runs) {
+    public static boolean canJudge(List<MeasuredRun> runs) {
         MeasuredRun first = runs.getFirst().uncut();
         return runs.size() > 1
                 && (first.start().isEmpty()
@@ -38,7 +40,7 @@ final class LeaveOneOut {
     }
 
     /** The hypothesis as fitted to all runs but one, and that one predicted by it, for each. */
-    List<Judged> predictions() {
+    public List<Judged> predictions() {
         List<Judged> predictions = new ArrayList<>();
         for (int r = 0; r < runs(); r++) {
             Fit alone = only(judged.fit(), r);
@@ -51,7 +53,7 @@ final class LeaveOneOut {
      * The same, but its parameters may move within what the others leave open: a run may tell more
      * of them than all others.
      */
-    List<Judged> adjusted() {
+    public List<Judged> adjusted() {
         List<Judged> predictions = new ArrayList<>();
         for (int r = 0; r < runs(); r++) {
             Hypothesis hypothesis = others(r).fit().hypothesis();

@@ -7,7 +7,7 @@ import java.util.Optional;
  * first in blocks of windows, which cannot get lost, then in blocks twice as long, at last in one
  * go from the start of each run.
  */
-final class Refinement {
+public final class Refinement {
     private static final int MORE_STEPS = 1;
 
     /** Steps that turn windows by less (rad) have arrived. */
@@ -22,7 +22,7 @@ final class Refinement {
      * From blocks of so many windows up to whole runs, a few steps there, and the best in one go of
      * where that has led.
      */
-    static Judged approach(Fit start, int perBlock) {
+    public static Judged approach(Fit start, int perBlock) {
         return approach(start, perBlock, Double.POSITIVE_INFINITY, Course.UNHEARD).judged();
     }
 
@@ -31,13 +31,13 @@ final class Refinement {
      *
      * @param isGivenUp whether it will miss too much
      */
-    record Near(Judged judged, boolean isGivenUp) {}
+    public record Near(Judged judged, boolean isGivenUp) {}
 
     /**
      * The same, which ends where it is once it was told to stop, or where what will be missed is
      * more than that, and hardly less than a step before.
      */
-    static Near approach(Fit start, int perBlock, double hopeless, Course course) {
+    public static Near approach(Fit start, int perBlock, double hopeless, Course course) {
         Simulated at = Simulated.of(start);
         int longest = start.longest();
         Judged best = whole(at);

@@ -1,5 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.diagnosis.shooting.Shooting;
+import org.auvsim.diagnosis.shooting.Window;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.List;

@@ -1,9 +1,12 @@
 package org.auvsim.diagnosis.fit;
 
+import org.auvsim.diagnosis.shooting.WindowBlock;
+import org.auvsim.diagnosis.shooting.WindowDerivatives;
+
 import java.util.List;
 
 /** What a model asks of the starts of the runs. */
-final class Starts {
+public final class Starts {
     private Starts() {}
 
     /**
@@ -12,7 +15,7 @@ final class Starts {
      * for all models. One in which a start never fades fits noise with it. Infinite if a motion got
      * lost.
      */
-    static double fineness(Fit fit) {
+    public static double fineness(Fit fit) {
         Fit whole = fit.whole();
         List<List<WindowDerivatives>> derivatives = whole.derivatives();
         if (derivatives.stream().flatMap(List::stream).anyMatch(WindowDerivatives::isLost)) {

@@ -1,6 +1,9 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.cause.Parameter;
+import org.auvsim.diagnosis.shooting.Window;
+import org.auvsim.diagnosis.shooting.WindowBlock;
+import org.auvsim.diagnosis.shooting.WindowDerivatives;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -11,7 +14,7 @@ import java.util.stream.IntStream;
  * A step to where a fit should miss least, as far as derivatives tell: of its parameters, and of
  * the starts of its blocks of windows.
  */
-final class Step {
+public final class Step {
     /** A step turns no window by more (rad): beyond that it is not linear. */
     private static final double MOST_TURN = 0.7;
 
@@ -126,7 +129,7 @@ final class Step {
     }
 
     /** Windows moved as a change of parameters asks for, as far as that is linear. */
-    static List<List<Window>> windows(List<List<WindowBlock>> blocks, double[] change) {
+    public static List<List<Window>> windows(List<List<WindowBlock>> blocks, double[] change) {
         return windows(blocks, change, linear(largestTurn(blocks, change)));
     }
 

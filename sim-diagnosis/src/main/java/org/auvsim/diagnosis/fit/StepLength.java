@@ -2,6 +2,10 @@ package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble.Work;
+import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.shooting.Shooting;
+import org.auvsim.diagnosis.shooting.Stepping;
+import org.auvsim.diagnosis.shooting.Window;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.List;
@@ -14,7 +18,7 @@ import java.util.stream.IntStream;
  * once, predictions take longer ones, which pass samples by, if those make no such difference
  * either and save work; and differences of two motions take longer ones still.
  */
-final class StepLength {
+public final class StepLength {
     /** Half the step may move a prediction by this share of the noise. */
     private static final double SHARE = 0.1;
 
@@ -35,7 +39,7 @@ final class StepLength {
     private StepLength() {}
 
     /** The model with steps that are short enough, judged over windows that follow the runs. */
-    static Stepping converged(Fit following) {
+    public static Stepping converged(Fit following) {
         BelievedModel fine = fine(following);
         return withLongerDifferences(
                 fine.equals(following.model()) ? passing(fine, following) : Stepping.exact(fine),
@@ -43,7 +47,7 @@ final class StepLength {
     }
 
     /** The same with predictions that pass no sample by. */
-    static Stepping atEachSample(Fit following) {
+    public static Stepping atEachSample(Fit following) {
         return withLongerDifferences(Stepping.exact(fine(following)), following);
     }
 
@@ -128,7 +132,7 @@ final class StepLength {
     }
 
     /** Whether steps of predictions that pass samples by move none that the data could show. */
-    static boolean doFor(Fit fit) {
+    public static boolean doFor(Fit fit) {
         return !fit.stepping().passesBy() || ofPredictions(fit) < LONG_SHARE;
     }
 

@@ -1,6 +1,9 @@
 package org.auvsim.diagnosis.fit;
 
-import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
+import org.auvsim.diagnosis.shooting.Shooting;
+import org.auvsim.diagnosis.shooting.Tangent;
+import org.auvsim.diagnosis.shooting.WindowDerivatives;
+import org.auvsim.diagnosis.shooting.WindowDerivatives.Moves;
 
 import java.util.List;
 import java.util.stream.IntStream;

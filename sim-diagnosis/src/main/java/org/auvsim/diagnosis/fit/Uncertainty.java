@@ -15,7 +15,7 @@ import java.util.stream.IntStream;
  * How well the parameters of a fit are determined: the covariance at its optimum, and what the
  * profile of the likelihood makes of it.
  */
-final class Uncertainty {
+public final class Uncertainty {
     /**
      * Regularises the scaled information: two parameters with identical traces get deviations
      * larger by a factor of about 1/sqrt(2 RIDGE).
@@ -34,7 +34,7 @@ final class Uncertainty {
     private final double excess;
 
     /** That of a fit that has converged. */
-    Uncertainty(Judged fitted) {
+    public Uncertainty(Judged fitted) {
         this.fitted = fitted;
         Fit fit = fitted.fit();
         int size = fit.hypothesis().size();
@@ -51,7 +51,7 @@ final class Uncertainty {
     }
 
     /** What the fit says of its parameters to whoever looks at other runs. */
-    Knowledge knowledge() {
+    public Knowledge knowledge() {
         return new Knowledge(fitted.fit().hypothesis().numbers(), information);
     }
 
@@ -86,7 +86,7 @@ final class Uncertainty {
      * Standard deviations of the quantities of all causes, as profiled; NaN of those that depend on
      * a number that leaves no trace.
      */
-    List<List<Double>> deviations() {
+    public List<List<Double>> deviations() {
         RealMatrix covariance = covariance();
         double[] stretches = new Profile(fitted, tangents, covariance, excess).stretches();
         for (int i = 0; i < stretches.length; i++) {

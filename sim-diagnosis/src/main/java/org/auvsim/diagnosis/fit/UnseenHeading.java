@@ -3,9 +3,15 @@ package org.auvsim.diagnosis.fit;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.residual.LocalMotion;
+import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.shooting.Shooting;
+import org.auvsim.diagnosis.shooting.Stepping;
+import org.auvsim.diagnosis.shooting.Window;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.Arrays;

@@ -1,8 +1,7 @@
 /**
- * Finds the causes that fit. To read: an {@link org.auvsim.diagnosis.fit.Examination} lets a {@code
- * Search} follow the runs and judges what it finds by held-out ones. Its {@code Selection} takes
- * what a {@code Screening} promises, lets it compete ({@code Tried}, {@code Tournament}, {@code
- * Refinement}), and exchanges what the data cannot tell apart ({@code Exchange}, {@code Choice}).
+ * Fits what a model lacks to measured runs. A {@code Hypothesis}, some causes and their numbers,
+ * makes a {@code Fit}; {@code Following} finds where runs begin, {@code Refinement} comes near in
+ * windows, {@code Descent} goes down to the end, {@code Uncertainty} says how sure the numbers are.
  */
 @NullMarked
 package org.auvsim.diagnosis.fit;

@@ -4,8 +4,8 @@ import org.apache.commons.math3.genetics.Chromosome;
 import org.apache.commons.math3.random.RandomGenerator;
 import org.apache.commons.math3.random.Well19937c;
 import org.auvsim.diagnosis.cause.Cause;
-import org.auvsim.diagnosis.fit.Arena;
 import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.search.Arena;
 
 import java.util.ArrayList;
 import java.util.Comparator;

@@ -2,13 +2,13 @@ package org.auvsim.diagnosis.genetic;
 
 import org.apache.commons.math3.genetics.Chromosome;
 import org.apache.commons.math3.random.Well19937c;
-import org.auvsim.diagnosis.fit.ImitationTrial;
-import org.auvsim.diagnosis.fit.Imitator;
 import org.auvsim.diagnosis.genetic.Formula.Sample;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Gain;
 import org.auvsim.diagnosis.result.Proposal;
+import org.auvsim.diagnosis.verdict.ImitationTrial;
+import org.auvsim.diagnosis.verdict.Imitator;
 
 import java.util.ArrayList;
 import java.util.List;

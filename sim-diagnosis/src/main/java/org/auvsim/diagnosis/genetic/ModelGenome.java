@@ -1,7 +1,7 @@
 package org.auvsim.diagnosis.genetic;
 
 import org.auvsim.diagnosis.cause.Cause;
-import org.auvsim.diagnosis.fit.Arena;
+import org.auvsim.diagnosis.search.Arena;
 
 import java.util.Comparator;
 import java.util.List;

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.Investigation;
 import org.auvsim.diagnosis.PushedSphere;
-import org.auvsim.diagnosis.fit.Examination;
 import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
@@ -14,6 +13,7 @@ import org.auvsim.diagnosis.result.Proposal;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.diagnosis.verdict.Examination;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

@@ -5,7 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.residual.Outcome;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.search.Alternatives;
+import org.auvsim.diagnosis.shooting.Stepping;
+import org.auvsim.diagnosis.subject.MeasuredVehicle;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 

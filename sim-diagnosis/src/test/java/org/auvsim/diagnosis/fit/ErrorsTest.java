@@ -5,11 +5,17 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
-import org.auvsim.diagnosis.fit.Outcome.Squares;
+import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.residual.Outcome;
+import org.auvsim.diagnosis.residual.Outcome.Squares;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.run.Reading;
+import org.auvsim.diagnosis.shooting.Stepping;
+import org.auvsim.diagnosis.shooting.Window;
+import org.auvsim.diagnosis.subject.FreeSphere;
 import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
 

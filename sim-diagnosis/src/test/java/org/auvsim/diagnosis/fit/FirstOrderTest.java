@@ -5,12 +5,19 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Library;
-import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.Reading;
+import org.auvsim.diagnosis.search.Seed;
+import org.auvsim.diagnosis.shooting.Stepping;
+import org.auvsim.diagnosis.shooting.Window;
+import org.auvsim.diagnosis.shooting.WindowDerivatives;
+import org.auvsim.diagnosis.shooting.WindowDerivatives.Moves;
+import org.auvsim.diagnosis.subject.MeasuredVehicle;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 

@@ -4,13 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.diagnosis.cause.Parameter;
+import org.auvsim.diagnosis.shooting.WindowBlock;
+import org.auvsim.diagnosis.subject.Cart;
 import org.junit.jupiter.api.Test;
 
 import java.util.Collections;
 import java.util.List;
 
 /** Products of columns. */
-class GramTest {
+public class GramTest {
     private static final Cart CART = new Cart(0.8, 2, 0.1);
 
     @Test
@@ -108,7 +110,7 @@ class GramTest {
     }
 
     /** Of numbers that may be any. */
-    static Bounds free(int size) {
+    public static Bounds free(int size) {
         return bounds(
                 Collections.nCopies(size, Parameter.signed("any", "1", 1))
                         .toArray(Parameter[]::new));

@@ -8,9 +8,9 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Parameter;
-import org.auvsim.diagnosis.fit.WindowDerivatives.Moves;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.shooting.WindowDerivatives.Moves;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;

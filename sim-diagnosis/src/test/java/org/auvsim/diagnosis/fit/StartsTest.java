@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.fit;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.auvsim.diagnosis.subject.Cart;
 import org.junit.jupiter.api.Test;
 
 /** A cart that is slowed by drag alone, with a first place and a first speed that nobody knows. */

@@ -3,6 +3,8 @@ package org.auvsim.diagnosis.fit;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.shooting.WindowDerivatives;
+import org.auvsim.diagnosis.subject.Cart;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 

@@ -1,0 +1,135 @@
+package org.auvsim.diagnosis.residual;
+
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+import org.auvsim.diagnosis.result.Axis;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.StringJoiner;
+import java.util.stream.IntStream;
+
+/**
+ * Takes their power from outliers: where a channel has more numbers far off than a normal
+ * distribution has, each is weighed as under Student's t with few degrees of freedom (Lange, Little
+ * &amp; Taylor 1989), by how far it is off a cubic through its four neighbours: without any model.
+ * What a run states of a number's error counts instead of the noise.
+ */
+public final class HeavyTails {
+    private static final double FREEDOM = 4;
+
+    /** This far off (in standard deviations) 6 of 100,000 normally distributed numbers are. */
+    private static final double FAR = 4;
+
+    private static final double MOST_FAR = 0.002;
+    private static final int MOST_BY_CHANCE = 1;
+
+    /** This far off no normally distributed number is. */
+    private static final double ASTRAY = 6;
+
+    /** Numbers that a cubic is taken of: each, and two to either side. */
+    private static final int CUBIC = 5;
+
+    /** Of a normal distribution: the median absolute deviation in standard deviations. */
+    private static final double NORMAL = 0.6745;
+
+    private HeavyTails() {}
+
+    /** What motions miss of a run, outliers weighed less where there are many. */
+    static Misses tamed(Misses of, Noise noise) {
+        int rows = of.rows().size();
+        double[] factors = new double[of.run().size() * rows];
+        boolean[] outliers = new boolean[factors.length];
+        Arrays.fill(factors, 1);
+        for (int row = 0; row < rows; row++) {
+            Series series = series(of.run(), of.rows().get(row));
+            double[] off = off(series, of.rows().get(row), noise);
+            if (hasOutliers(off)) {
+                for (int i = 0; i < off.length; i++) {
+                    int number = series.sample(i + CUBIC / 2) * rows + row;
+                    factors[number] = factor(off[i]);
+                    outliers[number] = isBeyond(FAR, i, off);
+                }
+            }
+        }
+        return of.weighed(factors, outliers);
+    }
+
+    /** What is told of the outliers of a run; empty where it has no more than chance brings. */
+    public static Optional<String> notice(MeasuredRun run, List<Misses.Row> rows, Noise noise) {
+        StringJoiner of = new StringJoiner(", ");
+        for (Misses.Row row : rows) {
+            Series series = series(run, row);
+            double[] off = off(series, row, noise);
+            if (hasOutliers(off)) {
+                of.add(
+                        "%d of %d numbers of %s"
+                                .formatted(
+                                        beyond(FAR, off),
+                                        series.size(),
+                                        Axis.of(run, row.channel(), row.axis())
+                                                .brief(row.channel())));
+            }
+        }
+        return of.length() == 0
+                ? Optional.empty()
+                : Optional.of(
+                        "%s: outliers, given less weight and left out of errors: %s"
+                                .formatted(run.name(), of));
+    }
+
+    private static Series series(MeasuredRun run, Misses.Row row) {
+        return Series.of(run, row.channel(), row.axis());
+    }
+
+    /** By how many standard deviations numbers are off, but for the first two and the last. */
+    private static double[] off(Series series, Misses.Row row, Noise noise) {
+        double ofRow = noise.of(row.channel(), row.axis());
+        double[] off =
+                IntStream.range(0, Math.max(0, series.size() - CUBIC + 1))
+                        .mapToDouble(
+                                i ->
+                                        series.difference(i, CUBIC)
+                                                / series.deviation(i, CUBIC, ofRow))
+                        .toArray();
+        return series.statesDeviations() ? usual(off) : off;
+    }
+
+    /** What most numbers are off makes no outlier, though less was stated. */
+    private static double[] usual(double[] off) {
+        double median = new Median().evaluate(Arrays.stream(off).map(Math::abs).toArray());
+        double scale = Math.max(1, median / NORMAL);
+        return Arrays.stream(off).map(z -> z / scale).toArray();
+    }
+
+    private static boolean hasOutliers(double[] off) {
+        return beyond(FAR, off) > Math.max(MOST_BY_CHANCE, MOST_FAR * off.length)
+                || beyond(ASTRAY, off) > 0;
+    }
+
+    private static int beyond(double limit, double[] off) {
+        return (int) IntStream.range(0, off.length).filter(i -> isBeyond(limit, i, off)).count();
+    }
+
+    private static boolean isBeyond(double limit, int i, double[] off) {
+        return Math.abs(off[i]) > limit && isAlone(i, off);
+    }
+
+    /**
+     * Whether it is off and not those beside it: then these are off to the other side, by less. A
+     * motion that bends more than a cubic leaves several off to the same.
+     */
+    private static boolean isAlone(int i, double[] off) {
+        return (i == 0 || isLess(off[i - 1], off[i]))
+                && (i + 1 == off.length || isLess(off[i + 1], off[i]));
+    }
+
+    private static boolean isLess(double beside, double off) {
+        return beside * off <= 0 && Math.abs(beside) <= Math.abs(off);
+    }
+
+    private static double factor(double z) {
+        return Math.sqrt((FREEDOM + 1) / (FREEDOM + z * z));
+    }
+}

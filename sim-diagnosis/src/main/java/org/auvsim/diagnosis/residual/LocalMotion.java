@@ -1,0 +1,176 @@
+package org.auvsim.diagnosis.residual;
+
+import org.apache.commons.math3.fitting.PolynomialCurveFitter;
+import org.apache.commons.math3.fitting.WeightedObservedPoints;
+import org.auvsim.core.entity.Frame;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.KnownStart;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.OrientationError;
+import org.auvsim.server.feedback.RigidMotion;
+
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/**
+ * The motion at a sample by what was measured around it, without any model: local parabolas. What
+ * was not measured is as in a motion given, velocities along the body's own axes.
+ */
+public final class LocalMotion {
+    private static final int DEGREE = 2;
+
+    /** So many samples tell how a run begins. */
+    private static final int BEGINNING = 8;
+
+    /** A rotation vector (rad) beyond half a turn would be that of the other way round. */
+    private static final double MOST_TURN = 2;
+
+    private final MeasuredRun run;
+    private final RigidMotion otherwise;
+    private final int from;
+    private final int to;
+
+    private LocalMotion(MeasuredRun run, RigidMotion otherwise, int from, int to) {
+        this.run = run;
+        this.otherwise = otherwise;
+        this.from = from;
+        this.to = to;
+    }
+
+    /** The motion at a sample by the samples from it up to {@code to}. */
+    public static RigidMotion at(MeasuredRun run, RigidMotion otherwise, int from, int to) {
+        return new LocalMotion(run, otherwise, from, to).motion();
+    }
+
+    /**
+     * How a run begins by a model: as is stated, or else where and turned as was measured, and as
+     * fast as the model, unless velocities were measured.
+     */
+    public static RigidMotion begin(MeasuredRun run, BelievedModel model) {
+        return model.nearestStart(
+                run.start().map(KnownStart::motion).orElseGet(() -> placed(run, model.start())));
+    }
+
+    private static RigidMotion placed(MeasuredRun run, RigidMotion otherwise) {
+        RigidMotion local = beginning(run, otherwise);
+        Quat turned = local.orientation();
+        LocalMotion begun = new LocalMotion(run, otherwise, 0, 0);
+        return new RigidMotion(
+                local.position(),
+                turned,
+                begun.measured(Channel.VELOCITY, turned).orElse(begun.carried(turned)),
+                begun.measured(Channel.ANGULAR_VELOCITY, turned)
+                        .orElse(otherwise.angularVelocity()));
+    }
+
+    /**
+     * A run of whose start all is known: what nothing was known of is as it was measured, or else
+     * as in the model.
+     */
+    public static MeasuredRun begun(MeasuredRun run, BelievedModel model) {
+        return run.start()
+                .filter(start -> start.deviations().stream().anyMatch(d -> d.isInfinite()))
+                .map(start -> start.orElse(beginning(run, model.start())))
+                .map(run::startingAt)
+                .orElse(run);
+    }
+
+    private static RigidMotion beginning(MeasuredRun run, RigidMotion otherwise) {
+        return at(run, otherwise, 0, Math.min(BEGINNING, run.size() - 1));
+    }
+
+    private RigidMotion motion() {
+        Quat axes =
+                IntStream.rangeClosed(from, to)
+                        .filter(run::isOriented)
+                        .boxed()
+                        .findFirst()
+                        .flatMap(run::orientation)
+                        .or(() -> run.orientation(from))
+                        .orElse(otherwise.orientation());
+        double[][] turn = new double[3][];
+        for (int i = 0; i < 3; i++) {
+            turn[i] = parabola(turns(axes, i), 0, otherwise.angularVelocity().component(i));
+        }
+        Quat oriented = still(axes).plus(change(column(turn, 0))).orientation();
+        Vec3 carried = carried(oriented);
+        double[][] place = new double[3][];
+        for (int i = 0; i < 3; i++) {
+            double there = otherwise.position().component(i);
+            place[i] = parabola(places(i), there, carried.component(i));
+        }
+        Vec3 atPlace = column(place, 0);
+        return new RigidMotion(
+                atPlace,
+                oriented,
+                measured(Channel.VELOCITY, oriented).orElse(column(place, 1)),
+                measured(Channel.ANGULAR_VELOCITY, oriented).orElse(column(turn, 1)));
+    }
+
+    /** The velocity along the body's axes as in the motion given. */
+    private Vec3 carried(Quat orientation) {
+        return orientation.rotate(otherwise.orientation().rotateInverse(otherwise.velocity()));
+    }
+
+    /** A velocity that was measured itself, in the world's axes. */
+    private Optional<Vec3> measured(Channel channel, Quat orientation) {
+        return run.vector(channel, from)
+                .map(v -> run.frame(channel) == Frame.BODY ? orientation.rotate(v) : v);
+    }
+
+    private WeightedObservedPoints places(int axis) {
+        WeightedObservedPoints places = new WeightedObservedPoints();
+        for (int k = from; k <= to; k++) {
+            double place = run.value(Channel.POSITION, k, axis);
+            if (!Double.isNaN(place)) {
+                places.add(run.time(k) - run.time(from), place);
+            }
+        }
+        return places;
+    }
+
+    /** Of samples that lack an angle of others these alone count, where there are any. */
+    private WeightedObservedPoints turns(Quat axes, int axis) {
+        WeightedObservedPoints turns = new WeightedObservedPoints();
+        boolean isOriented = IntStream.rangeClosed(from, to).anyMatch(run::isOriented);
+        for (int k = from; k <= to; k++) {
+            if (isOriented && !run.isOriented(k)) {
+                continue;
+            }
+            double time = run.time(k) - run.time(from);
+            Optional<Vec3> turn = run.orientation(k).map(q -> OrientationError.turn(axes, q));
+            if (turn.isPresent() && turn.get().norm() > MOST_TURN) {
+                break;
+            }
+            turn.ifPresent(t -> turns.add(time, t.component(axis)));
+        }
+        return turns;
+    }
+
+    /** Value and slope where the points begin; as given where there are none. */
+    private static double[] parabola(WeightedObservedPoints points, double value, double slope) {
+        int count = points.toList().size();
+        double[] all = {value, slope, 0};
+        if (count > 0) {
+            double[] fitted =
+                    PolynomialCurveFitter.create(Math.min(DEGREE, count - 1)).fit(points.toList());
+            System.arraycopy(fitted, 0, all, 0, fitted.length);
+        }
+        return all;
+    }
+
+    private static RigidMotion still(Quat orientation) {
+        return new RigidMotion(Vec3.ZERO, orientation, Vec3.ZERO, Vec3.ZERO);
+    }
+
+    private static double[] change(Vec3 turn) {
+        return new double[] {0, 0, 0, turn.x(), turn.y(), turn.z(), 0, 0, 0, 0, 0, 0};
+    }
+
+    private static Vec3 column(double[][] rows, int column) {
+        return new Vec3(rows[0][column], rows[1][column], rows[2][column]);
+    }
+}

@@ -1,0 +1,81 @@
+package org.auvsim.diagnosis.residual;
+
+import java.util.stream.IntStream;
+
+/**
+ * Whether residuals are noise: those of a good model have no memory, so that means over blocks of
+ * them are as small as chance makes them. Each channel is scaled by its own deviation, so that a
+ * wrong estimate of the noise is not taken for a cause.
+ */
+public final class Whiteness {
+    private static final int[] BLOCKS = {4, 8, 16, 32};
+
+    /** Above this a channel is not white: of noise, one in 30,000 block sums is. */
+    public static final double LIMIT = 4;
+
+    private Whiteness() {}
+
+    /**
+     * How unlikely the largest of the block sums is, as a normal deviate.
+     *
+     * @param misses sample by sample
+     * @param of what they are of; what is stated of its errors may last, too
+     */
+    public static double largest(double[] misses, Misses of) {
+        double largest = 0;
+        for (int row = 0; row < of.rows().size(); row++) {
+            double[] ofChannel = row(misses, row, of);
+            double own = deviation(ofChannel);
+            double deviation = of.isStated(of.rows().get(row)) ? Math.max(1, own) : own;
+            if (own * own < Outcome.EXACT) {
+                continue; // without noise
+            }
+            for (int length : BLOCKS) {
+                largest = Math.max(largest, deviate(ofChannel, deviation, length));
+            }
+        }
+        return largest;
+    }
+
+    /** Those that were measured. */
+    private static double[] row(double[] misses, int row, Misses of) {
+        int rows = of.rows().size();
+        return IntStream.range(0, misses.length / rows)
+                .map(k -> k * rows + row)
+                .filter(of::isMeasured)
+                .mapToDouble(i -> misses[i])
+                .toArray();
+    }
+
+    private static double deviation(double[] values) {
+        double sum = 0;
+        for (double value : values) {
+            sum += value * value;
+        }
+        return Math.sqrt(sum / values.length);
+    }
+
+    /** That of one channel over blocks of one length. */
+    private static double deviate(double[] values, double deviation, int length) {
+        int blocks = values.length / length;
+        double sum = 0;
+        for (int b = 0; b < blocks; b++) {
+            double mean = 0;
+            for (int k = 0; k < length; k++) {
+                mean += values[b * length + k];
+            }
+            mean /= length * deviation / Math.sqrt(length);
+            sum += mean * mean;
+        }
+        return blocks < 2 ? 0 : deviate(sum, blocks);
+    }
+
+    /**
+     * A chi square as a normal deviate (Wilson &amp; Hilferty 1931): of few degrees of freedom its
+     * tail is long.
+     */
+    public static double deviate(double chiSquare, int freedom) {
+        double variance = 2 / (9.0 * freedom);
+        return (StrictMath.cbrt(chiSquare / freedom) - (1 - variance)) / Math.sqrt(variance);
+    }
+}

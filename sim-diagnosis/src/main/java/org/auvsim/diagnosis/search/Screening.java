@@ -1,0 +1,98 @@
+package org.auvsim.diagnosis.search;
+
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.fit.Course;
+import org.auvsim.diagnosis.fit.Fit;
+import org.auvsim.diagnosis.fit.Following;
+import org.auvsim.diagnosis.fit.Hypothesis;
+import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.residual.Outcome;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.util.Comparator;
+import java.util.List;
+
+/** Screens causes along the measured motion, as closely as a model can follow it. */
+final class Screening {
+    private final Fit base;
+    private final Noise noise;
+    private final List<Seed.Guesses> guesses;
+    private final Outcome asBelieved;
+    private final Course course;
+
+    /** What followed the measurement last. */
+    private Fit followed;
+
+    /**
+     * A screening of a library.
+     *
+     * @param base what follows the measurement by the model as it is believed
+     * @param asBelieved what that model misses
+     */
+    Screening(Fit base, Noise noise, List<Cause> library, Outcome asBelieved, Course course) {
+        List<MeasuredRun> runs = base.data().stream().map(Misses::run).toList();
+        this.base = base;
+        this.noise = noise;
+        this.guesses = library.stream().map(c -> new Seed.Guesses(c, c.guesses(runs))).toList();
+        this.asBelieved = asBelieved;
+        this.course = course;
+        this.followed = base;
+    }
+
+    /** Of the model as it is believed. */
+    Screen of(List<Cause> causes) {
+        return new Screen(base, causes, guesses, asBelieved);
+    }
+
+    /** Beside those of a hypothesis. */
+    Screen beside(Hypothesis hypothesis, List<Cause> causes) {
+        return new Screen(following(hypothesis), causes, guesses, asBelieved);
+    }
+
+    /** Along the motion of what was found, if that is sure: it tells how the body moved. */
+    Screen beside(Hypothesis hypothesis, List<Cause> causes, Judged found) {
+        if (!found.isWhite()) {
+            return beside(hypothesis, causes);
+        }
+        Fit along = base.with(hypothesis, base.windows()).along(found.fit());
+        return new Screen(along, causes, guesses, asBelieved);
+    }
+
+    /**
+     * What each leaves beside something, but for those of many places, moments or frequencies;
+     * nothing of any, once the search was told to stop.
+     */
+    Traces traces(Judged beside) {
+        Hypothesis of = beside.fit().hypothesis();
+        List<Cause> plain =
+                guesses.stream().map(Seed.Guesses::cause).filter(c -> !hasManyGuesses(c)).toList();
+        return course.goesOn() ? beside(of, plain).traces() : Traces.none(of);
+    }
+
+    /** Whether there are many places to begin. */
+    boolean hasManyGuesses(Cause cause) {
+        return guesses.stream().anyMatch(g -> g.cause().equals(cause) && g.guesses().size() > 2);
+    }
+
+    /** Whether it swings, at any of many frequencies. */
+    boolean isSwept(Cause cause) {
+        return guesses.stream().anyMatch(g -> g.cause().equals(cause) && g.isSwept());
+    }
+
+    /** With one cause each, the most promising first. */
+    static List<Screen.Start> promising(Screen screen) {
+        return screen.starts(1, cause -> true).stream()
+                .sorted(Comparator.comparingDouble(Screen.Start::promise).reversed())
+                .toList();
+    }
+
+    /** Windows that follow the measurement under a hypothesis. */
+    private Fit following(Hypothesis hypothesis) {
+        if (!followed.hypothesis().equals(hypothesis)) {
+            followed = Following.of(base.stepping(), hypothesis, base.data(), noise, course);
+        }
+        return followed;
+    }
+}

@@ -1,0 +1,139 @@
+package org.auvsim.diagnosis.search;
+
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.fit.Course;
+import org.auvsim.diagnosis.fit.Descent;
+import org.auvsim.diagnosis.fit.Fit;
+import org.auvsim.diagnosis.fit.Following;
+import org.auvsim.diagnosis.fit.Hypothesis;
+import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.fit.Refinement;
+import org.auvsim.diagnosis.fit.StepLength;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.shooting.Stepping;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+
+/** Looks for the causes that explain what a model misses of measured runs. */
+public final class Search {
+    /** A model that lacks nothing needs few; how badly another one fits need not be known well. */
+    private static final int NONE_STEPS = 8;
+
+    /** Share of the work that is done at its end. */
+    public static final double END = 0.9;
+
+    private final BelievedModel model;
+    private final List<MeasuredRun> runs;
+    private final Noise noise;
+    private final Fit base;
+    private final List<Cause> library;
+    private final Course course;
+    private final Optional<Arena.Contest> contest;
+
+    /** By columns of a screening, or else by a contest of models. */
+    public Search(
+            BelievedModel model,
+            List<MeasuredRun> runs,
+            List<Cause> library,
+            Optional<Arena.Contest> contest,
+            Course course) {
+        this(model, runs, library, contest, course, StepLength::converged);
+    }
+
+    private Search(
+            BelievedModel model,
+            List<MeasuredRun> runs,
+            List<Cause> library,
+            Optional<Arena.Contest> contest,
+            Course course,
+            Function<Fit, Stepping> length) {
+        this.model = model;
+        this.runs = runs;
+        this.noise = Noise.of(runs);
+        List<Misses> data = Misses.of(runs, noise);
+        course.at("following the runs", 0.02);
+        Stepping first = Stepping.longer(model).getFirst();
+        Fit asStated = Following.of(first, Hypothesis.NONE, data, noise, course);
+        Stepping stepping = course.goesOn() ? length.apply(asStated) : first;
+        this.base =
+                stepping.fine().equals(model)
+                        ? asStated.in(stepping)
+                        : Following.of(stepping, Hypothesis.NONE, data, noise, course);
+        this.library = library;
+        this.course = course;
+        this.contest = contest;
+    }
+
+    /**
+     * What was found.
+     *
+     * @param none the model as it is believed
+     * @param best the best set of causes; that of none if no set is better
+     * @param judged all sets, the best first
+     * @param competitors sets that explain the runs about as well as the best
+     * @param traces what causes leave in the data beside those of the best
+     */
+    public record Found(
+            Judged none,
+            Judged best,
+            List<Judged> judged,
+            List<Judged> competitors,
+            Traces traces,
+            Noise noise) {
+        /** The model, in steps that are short enough. */
+        public Stepping stepping() {
+            return none.fit().stepping();
+        }
+
+        /** The same, if none of what was found is true. */
+        public Found nothing() {
+            return new Found(none, none, judged, List.of(), traces, noise);
+        }
+
+        /** The best, one of its causes left out. */
+        public Judged without(int cause) {
+            Hypothesis of = best.fit().hypothesis();
+            if (of.causes().size() == 1) {
+                return none;
+            }
+            Hypothesis fewer = of.without(cause);
+            return judged.stream()
+                    .filter(j -> j.fit().hypothesis().causes().equals(fewer.causes()))
+                    .findFirst()
+                    .orElseGet(() -> fitted(fewer));
+        }
+
+        private Judged fitted(Hypothesis hypothesis) {
+            Fit fit = best.fit().with(hypothesis, best.fit().windows());
+            return Descent.of(fit).steps(Tournament.TO_THE_END);
+        }
+    }
+
+    /** What is found, again in steps to each sample if what was would need them. */
+    public Found found() {
+        Found found = inTheseSteps();
+        return StepLength.doFor(found.best().fit()) || !course.goesOn()
+                ? found
+                : new Search(
+                                model,
+                                runs,
+                                library,
+                                contest,
+                                course.more(END),
+                                StepLength::atEachSample)
+                        .inTheseSteps();
+    }
+
+    private Found inTheseSteps() {
+        course.at("fitting the model as it is", 0.1);
+        Judged none =
+                Descent.of(Refinement.approach(base, 1))
+                        .steps(NONE_STEPS, Double.POSITIVE_INFINITY, course);
+        return new Selection(base, none, noise, library, contest, course).found();
+    }
+}

@@ -1,0 +1,284 @@
+package org.auvsim.diagnosis.search;
+
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.fit.Course;
+import org.auvsim.diagnosis.fit.Fit;
+import org.auvsim.diagnosis.fit.Hypothesis;
+import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.residual.Noise;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+
+/**
+ * Selects the causes that explain what a model misses of measured runs: one or two at once, more
+ * one by one, as few as are worth it.
+ */
+final class Selection {
+    private static final int MOST_CAUSES = 3;
+    private static final int FORWARD = 4;
+
+    /** A gain below this may be one of noise, among so many causes. */
+    static final double DOUBTFUL = 30;
+
+    /** What promises more beside what leaves noise alone is tried. */
+    private static final double TELLING = 5;
+
+    private static final double FALSE_ALARMS = 0.01;
+
+    /** What promises less than this share of a gain, to first order, does not gain more. */
+    private static final double PROMISING = 0.5;
+
+    private final Fit base;
+    private final Judged none;
+    private final List<Cause> library;
+    private final Optional<Arena.Contest> contest;
+    private final Course course;
+    private final Noise noise;
+    private final Screening screening;
+    private final Tried tried;
+
+    /**
+     * By columns of a screening, or else by a contest of models.
+     *
+     * @param base what follows the measurement by the model as it is believed
+     * @param none that model, fitted
+     */
+    Selection(
+            Fit base,
+            Judged none,
+            Noise noise,
+            List<Cause> library,
+            Optional<Arena.Contest> contest,
+            Course course) {
+        this.base = base;
+        this.none = none;
+        this.noise = noise;
+        this.library = library;
+        this.contest = contest;
+        this.course = course;
+        this.screening = new Screening(base, noise, library, none.outcome(), course);
+        this.tried = new Tried(none, noise, course);
+    }
+
+    /** Specific causes first; those that can imitate others only where none of those passes. */
+    Search.Found found() {
+        List<Cause> specific = library.stream().filter(c -> !c.isGeneric()).toList();
+        Judged best = searched(specific, cause -> true);
+        if (!best.isWhite() && specific.size() < library.size() && course.goesOn()) {
+            Judged generic = searched(library, Cause::isGeneric);
+            best = generic.score() < best.score() ? generic : best;
+        }
+        if (contest.isEmpty()) {
+            best = extended(best);
+        }
+        if (!best.isWhite() && contest.isEmpty() && course.goesOn()) {
+            best = rescued(best, specific);
+        }
+        best = contest.isEmpty() ? plainer(best) : best;
+        best = isByChance(best) ? none : best;
+        for (Judged more = completed(best); !more.equals(best); more = completed(best)) {
+            best = more;
+        }
+        if (best.isWhite() && !hasRoom(best) && contest.isEmpty() && course.goesOn()) {
+            best = rescued(best, specific); // so many causes can imitate one with a place
+        }
+        return chosen(best.isNone() ? best : tried.settled(best));
+    }
+
+    /**
+     * What is believed of that and what the data cannot tell from it. If it is not what was found,
+     * what the data cannot tell from that may not have been tried yet.
+     */
+    private Search.Found chosen(Judged found) {
+        Traces traces = screening.traces(found);
+        Judged best = exchanged(found, traces);
+        Choice choice = choice(best);
+        Judged chosen = choice.instead(best, course);
+        if (!chosen.hasCausesOf(best) && !chosen.isNone()) {
+            best = exchanged(chosen, screening.traces(chosen));
+            choice = choice(best);
+            chosen = choice.instead(best, course);
+        }
+        return new Search.Found(
+                chosen.isNone() ? chosen : none,
+                chosen,
+                choice.judged(),
+                choice.competitors(chosen),
+                chosen.hasCausesOf(found) ? traces : screening.traces(chosen),
+                noise);
+    }
+
+    private Choice choice(Judged best) {
+        tried.underSpecificNames(best, library);
+        return Choice.near(best, tried.eachSetOnce(), library);
+    }
+
+    /**
+     * Where as many as there may be miss something, others will, too. What was exchanged may have
+     * stood for what another of its causes stands for: each is exchanged again beside it.
+     */
+    private Judged exchanged(Judged found, Traces traces) {
+        boolean isWorthIt = contest.isEmpty() && (hasRoom(found) || found.isWhite());
+        if (!isWorthIt) {
+            return found;
+        }
+        Judged best = new Exchange(library, screening, tried, course).best(found, traces);
+        return best.hasCausesOf(found) || best.fit().hypothesis().causes().size() < 2
+                ? best
+                : exchanged(best, screening.traces(best));
+    }
+
+    /**
+     * With what is surely missed still, though all that is left together passes for noise: the test
+     * of one cause sees more than that of any memory.
+     */
+    private Judged completed(Judged best) {
+        boolean isOpen = !best.isNone() && hasRoom(best) && best.isWhite() && course.goesOn();
+        if (!isOpen || contest.isPresent()) {
+            return best;
+        }
+        List<Screen.Start> beside = more(best);
+        List<Screen.Start> missed =
+                beside.stream().filter(start -> start.promise() > TELLING).toList();
+        Judged more =
+                missed.isEmpty() ? best : tried.pruned(tried.tournament(missed, best, 0.8, 0.85));
+        boolean mayStandForTwo =
+                best.fit().hypothesis().causes().size() == 1
+                        && beside.stream().anyMatch(start -> start.promise() > 0);
+        return more.equals(best) && mayStandForTwo ? asTwo(best) : more;
+    }
+
+    /** Two other causes in place of one, where they promise more than any alone does. */
+    private Judged asTwo(Judged one) {
+        Hypothesis of = one.fit().hypothesis();
+        Screen screen =
+                screening.of(
+                        library.stream()
+                                .filter(c -> of.isGeneric() || !c.isGeneric())
+                                .filter(c -> !c.isAmong(of.causes()))
+                                .toList());
+        List<Screen.Start> alone = screen.starts(1, cause -> true);
+        List<Screen.Start> two =
+                screen.starts(2, cause -> true).stream()
+                        .filter(pair -> promisesMore(pair, alone))
+                        .toList();
+        return tried.pruned(whole(tried.tournament(two, one, 0.8, 0.85)));
+    }
+
+    /** Than any cause alone does at that level, more than noise lets it. */
+    private static boolean promisesMore(Screen.Start pair, List<Screen.Start> alone) {
+        return alone.stream()
+                .filter(other -> other.perBlock() == pair.perBlock())
+                .allMatch(other -> pair.promise() > other.promise() + DOUBTFUL);
+    }
+
+    private static boolean hasRoom(Judged best) {
+        return best.fit().hypothesis().causes().size() < MOST_CAUSES;
+    }
+
+    /** With one more cause each, the most promising ones. */
+    private List<Screen.Start> more(Judged best) {
+        Hypothesis of = best.fit().hypothesis();
+        List<Cause> others = library.stream().filter(c -> !c.isAmong(of.causes())).toList();
+        return Screening.promising(screening.beside(of, others)).stream().limit(FORWARD).toList();
+    }
+
+    /** Whether noise alone would gain as much, among all causes together, too often. */
+    private boolean isByChance(Judged best) {
+        double gain = none.score() - best.score();
+        return !best.isNone()
+                && gain <= DOUBTFUL
+                && course.goesOn()
+                && gain < screening.of(library).chance().exceededBy(FALSE_ALARMS);
+    }
+
+    /**
+     * The best set of one or two causes.
+     *
+     * @param isNew those of which a set must have one
+     */
+    private Judged searched(List<Cause> causes, Predicate<Cause> isNew) {
+        if (contest.isPresent()) {
+            List<Screen.Start> models = competing(contest.get(), causes);
+            return tried.pruned(tried.tournament(models, none, 0.4, 0.7));
+        }
+        if (!course.at("screening causes", 0.2)) {
+            return none;
+        }
+        Screen screen = screening.of(causes);
+        Judged best = whole(tried.tournament(screen.starts(1, isNew), none, 0.3, 0.5));
+        if (!best.isWhite() && course.goesOn()) {
+            Judged pair = tried.tournament(screen.starts(2, isNew), best, 0.5, 0.7);
+            best = tried.pruned(whole(pair));
+        }
+        return best;
+    }
+
+    /** With all that these causes can do. */
+    private Judged whole(Judged best) {
+        return tried.freed(tried.begunAnew(best));
+    }
+
+    /** With more causes, one by one, while something is missed. */
+    private Judged extended(Judged found) {
+        Judged best = found;
+        while (hasRoom(best) && !best.isWhite() && course.goesOn()) {
+            Judged more = tried.pruned(tried.freed(tried.tournament(more(best), best, 0.7, 0.8)));
+            if (more.score() >= best.score()) {
+                break;
+            }
+            best = more;
+        }
+        return best;
+    }
+
+    /**
+     * One cause that can imitate others, where it says as much as several specific ones do, or may
+     * say more than a single one or none.
+     */
+    private Judged plainer(Judged best) {
+        Hypothesis of = best.fit().hypothesis();
+        List<Cause> generic = library.stream().filter(Cause::isGeneric).toList();
+        boolean wereTried = of.isGeneric() || (of.causes().size() < 2 && !best.isWhite());
+        if (wereTried || generic.isEmpty() || !course.goesOn()) {
+            return best;
+        }
+        double enough = of.causes().size() < 2 ? PROMISING * (none.score() - best.score()) : 0;
+        List<Screen.Start> starts =
+                screening.of(generic).starts(1, cause -> true).stream()
+                        .filter(start -> start.promise() >= enough)
+                        .toList();
+        return starts.isEmpty() ? best : tried.tournament(starts, best, 0.8, 0.85);
+    }
+
+    private List<Screen.Start> competing(Arena.Contest models, List<Cause> causes) {
+        return models.candidates(new Arena(base, course), causes).stream()
+                .map(c -> new Hypothesis(c.causes(), c.theta()))
+                .map(h -> new Screen.Start(base.with(h, base.windows()), 1, 0))
+                .toList();
+    }
+
+    /**
+     * Each cause alone is begun in blocks of every length: what promised less than others, or got
+     * lost from long ones, may be it, as impacts tell little to first order. Then what has many
+     * places to begin, at the best of them, and what takes another form, of which a small part
+     * tells little, beside another.
+     */
+    private Judged rescued(Judged best, List<Cause> causes) {
+        Judged alone = rescued(best, screening.of(causes));
+        if (alone.isWhite()) {
+            return alone;
+        }
+        List<Cause> many =
+                causes.stream()
+                        .filter(c -> screening.hasManyGuesses(c) || c.freer().isPresent())
+                        .toList();
+        return rescued(alone, screening.beside(tried.strongest(), many));
+    }
+
+    private Judged rescued(Judged best, Screen screen) {
+        return tried.pruned(whole(tried.tournament(screen.startsOfEach(), best, 0.8, 0.9)));
+    }
+}

@@ -1,0 +1,310 @@
+package org.auvsim.diagnosis.verdict;
+
+import org.auvsim.auvsml.document.Scenario;
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.fit.Course;
+import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.fit.LeaveOneOut;
+import org.auvsim.diagnosis.fit.Progress;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.model.Variant;
+import org.auvsim.diagnosis.residual.LocalMotion;
+import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.result.Alternative;
+import org.auvsim.diagnosis.result.Approximation;
+import org.auvsim.diagnosis.result.DiagnosedRun;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Discrepancy;
+import org.auvsim.diagnosis.result.Finding;
+import org.auvsim.diagnosis.result.Gain;
+import org.auvsim.diagnosis.result.Moments;
+import org.auvsim.diagnosis.result.Sentence;
+import org.auvsim.diagnosis.result.Verdict;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.search.Alternatives;
+import org.auvsim.diagnosis.search.Arena;
+import org.auvsim.diagnosis.search.Search;
+import org.auvsim.server.feedback.RigidMotion;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/**
+ * Examines measured runs: searches causes with some, judges them with others, and says what it is.
+ */
+public final class Examination {
+    /** Share of the work that is done once all runs have been searched, where that is needed. */
+    private static final double ALL_SEARCHED = 0.98;
+
+    /** So many times as long as parts of runs that were fitted is too far ahead for the model. */
+    private static final double FAR_LONGER = 1.5;
+
+    /** Share of the work that is done once it is known what is told. */
+    private static final double END = 0.99;
+
+    /** Errors that are such a share of those before are worth a model that explains nothing. */
+    private static final double NEARER = 0.5;
+
+    /** Others may be such a share of theirs, as those that were no larger than noise. */
+    private static final double NO_FARTHER = 1.1;
+
+    private final BelievedModel model;
+    private final List<MeasuredRun> fit;
+    private final List<MeasuredRun> heldOut;
+    private final List<Cause> causes;
+    private final long seed;
+    private final Optional<Arena.Contest> contest;
+    private final Course course;
+
+    /**
+     * Of runs that are searched with and runs that only judge.
+     *
+     * @param contest by which models are found; empty: by what causes leave in the data
+     */
+    public Examination(
+            BelievedModel model,
+            List<MeasuredRun> fit,
+            List<MeasuredRun> heldOut,
+            List<Cause> causes,
+            long seed,
+            Optional<Arena.Contest> contest,
+            Progress progress) {
+        this.model = model;
+        this.fit = begun(fit);
+        this.heldOut = begun(heldOut);
+        this.causes = causes;
+        this.seed = seed;
+        this.contest = contest;
+        this.course = new Course(progress);
+    }
+
+    private List<MeasuredRun> begun(List<MeasuredRun> runs) {
+        return runs.stream().map(run -> LocalMotion.begun(run, model)).toList();
+    }
+
+    /** What the runs say of the model. */
+    public Diagnosis diagnosis() {
+        return diagnosis(List.of());
+    }
+
+    /** The same, with what imitates the misfit best where nothing that is known explains it. */
+    public Diagnosis diagnosis(List<Imitator> imitators) {
+        Search.Found found = new Search(model, fit, causes, contest, course).found();
+        course.at("judging by held-out runs", Search.END);
+        Judgement judgement =
+                Judgement.of(found, new Trial(found.stepping(), heldOut, found.noise()));
+        if (judgement.isOfTwoMinds() && areAsLong(fit, heldOut) && course.goesOn()) {
+            Search.Found all =
+                    new Search(model, allRuns(), causes, contest, course.more(ALL_SEARCHED))
+                            .found();
+            LeaveOneOut turns = new LeaveOneOut(all.best(), course);
+            if (isConvincing(all, found, turns) && judgement.isNews(all)) {
+                return diagnosis(judgement.convinced(all), Optional.of(turns));
+            }
+        }
+        Diagnosis diagnosis = diagnosis(judgement.orAsBelieved(), Optional.empty());
+        ImitationTrial trial = new ImitationTrial(found.stepping(), heldOut, found.noise(), course);
+        return imitated(diagnosis, trial, imitators);
+    }
+
+    /** Only once the search has come to its end: a known cause is worth more. */
+    private Diagnosis imitated(
+            Diagnosis diagnosis, ImitationTrial trial, List<Imitator> imitators) {
+        if (diagnosis.verdict() != Verdict.UNEXPLAINED
+                || !diagnosis.isComplete()
+                || !course.at("looking for a formula or a field", END)) {
+            return diagnosis;
+        }
+        return imitators.stream()
+                .flatMap(imitator -> imitator.proposal(diagnosis, trial).stream())
+                .min(Comparator.comparingDouble(proposal -> proposal.heldOut().after()))
+                .map(diagnosis::proposing)
+                .orElse(diagnosis);
+    }
+
+    /**
+     * Whether all runs can be searched together. They cannot where those of the fit were cut into
+     * parts and the held-out ones are far longer: so far ahead the model was not to predict.
+     */
+    static boolean areAsLong(List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
+        return fit.stream().noneMatch(MeasuredRun::isPart)
+                || longest(heldOut) <= FAR_LONGER * longest(fit);
+    }
+
+    private static double longest(List<MeasuredRun> runs) {
+        return runs.stream().mapToDouble(MeasuredRun::duration).max().orElse(0);
+    }
+
+    /**
+     * Whether what all runs say can be believed, though none was held out: what had to be given up
+     * for it must be made up for by each run, left out in turn, where they can judge one another.
+     */
+    private boolean isConvincing(Search.Found all, Search.Found ofFit, LeaveOneOut turns) {
+        Judged best = all.best();
+        return !best.isNone()
+                && best.isWhite()
+                && (ofFit.best().isNone()
+                        || !LeaveOneOut.canJudge(allRuns())
+                        || Trial.holdsLeftOut(all.none(), best, turns));
+    }
+
+    private List<MeasuredRun> allRuns() {
+        List<MeasuredRun> all = new ArrayList<>(fit);
+        all.addAll(heldOut);
+        return all;
+    }
+
+    /**
+     * What was found, in all its parts.
+     *
+     * @param turns where the fit runs alone had nothing to say and all were searched with
+     */
+    private Diagnosis diagnosis(Judgement judgement, Optional<LeaveOneOut> turns) {
+        boolean usedHeldOut = turns.isPresent();
+        Search.Found found = judgement.found();
+        Trial trial = judgement.trial();
+        Judged best = found.best();
+        Judged before = judgement.before();
+        Judged after = judgement.after();
+        Verdict verdict = judgement.verdict();
+        boolean isExplained = verdict == Verdict.EXPLAINED;
+        List<Finding> selected = isExplained ? Findings.of(found) : List.of();
+        double share = Findings.share(found.none(), best);
+        List<Alternative> alternatives = isExplained ? alternatives(found) : List.of();
+        Foretold foretold =
+                turns.map(of -> Foretold.byTurns(asBelieved(found), of, found.noise()))
+                        .orElseGet(() -> Foretold.of(before, after, found.noise()));
+        Map<Channel, Gain> gains = foretold.gains();
+        Optional<Discrepancy> discrepancy =
+                verdict == Verdict.UNEXPLAINED
+                        ? Optional.of(Misfit.largest(judgement.inDoubt(), share))
+                        : Optional.empty();
+        Sentence sentence =
+                new Sentence(gains, usedHeldOut, foretold.isBetter()).with(new Moments(allRuns()));
+        String words =
+                switch (verdict) {
+                    case EXPLAINED -> explained(sentence, found, selected, share, alternatives);
+                    case NONE -> sentence.none();
+                    case UNEXPLAINED -> sentence.unexplained(discrepancy);
+                    case UNDECIDED -> Sentence.stoppedAtOnce();
+                };
+        return new Diagnosis(
+                verdict,
+                words,
+                model.body(),
+                selected,
+                causes.size(),
+                Ranking.of(found, verdict != Verdict.UNEXPLAINED),
+                alternatives,
+                found.noise().byChannel(),
+                gains,
+                course.goesOn() ? trial.horizons(best.fit().variant()) : List.of(),
+                usedHeldOut,
+                runs(found, best, after),
+                discrepancy,
+                verdict == Verdict.UNEXPLAINED ? approximation(found, gains) : Optional.empty(),
+                Optional.empty(),
+                new Menu(best.fit(), found.noise()).next(best, found.competitors()),
+                found.traces().identifiability(best.fit().hypothesis().causes()),
+                extended(isExplained ? best.fit().variant() : model.variant(), selected),
+                new Notices(model, fit, heldOut).of(found, after, verdict, foretold),
+                seed,
+                course.goesOn());
+    }
+
+    /** To what was found. */
+    private static List<Alternative> alternatives(Search.Found found) {
+        return found.competitors().stream()
+                .filter(other -> !other.isNone())
+                .sorted(Comparator.comparingDouble(Judged::logEvidence).reversed())
+                .map(other -> Alternatives.alternative(found.best(), other))
+                .toList();
+    }
+
+    private LeaveOneOut asBelieved(Search.Found found) {
+        return new LeaveOneOut(found.none(), course);
+    }
+
+    private static String explained(
+            Sentence sentence,
+            Search.Found found,
+            List<Finding> selected,
+            double share,
+            List<Alternative> alternatives) {
+        String words = sentence.explained(selected, share, alternatives);
+        return DragLaw.unsettled(found, alternatives)
+                .map(other -> Sentence.unsettled(words, other.cause(), other.share()))
+                .orElse(words);
+    }
+
+    /**
+     * The best that was tried, where it is much nearer to the held-out runs, and nowhere farther.
+     */
+    private Optional<Approximation> approximation(Search.Found found, Map<Channel, Gain> gains) {
+        return found.best().isNone() || !isNearer(gains.values())
+                ? Optional.empty()
+                : Optional.of(approximation(found));
+    }
+
+    /** Whether some error is much smaller with what was found, and none is larger. */
+    static boolean isNearer(Collection<Gain> gains) {
+        return gains.stream().anyMatch(gain -> gain.after() < NEARER * gain.before())
+                && gains.stream().allMatch(gain -> gain.after() < NO_FARTHER * gain.before());
+    }
+
+    private Approximation approximation(Search.Found found) {
+        List<Finding> causes = Findings.unsure(found);
+        return new Approximation(causes, extended(found.best().fit().variant(), causes));
+    }
+
+    /** What begins in UNIX time would never come in a world that begins at 0. */
+    private Scenario extended(Variant variant, List<Finding> causes) {
+        Scenario extended = model.extended(variant);
+        Moments moments = new Moments(allRuns());
+        return moments.areFar() && causes.stream().anyMatch(Moments::isTimed)
+                ? extended.beginningAt(moments.begin())
+                : extended;
+    }
+
+    private List<DiagnosedRun> runs(Search.Found found, Judged best, Judged after) {
+        List<DiagnosedRun> runs = new ArrayList<>();
+        course.at("looking at what is left", END);
+        Variant variant = best.fit().variant();
+        runs.addAll(runs(found, best, variant, false).subList(0, fit.size()));
+        runs.addAll(runs(found, after, variant, true));
+        return runs;
+    }
+
+    private List<DiagnosedRun> runs(
+            Search.Found found, Judged after, Variant variant, boolean areHeldOut) {
+        List<RigidMotion[]> motionBefore = after.fit().asBelieved().motions();
+        List<RigidMotion[]> motionAfter = after.fit().motions();
+        List<Misses> data = after.fit().data();
+        return IntStream.range(0, data.size())
+                .parallel()
+                .mapToObj(
+                        r -> {
+                            Misses of = data.get(r);
+                            return new DiagnosedRun(
+                                    of.run(),
+                                    areHeldOut,
+                                    told(of.run(), model.variant(), motionBefore.get(r)),
+                                    told(of.run(), variant, motionAfter.get(r)),
+                                    MissingForce.along(
+                                            found.stepping(), variant, of, found.noise(), course),
+                                    of.uncounted());
+                        })
+                .toList();
+    }
+
+    /** As the sensors would tell. */
+    private static List<RigidMotion> told(MeasuredRun run, Variant variant, RigidMotion[] motion) {
+        return List.of(variant.sensing().of(motion, run, 0, motion.length));
+    }
+}

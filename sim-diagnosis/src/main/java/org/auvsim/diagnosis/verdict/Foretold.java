@@ -1,0 +1,75 @@
+package org.auvsim.diagnosis.verdict;
+
+import org.auvsim.diagnosis.fit.Fit;
+import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.fit.LeaveOneOut;
+import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.residual.Outcome;
+import org.auvsim.diagnosis.residual.Outcome.Squares;
+import org.auvsim.diagnosis.result.Gain;
+import org.auvsim.diagnosis.run.Channel;
+
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+
+/**
+ * How well runs are foretold that had no part in the fit.
+ *
+ * @param gains root mean square errors by channel, in its unit, without and with what was found,
+ *     both from the starts that suit what was found
+ * @param isBetter whether they are foretold better with it than chance alone would have it
+ */
+record Foretold(Map<Channel, Gain> gains, boolean isBetter) {
+    /** Twice the logarithm of the likelihood grows by more for a number two deviations off. */
+    private static final double CHANCE = 4;
+
+    /**
+     * Held-out runs.
+     *
+     * @param before the model as it is believed, from the starts that suit it best
+     * @param after what was found, likewise
+     */
+    static Foretold of(Judged before, Judged after, Noise noise) {
+        return of(List.of(before), List.of(after), noise);
+    }
+
+    /** Each run by the others, where all were searched with. */
+    static Foretold byTurns(LeaveOneOut before, LeaveOneOut after, Noise noise) {
+        return of(before.predictions(), after.predictions(), noise);
+    }
+
+    private static Foretold of(List<Judged> before, List<Judged> after, Noise noise) {
+        Map<Channel, Squares> without = errors(after.stream().map(j -> j.fit().asBelieved()));
+        Map<Channel, Squares> with = errors(after.stream().map(Judged::fit));
+        Map<Channel, Gain> gains = new EnumMap<>(Channel.class);
+        for (Channel channel : with.keySet()) {
+            gains.put(
+                    channel,
+                    new Gain(
+                            rootMeanSquare(without, channel),
+                            rootMeanSquare(with, channel),
+                            noise.of(channel)));
+        }
+        return new Foretold(gains, deviance(before) - deviance(after) > CHANCE);
+    }
+
+    /** Of all runs together. */
+    private static Map<Channel, Squares> errors(Stream<Fit> runs) {
+        Map<Channel, Squares> all = new EnumMap<>(Channel.class);
+        runs.map(Fit::errors)
+                .forEach(
+                        run -> run.forEach((channel, of) -> all.merge(channel, of, Squares::plus)));
+        return all;
+    }
+
+    private static double rootMeanSquare(Map<Channel, Squares> errors, Channel channel) {
+        Squares of = errors.getOrDefault(channel, Outcome.NOTHING);
+        return Math.sqrt(of.sum() / of.count());
+    }
+
+    private static double deviance(List<Judged> runs) {
+        return runs.stream().mapToDouble(run -> run.outcome().deviance()).sum();
+    }
+}

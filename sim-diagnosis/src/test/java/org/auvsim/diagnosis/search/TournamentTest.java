@@ -1,0 +1,77 @@
+package org.auvsim.diagnosis.search;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.fit.Course;
+import org.auvsim.diagnosis.fit.Hypothesis;
+import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.subject.Cart;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+
+/** A cart with drag that its model lacks. */
+class TournamentTest {
+    private static final double DRAG = 5;
+    private static final double GUESSED_GAIN = -0.3;
+
+    private final Cart cart = new Cart(1, DRAG, 0);
+    private Judged none;
+    private Screen.Start drag;
+    private Screen.Start gain;
+
+    @BeforeEach
+    void sets() throws Exception {
+        none = Judged.of(cart.fit(Hypothesis.NONE).whole());
+        drag = start(cart.cause("linear_drag"), 4, 2);
+        gain = start(cart.cause("thruster_gain"), GUESSED_GAIN, 1);
+    }
+
+    private Screen.Start start(Cause cause, double number, double promise) throws Exception {
+        Hypothesis hypothesis = new Hypothesis(List.of(cause), List.of(new double[] {number}));
+        return new Screen.Start(cart.fit(hypothesis), 2, promise);
+    }
+
+    private static double number(Judged of) {
+        return of.fit().hypothesis().numbers()[0];
+    }
+
+    @Test
+    void whatCannotComeCloseIsGivenUp() {
+        List<Judged> last = last(none, List.of(gain, drag));
+
+        assertThat(number(of(drag, last))).isCloseTo(DRAG, within(0.01));
+        assertThat(of(drag, last).isWhite()).isTrue();
+        assertThat(number(of(gain, last))).isEqualTo(GUESSED_GAIN);
+    }
+
+    @Test
+    void soItIsBesideWhatWasFoundBefore() {
+        Judged found = of(drag, last(none, List.of(drag)));
+
+        assertThat(number(of(gain, last(found, List.of(gain))))).isEqualTo(GUESSED_GAIN);
+    }
+
+    @Test
+    void whileNothingExplainsAllOthersComeAsCloseAsTheyCan() {
+        Judged alone = of(gain, last(none, List.of(gain)));
+
+        assertThat(alone.isWhite()).isFalse();
+        assertThat(number(alone)).isNotEqualTo(GUESSED_GAIN);
+        assertThat(alone.cost()).isLessThan(Judged.of(gain.fit().whole()).cost());
+    }
+
+    private static List<Judged> last(Judged otherwise, List<Screen.Start> starts) {
+        return new Tournament(otherwise, Course.UNHEARD, 0, 1).last(starts);
+    }
+
+    private static Judged of(Screen.Start start, List<Judged> all) {
+        return all.stream()
+                .filter(j -> j.fit().hypothesis().causes().equals(start.causes()))
+                .findFirst()
+                .orElseThrow();
+    }
+}

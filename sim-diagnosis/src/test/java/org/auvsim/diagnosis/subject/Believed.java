@@ -1,0 +1,42 @@
+package org.auvsim.diagnosis.subject;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import org.auvsim.auvsml.AuvsmlException;
+import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.diagnosis.cause.Library;
+import org.auvsim.diagnosis.fit.Progress;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.verdict.Examination;
+
+import java.util.List;
+import java.util.Optional;
+
+/** Models that tests believe, and what runs say of them. */
+public final class Believed {
+    private Believed() {}
+
+    /** The model of a body in a scenario. */
+    public static BelievedModel model(String scenario, String body) throws AuvsmlException {
+        return new BelievedModel(
+                ScenarioLoader.load(Believed.class.getClassLoader())
+                        .parse(scenario.getBytes(UTF_8)),
+                body);
+    }
+
+    /** What runs say of a model that may have one cause wrong and nothing else. */
+    public static Diagnosis suspectedOf(
+            String cause, BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
+        return new Examination(
+                        model,
+                        fit,
+                        heldOut,
+                        Library.named(List.of(cause), Library.of(model, fit)),
+                        1,
+                        Optional.empty(),
+                        Progress.SILENT)
+                .diagnosis();
+    }
+}

@@ -6,7 +6,6 @@ import org.auvsim.diagnosis.shooting.Window;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.IntStream;
 
 /** Judges a model where all runs were searched with: each is predicted by what the others say. */
 public final class LeaveOneOut {
@@ -62,11 +61,6 @@ public final class LeaveOneOut {
             predictions.add(converged(alone.with(hypothesis, alone.windows()).knowing(known)));
         }
         return predictions;
-    }
-
-    /** Each run fitted alone, from where all together have led. */
-    List<Judged> alone() {
-        return IntStream.range(0, runs()).mapToObj(r -> converged(only(judged.fit(), r))).toList();
     }
 
     private int runs() {

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.report;
 
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.result.Approximation;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
@@ -171,9 +172,19 @@ final class FindingTables {
                         + " stands first: below about -5 a set can be ruled out.";
     }
 
+    /** Those of several causes under the name of each. */
     private String numbers(Ranked ranked) {
-        return ranked.quantities().stream()
-                .flatMap(quantities -> QuantityGroup.of(quantities, List.of()).stream())
+        List<String> causes = ranked.causes();
+        return IntStream.range(0, causes.size())
+                .mapToObj(
+                        c ->
+                                (causes.size() > 1 ? causes.get(c) + ": " : "")
+                                        + numbers(ranked.quantities().get(c)))
+                .collect(Collectors.joining("; "));
+    }
+
+    private String numbers(List<Quantity> quantities) {
+        return QuantityGroup.of(quantities, List.of()).stream()
                 .map(group -> group.name() + " = " + moments.text(group))
                 .collect(Collectors.joining(", "));
     }

@@ -28,8 +28,27 @@ public final class OrientationError {
             boolean isInBody = run.frame(Channel.ORIENTATION) == Frame.BODY;
             return isInBody ? measured.rotateInverse(turn) : turn;
         }
-        Vec3 off = EulerAngles.of(told).minus(EulerAngles.of(measured));
-        return new Vec3(wrapped(off.x()), wrapped(off.y()), wrapped(off.z()));
+        Vec3 angles = nearer(EulerAngles.of(measured), Vec3.ZERO);
+        return wrapped(nearer(EulerAngles.of(told), angles).minus(angles));
+    }
+
+    /**
+     * Those of an orientation's two sets of angles that are nearer to some: of a pendulum, whose
+     * pitch goes all around, one with a pitch of more than a quarter of a turn.
+     */
+    private static Vec3 nearer(Vec3 angles, Vec3 to) {
+        Vec3 others = new Vec3(angles.x() + Math.PI, Math.PI - angles.y(), angles.z() + Math.PI);
+        return off(others, to) < off(angles, to) ? others : angles;
+    }
+
+    private static double off(Vec3 angles, Vec3 from) {
+        Vec3 off = wrapped(angles.minus(from));
+        return Math.abs(off.x()) + Math.abs(off.y()) + Math.abs(off.z());
+    }
+
+    /** The same angles (rad), from -pi to pi. */
+    private static Vec3 wrapped(Vec3 angles) {
+        return new Vec3(wrapped(angles.x()), wrapped(angles.y()), wrapped(angles.z()));
     }
 
     /** The rotation vector (rad, world axes) that turns one orientation into another. */
@@ -47,7 +66,6 @@ public final class OrientationError {
                 .noneMatch(axis -> Double.isNaN(run.value(Channel.ORIENTATION, sample, axis)));
     }
 
-    /** The same angle (rad), from -pi to pi. */
     private static double wrapped(double angle) {
         return Math.IEEEremainder(angle, 2 * Math.PI);
     }

@@ -2,7 +2,6 @@ package org.auvsim.diagnosis.verdict;
 
 import org.apache.commons.math3.util.MathArrays;
 import org.auvsim.diagnosis.cause.Cause;
-import org.auvsim.diagnosis.fit.Agreement;
 import org.auvsim.diagnosis.fit.Course;
 import org.auvsim.diagnosis.fit.Descent;
 import org.auvsim.diagnosis.fit.Fit;
@@ -86,8 +85,8 @@ final class Trial {
     }
 
     /**
-     * Whether each of the runs that all were searched with is predicted by the others and wants the
-     * same numbers, and not one of them alone asks for the causes.
+     * Whether each of the runs that all were searched with is predicted by the others, and not one
+     * of them alone asks for the causes.
      *
      * @param none the model as it was believed, fitted to the same runs
      * @param turns of what was fitted
@@ -96,8 +95,7 @@ final class Trial {
         List<Judged> predictions = turns.adjusted();
         return !restsOnOneRun(none, fitted)
                 && isConfirmed(none, predictions, fitted)
-                && predictions.stream().allMatch(prediction -> holds(prediction, fitted))
-                && Agreement.ofEach(fitted, turns);
+                && predictions.stream().allMatch(prediction -> holds(prediction, fitted));
     }
 
     /** Whether what is missed of other runs, parameters held to what the fit says, is noise. */

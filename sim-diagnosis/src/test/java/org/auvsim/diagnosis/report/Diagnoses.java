@@ -364,6 +364,22 @@ final class Diagnoses {
                 of, of.body(), List.of(none), of.horizons(), of.nextExperiment(), of.isComplete());
     }
 
+    /** The same, two causes tried together. */
+    static Diagnosis withPair(Diagnosis of) {
+        List<Ranked> sets =
+                List.of(
+                        of.ranked().getFirst(),
+                        new Ranked(
+                                List.of("linear_drag", "magnus"),
+                                List.of(
+                                        List.of(new Quantity("c", "N s/m", 8.1)),
+                                        List.of(new Quantity("s", "kg", 0.2))),
+                                -1270,
+                                0,
+                                Optional.empty()));
+        return with(of, of.body(), sets, of.horizons(), of.nextExperiment(), of.isComplete());
+    }
+
     /** The same where the believed model gets lost between 5 and 60 s. */
     static Diagnosis lost(Diagnosis of) {
         List<HorizonGain> horizons =

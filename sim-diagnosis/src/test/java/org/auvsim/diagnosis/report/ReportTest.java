@@ -225,6 +225,12 @@ class ReportTest {
     }
 
     @Test
+    void numbersOfSeveralCausesStandUnderTheirNames() throws IOException {
+        assertThat(page(Diagnoses.withPair(Diagnoses.explained())))
+                .contains(">linear_drag: c = 8.10 N s/m; magnus: s = 0.200 kg</td>");
+    }
+
+    @Test
     void whereNoSetWasFittedThereIsNothingToRank() throws IOException {
         assertThat(page(Diagnoses.untried(Diagnoses.none())))
                 .contains(

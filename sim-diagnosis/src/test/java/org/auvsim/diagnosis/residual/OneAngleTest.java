@@ -64,6 +64,23 @@ class OneAngleTest {
                 .isCloseTo((2 * Math.PI - 6.2) / noise, within(1e-9));
     }
 
+    /** A pendulum's angle goes all around. */
+    @ParameterizedTest(name = "{0} for {1}")
+    @CsvSource({"2.4, 2.5, -0.1", "1.6, 1.5, 0.1", "-1.6, -1.5, -0.1", "3.1, -3.1, -0.08319"})
+    void aPitchAloneMayPassTheTop(double told, double measured, double off) {
+        MeasuredRunBuilder swing =
+                MeasuredRun.named("swing").frame(Channel.ORIENTATION, Frame.BODY);
+        for (int k = 0; k < 60; k++) {
+            Quat q = EulerAngles.orientation(0, measured + NOISE * Math.sin(k), 0);
+            swing.at(0.1 * k).orientation(q, false, true, false);
+        }
+        MeasuredRun run = swing.build();
+        Misses misses = new Misses(run, Noise.of(List.of(run)));
+
+        assertThat(missed(misses, EulerAngles.orientation(0, told, 0))[0] * misses.deviation(0))
+                .isCloseTo(off, within(1e-5));
+    }
+
     private static double[] missed(Misses misses, Quat orientation) {
         RigidMotion motion = new RigidMotion(Vec3.ZERO, orientation, Vec3.ZERO, Vec3.ZERO);
         return misses.of(new RigidMotion[] {motion}, Sensing.EXACT, 0, 1);

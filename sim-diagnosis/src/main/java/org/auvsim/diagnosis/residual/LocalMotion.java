@@ -25,6 +25,9 @@ public final class LocalMotion {
     /** So many samples tell how a run begins. */
     private static final int BEGINNING = 8;
 
+    /** Turns so few, as those of what spins fast, are noisy: a parabola would follow that. */
+    private static final int FEW = 5;
+
     /** A rotation vector (rad) beyond half a turn would be that of the other way round. */
     private static final double MOST_TURN = 2;
 
@@ -93,14 +96,16 @@ public final class LocalMotion {
                         .orElse(otherwise.orientation());
         double[][] turn = new double[3][];
         for (int i = 0; i < 3; i++) {
-            turn[i] = parabola(turns(axes, i), 0, otherwise.angularVelocity().component(i));
+            WeightedObservedPoints turns = turns(axes, i);
+            int degree = turns.toList().size() < FEW ? 1 : DEGREE;
+            turn[i] = polynomial(turns, degree, 0, otherwise.angularVelocity().component(i));
         }
         Quat oriented = still(axes).plus(change(column(turn, 0))).orientation();
         Vec3 carried = carried(oriented);
         double[][] place = new double[3][];
         for (int i = 0; i < 3; i++) {
             double there = otherwise.position().component(i);
-            place[i] = parabola(places(i), there, carried.component(i));
+            place[i] = polynomial(places(i), DEGREE, there, carried.component(i));
         }
         Vec3 atPlace = column(place, 0);
         return new RigidMotion(
@@ -151,12 +156,13 @@ public final class LocalMotion {
     }
 
     /** Value and slope where the points begin; as given where there are none. */
-    private static double[] parabola(WeightedObservedPoints points, double value, double slope) {
+    private static double[] polynomial(
+            WeightedObservedPoints points, int most, double value, double slope) {
         int count = points.toList().size();
         double[] all = {value, slope, 0};
         if (count > 0) {
-            double[] fitted =
-                    PolynomialCurveFitter.create(Math.min(DEGREE, count - 1)).fit(points.toList());
+            int degree = Math.min(most, count - 1);
+            double[] fitted = PolynomialCurveFitter.create(degree).fit(points.toList());
             System.arraycopy(fitted, 0, all, 0, fitted.length);
         }
         return all;

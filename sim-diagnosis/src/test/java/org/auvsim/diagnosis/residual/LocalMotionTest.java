@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.run.EulerAngles;
 import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
@@ -18,6 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Random;
 
 /** The motion at a sample by those after it. */
 class LocalMotionTest {
@@ -40,6 +42,31 @@ class LocalMotionTest {
 
         assertThat(at.angularVelocity().distance(AXIS.times(rate))).isLessThan(0.02 * rate);
         assertThat(at.velocity().distance(new Vec3(3, 0, 0))).isLessThan(1e-9);
+    }
+
+    /** Three rows of 0.9 rad each: a line through them has 6 rad/s of noise, a parabola 22. */
+    @Test
+    void aFastSpinIsNotLostInNoise() {
+        Random random = new Random(5);
+        Vec3 spin = AXIS.times(46);
+        double sum = 0;
+        for (int c = 0; c < 100; c++) {
+            MeasuredRunBuilder run = MeasuredRun.named("ball");
+            for (int k = 0; k < 9; k++) {
+                Quat off =
+                        EulerAngles.orientation(
+                                0.1 * random.nextGaussian(),
+                                0.1 * random.nextGaussian(),
+                                0.1 * random.nextGaussian());
+                run.at(0.02 * k).orientation(off.times(Quat.ofAxisAngle(AXIS, 46 * 0.02 * k)));
+            }
+            RigidMotion still = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
+            RigidMotion at = LocalMotion.at(run.build(), still, 0, 8);
+            double error = at.angularVelocity().distance(spin);
+            sum += error * error;
+        }
+
+        assertThat(Math.sqrt(sum / 100)).isLessThan(10);
     }
 
     /** Rows without a heading have that of the scenario, 0. */

@@ -13,6 +13,7 @@ public final class Course {
     private double furthest;
     private boolean isStopped;
 
+    /** One that is told of. */
     public Course(Progress progress) {
         this.progress = progress;
     }

@@ -51,6 +51,7 @@ public record Fit(
         return hypothesis.in(stepping.variant());
     }
 
+    /** The same runs by another hypothesis, from other windows. */
     public Fit with(Hypothesis other, List<List<Window>> moved) {
         return new Fit(stepping, data, other, moved, knowledge);
     }

@@ -11,10 +11,12 @@ import java.util.List;
  * smaller, the better.
  */
 public record Judged(Fit fit, Outcome outcome, double score) {
+    /** A fit by what it misses. */
     public static Judged of(Fit fit) {
         return of(fit, fit.outcome());
     }
 
+    /** The same, what it misses known. */
     public static Judged of(Fit fit, Outcome outcome) {
         return new Judged(fit, outcome, outcome.deviance() + price(fit.hypothesis(), outcome));
     }
@@ -77,6 +79,7 @@ public record Judged(Fit fit, Outcome outcome, double score) {
         return fit.hypothesis().causes().isEmpty();
     }
 
+    /** Squares of what is missed (standard deviations), and of what is known beside. */
     public double cost() {
         return outcome.cost();
     }

@@ -99,6 +99,7 @@ public final class Misses {
         return whitenings.stream().anyMatch(Optional::isPresent);
     }
 
+    /** The run that is missed. */
     public MeasuredRun run() {
         return run;
     }

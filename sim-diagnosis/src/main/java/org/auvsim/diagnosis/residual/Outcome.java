@@ -28,10 +28,12 @@ public record Outcome(
     /** Mean squares below this share of the noise's are told from it by rounding alone. */
     static final double EXACT = 0.01;
 
+    /** Of no numbers. */
     public static final Squares NOTHING = new Squares(0, 0);
 
     /** A sum of squares, and of how many numbers. */
     public record Squares(double sum, int count) {
+        /** Of these numbers and others. */
         public Squares plus(Squares other) {
             return new Squares(sum + other.sum, count + other.count);
         }
@@ -56,6 +58,12 @@ public record Outcome(
         }
     }
 
+    /**
+     * Of some runs.
+     *
+     * @param misses of each, in standard deviations, row by row within each sample
+     * @param known squares by which starts and numbers are off from what is known of them
+     */
     public static Outcome of(List<Misses> data, List<double[]> misses, double known) {
         Map<Channel, Squares> squares = squares(data, misses);
         Set<Channel> stated = EnumSet.noneOf(Channel.class);

@@ -95,6 +95,7 @@ public final class Alternatives {
                 .toArray();
     }
 
+    /** Another one that explains the runs about as well, as what is told of it beside the best. */
     public static Alternative alternative(Judged best, Judged other) {
         boolean isSame = areSame(best, other);
         return new Alternative(

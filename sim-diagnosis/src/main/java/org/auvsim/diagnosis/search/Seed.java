@@ -41,6 +41,7 @@ public record Seed(Cause cause, Guess guess, int first) {
         }
     }
 
+    /** Which columns of the screening are its own. */
     public int[] columns() {
         int[] columns = new int[guess.columns().size()];
         for (int i = 0; i < columns.length; i++) {

@@ -11,6 +11,8 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.OrientationError;
 import org.auvsim.server.feedback.RigidMotion;
 
+import java.util.List;
+
 /**
  * Where two models that predict the same of all that was measured part: in what was not. The bodies
  * themselves are compared, as another sensor would tell of them, and not what the sensors at hand
@@ -40,13 +42,15 @@ final class Unmeasured {
     String words() {
         String words = "";
         double most = PARTING;
+        List<RigidMotion[]> motions = one.fit().motions();
+        List<RigidMotion[]> others = other.fit().motions();
         for (Channel channel : Channel.values()) {
             double[] apart = new double[3];
             double all = 0;
             int count = 0;
-            for (int r = 0; r < one.fit().data().size(); r++) {
-                RigidMotion[] a = one.fit().motions().get(r);
-                RigidMotion[] b = other.fit().motions().get(r);
+            for (int r = 0; r < motions.size(); r++) {
+                RigidMotion[] a = motions.get(r);
+                RigidMotion[] b = others.get(r);
                 count += a.length;
                 for (int k = 0; k < a.length; k++) {
                     Vec3 between = between(channel, a[k], b[k]);

@@ -74,10 +74,12 @@ public final class Tangent {
         return sum;
     }
 
+    /** The derivatives here. */
     public WindowDerivatives derivatives() {
         return here;
     }
 
+    /** By what squares (of standard deviations) they foretold wrongly what is missed here. */
     public double off() {
         return off;
     }

@@ -11,10 +11,12 @@ import org.auvsim.server.feedback.RigidMotion;
  * @param start the motion at its first sample
  */
 public record Window(int from, int to, RigidMotion start) {
+    /** The same samples from another motion. */
     public Window startingAt(RigidMotion other) {
         return new Window(from, to, other);
     }
 
+    /** How many samples it is long. */
     public int length() {
         return to - from;
     }

@@ -11,14 +11,16 @@ import java.util.List;
  * parameters of causes.
  */
 public final class WindowDerivatives {
+    /** The window that was simulated. */
     public final Window window;
 
     /** Of the samples, row by row, in standard deviations. */
     public final double[] misses;
 
-    /** Derivative of the misses by each number of the start, and by each parameter. */
+    /** Derivatives of the misses by each number of the start. */
     public final double[][] byStart;
 
+    /** The same by each parameter. */
     public final double[][] byParameter;
 
     /** At each sample, the first of the next window included. */
@@ -37,6 +39,7 @@ public final class WindowDerivatives {
      * @param steps by how much
      */
     public record Moves(List<Variant> variants, List<Double> steps) {
+        /** No parameter is moved. */
         public static final Moves NONE = new Moves(List.of(), List.of());
 
         /** How many parameters are moved. */

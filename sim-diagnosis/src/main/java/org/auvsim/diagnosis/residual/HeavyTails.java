@@ -2,11 +2,14 @@ package org.auvsim.diagnosis.residual;
 
 import org.apache.commons.math3.stat.descriptive.rank.Median;
 import org.auvsim.diagnosis.result.Axis;
+import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.StringJoiner;
 import java.util.stream.IntStream;
 
@@ -14,7 +17,8 @@ import java.util.stream.IntStream;
  * Takes their power from outliers: where a channel has more numbers far off than a normal
  * distribution has, each is weighed as under Student's t with few degrees of freedom (Lange, Little
  * &amp; Taylor 1989), by how far it is off a cubic through its four neighbours: without any model.
- * What a run states of a number's error counts instead of the noise.
+ * So are those that are off together for a moment ({@link Bursts}). What a run states of a number's
+ * error counts instead of the noise.
  */
 public final class HeavyTails {
     private static final double FREEDOM = 4;
@@ -31,6 +35,10 @@ public final class HeavyTails {
     /** Numbers that a cubic is taken of: each, and two to either side. */
     private static final int CUBIC = 5;
 
+    /** Speeds may leap and come back, as in a collision; a place does not. */
+    private static final Set<Channel> WITHOUT_LEAPS =
+            EnumSet.of(Channel.POSITION, Channel.ORIENTATION);
+
     /** Of a normal distribution: the median absolute deviation in standard deviations. */
     private static final double NORMAL = 0.6745;
 
@@ -43,14 +51,11 @@ public final class HeavyTails {
         boolean[] outliers = new boolean[factors.length];
         Arrays.fill(factors, 1);
         for (int row = 0; row < rows; row++) {
-            Series series = series(of.run(), of.rows().get(row));
-            double[] off = off(series, of.rows().get(row), noise);
-            if (hasOutliers(off)) {
-                for (int i = 0; i < off.length; i++) {
-                    int number = series.sample(i + CUBIC / 2) * rows + row;
-                    factors[number] = factor(off[i]);
-                    outliers[number] = isBeyond(FAR, i, off);
-                }
+            OfRow tail = new OfRow(of.run(), of.rows().get(row), noise);
+            for (int i = 0; i < tail.series.size(); i++) {
+                int number = tail.series.sample(i) * rows + row;
+                factors[number] = tail.factors[i];
+                outliers[number] = tail.outliers[i];
             }
         }
         return of.weighed(factors, outliers);
@@ -60,14 +65,13 @@ public final class HeavyTails {
     public static Optional<String> notice(MeasuredRun run, List<Misses.Row> rows, Noise noise) {
         StringJoiner of = new StringJoiner(", ");
         for (Misses.Row row : rows) {
-            Series series = series(run, row);
-            double[] off = off(series, row, noise);
-            if (hasOutliers(off)) {
+            OfRow tail = new OfRow(run, row, noise);
+            if (tail.count() > 0) {
                 of.add(
                         "%d of %d numbers of %s"
                                 .formatted(
-                                        beyond(FAR, off),
-                                        series.size(),
+                                        tail.count(),
+                                        tail.series.size(),
                                         Axis.of(run, row.channel(), row.axis())
                                                 .brief(row.channel())));
             }
@@ -79,28 +83,64 @@ public final class HeavyTails {
                                 .formatted(run.name(), of));
     }
 
-    private static Series series(MeasuredRun run, Misses.Row row) {
-        return Series.of(run, row.channel(), row.axis());
+    /** Which numbers of a row are outliers, and by what all of them are to be multiplied. */
+    private static final class OfRow {
+        final Series series;
+        final double[] factors;
+        final boolean[] outliers;
+
+        OfRow(MeasuredRun run, Misses.Row row, Noise noise) {
+            series = Series.of(run, row.channel(), row.axis());
+            factors = new double[series.size()];
+            outliers = new boolean[series.size()];
+            Arrays.fill(factors, 1);
+            double deviation = noise.of(row.channel(), row.axis());
+            double[] off = off(series, deviation);
+            double share = series.statesDeviations() ? usual(off) : 1;
+            weighAlone(Arrays.stream(off).map(z -> z / share).toArray());
+            if (WITHOUT_LEAPS.contains(row.channel())) {
+                weighTogether(Bursts.off(series, deviation, share));
+            }
+        }
+
+        private void weighAlone(double[] off) {
+            if (hasOutliers(off)) {
+                for (int i = 0; i < off.length; i++) {
+                    factors[i + CUBIC / 2] = factor(off[i]);
+                    outliers[i + CUBIC / 2] = isBeyond(FAR, i, off);
+                }
+            }
+        }
+
+        private void weighTogether(double[] off) {
+            for (int i = 0; i < off.length; i++) {
+                if (off[i] != 0) {
+                    factors[i] = factor(off[i]);
+                    outliers[i] = true;
+                }
+            }
+        }
+
+        long count() {
+            return IntStream.range(0, outliers.length).filter(i -> outliers[i]).count();
+        }
     }
 
-    /** By how many standard deviations numbers are off, but for the first two and the last. */
-    private static double[] off(Series series, Misses.Row row, Noise noise) {
-        double ofRow = noise.of(row.channel(), row.axis());
-        double[] off =
-                IntStream.range(0, Math.max(0, series.size() - CUBIC + 1))
-                        .mapToDouble(
-                                i ->
-                                        series.difference(i, CUBIC)
-                                                / series.deviation(i, CUBIC, ofRow))
-                        .toArray();
-        return series.statesDeviations() ? usual(off) : off;
+    /**
+     * By how many standard deviations numbers are off, but for the first two and the last.
+     *
+     * @param ofRow standard deviation of those of which the run states none
+     */
+    private static double[] off(Series series, double ofRow) {
+        return IntStream.range(0, Math.max(0, series.size() - CUBIC + 1))
+                .mapToDouble(i -> series.difference(i, CUBIC) / series.deviation(i, CUBIC, ofRow))
+                .toArray();
     }
 
     /** What most numbers are off makes no outlier, though less was stated. */
-    private static double[] usual(double[] off) {
+    private static double usual(double[] off) {
         double median = new Median().evaluate(Arrays.stream(off).map(Math::abs).toArray());
-        double scale = Math.max(1, median / NORMAL);
-        return Arrays.stream(off).map(z -> z / scale).toArray();
+        return Math.max(1, median / NORMAL);
     }
 
     private static boolean hasOutliers(double[] off) {

@@ -58,6 +58,15 @@ final class Series {
                 : run.value(channel, after, axis) - run.value(channel, before, axis);
     }
 
+    /** How far each number is from the first, all changes on the way together. */
+    double[] levels() {
+        double[] levels = new double[samples.length];
+        for (int i = 1; i < levels.length; i++) {
+            levels[i] = levels[i - 1] + change(i);
+        }
+        return levels;
+    }
+
     private Vec3 turn(Quat before, Quat after) {
         Vec3 turn = OrientationError.turn(before, after);
         return run.frame(channel) == Frame.BODY ? before.rotateInverse(turn) : turn;
@@ -147,7 +156,8 @@ final class Series {
         return weights;
     }
 
-    private double time(int i) {
+    /** When a number was measured (s). */
+    double time(int i) {
         return run.time(samples[i]);
     }
 }

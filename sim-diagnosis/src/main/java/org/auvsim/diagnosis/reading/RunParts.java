@@ -51,6 +51,9 @@ final class RunParts {
     /** Whether the run has ended before its last row. */
     private boolean hasEnded;
 
+    /** Whether a gap came before. */
+    private boolean isUnderWay;
+
     /**
      * For so many rows.
      *
@@ -114,6 +117,7 @@ final class RunParts {
                                     .formatted(
                                             Figures.shown(time - last), Figures.shown(last, 9))));
             end();
+            isUnderWay = true;
         }
         if (hasEnded) {
             return;
@@ -165,11 +169,15 @@ final class RunParts {
     void restart() {
         end();
         hasEnded = false;
+        isUnderWay = false;
     }
 
     private MeasuredRunBuilder begin(double time) {
         String partName = parts.isEmpty() ? name : name + "-" + (parts.size() + 1);
         MeasuredRunBuilder run = MeasuredRun.named(partName).commands(commands);
+        if (isUnderWay) {
+            run.beginningMidway();
+        }
         samples.tell(run);
         known.accept(run);
         part = Optional.of(run);

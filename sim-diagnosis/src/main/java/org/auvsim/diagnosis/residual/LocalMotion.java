@@ -12,6 +12,9 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.OrientationError;
 import org.auvsim.server.feedback.RigidMotion;
 
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
@@ -30,6 +33,11 @@ public final class LocalMotion {
 
     /** A rotation vector (rad) beyond half a turn would be that of the other way round. */
     private static final double MOST_TURN = 2;
+
+    /** How far a body under way may be tilted (rad), and how fast that may change (rad/s). */
+    private static final double TILT = 0.3;
+
+    private static final double TILTING = 0.2;
 
     private final MeasuredRun run;
     private final RigidMotion otherwise;
@@ -71,14 +79,35 @@ public final class LocalMotion {
 
     /**
      * A run of whose start all is known: what nothing was known of is as it was measured, or else
-     * as in the model.
+     * as in the model; of a body that was under way, about so.
      */
     public static MeasuredRun begun(MeasuredRun run, BelievedModel model) {
         return run.start()
                 .filter(start -> start.deviations().stream().anyMatch(d -> d.isInfinite()))
                 .map(start -> start.orElse(beginning(run, model.start())))
+                .or(() -> underWay(run, model))
                 .map(run::startingAt)
                 .orElse(run);
+    }
+
+    /** What is known of turns that are not measured where others are. */
+    private static Optional<KnownStart> underWay(MeasuredRun run, BelievedModel model) {
+        boolean tellsSomeTurns =
+                run.measures(Channel.ORIENTATION)
+                        && run.frame(Channel.ORIENTATION) == Frame.WORLD
+                        && !run.measures(Channel.ANGULAR_VELOCITY);
+        if (run.start().isPresent() || !run.beginsMidway() || !tellsSomeTurns) {
+            return Optional.empty();
+        }
+        List<Double> deviations =
+                new ArrayList<>(Collections.nCopies(RigidMotion.SIZE, Double.POSITIVE_INFINITY));
+        for (int axis = 0; axis < 3; axis++) {
+            if (!run.measures(Channel.ORIENTATION, axis)) {
+                deviations.set(3 + axis, TILT);
+                deviations.set(9 + axis, TILTING);
+            }
+        }
+        return Optional.of(new KnownStart(beginning(run, model.start()), deviations));
     }
 
     private static RigidMotion beginning(MeasuredRun run, RigidMotion otherwise) {

@@ -38,6 +38,7 @@ public final class MeasuredRun {
     private final List<ScheduledForce> forces;
     private final Optional<KnownStart> start;
     private final KnownDifferences differences;
+    private final boolean beginsMidway;
     private final Optional<MeasuredRun> whole;
     private final Optional<MeasuredRun> uncut;
 
@@ -60,6 +61,7 @@ public final class MeasuredRun {
         forces = List.copyOf(b.forces);
         start = b.start;
         differences = b.differences;
+        beginsMidway = b.beginsMidway;
         whole = b.whole;
         uncut = b.uncut;
     }
@@ -276,6 +278,14 @@ public final class MeasuredRun {
     /** The run that this is a part or a stretch of, as it was measured; itself, if it is none. */
     public MeasuredRun whole() {
         return whole.orElse(this);
+    }
+
+    /**
+     * Whether the body was under way before, as in a part, or after a gap: nobody says that it
+     * begins as the model has it.
+     */
+    public boolean beginsMidway() {
+        return beginsMidway;
     }
 
     /** Whether it is one of the parts that a run was cut into; a stretch is none. */

@@ -32,6 +32,7 @@ public final class MeasuredRunBuilder {
     final List<ScheduledForce> forces = new ArrayList<>();
     Optional<KnownStart> start = Optional.empty();
     KnownDifferences differences = KnownDifferences.NONE;
+    boolean beginsMidway;
     Optional<MeasuredRun> whole = Optional.empty();
     Optional<MeasuredRun> uncut = Optional.empty();
     private final List<String> commandNames = new ArrayList<>();
@@ -196,6 +197,12 @@ public final class MeasuredRunBuilder {
         return commands;
     }
 
+    /** It goes on after a gap: the body was under way before. */
+    public MeasuredRunBuilder beginningMidway() {
+        beginsMidway = true;
+        return this;
+    }
+
     /**
      * The run.
      *
@@ -276,6 +283,7 @@ public final class MeasuredRunBuilder {
                 part.command(c, run.commands().get(c).level(k));
             }
         }
+        part.beginsMidway = from > 0 || run.beginsMidway();
         part.whole = Optional.of(run.whole());
         part.uncut = run.isPart() ? Optional.of(run.uncut()) : Optional.empty();
         run.forces().forEach(part::force);

@@ -219,6 +219,7 @@ class TimeStampsTest {
 
         assertThat(file.runs()).extracting(MeasuredRun::name).containsExactly("run", "run-2");
         assertThat(file.runs()).extracting(MeasuredRun::size).containsExactly(20, 20);
+        assertThat(file.runs()).extracting(MeasuredRun::beginsMidway).containsExactly(false, true);
         assertThat(file.notices())
                 .anyMatch(
                         text1 ->

@@ -28,7 +28,7 @@ class StoppedTest {
         assertThat(diagnosis.isComplete()).isFalse();
         assertThat(diagnosis.verdict()).isEqualTo(Verdict.UNDECIDED);
         assertThat(diagnosis.sentence()).startsWith("Stopped before any cause was fitted: ");
-        assertThat(diagnosis.ranked()).allMatch(set -> set.causes().isEmpty());
+        assertThat(diagnosis.evidence().ranked()).allMatch(set -> set.causes().isEmpty());
     }
 
     @ParameterizedTest
@@ -38,7 +38,7 @@ class StoppedTest {
 
         assertThat(diagnosis.isComplete()).isFalse();
         assertThat(diagnosis.verdict()).isNotEqualTo(Verdict.UNDECIDED);
-        assertThat(diagnosis.ranked()).anyMatch(set -> !set.causes().isEmpty());
+        assertThat(diagnosis.evidence().ranked()).anyMatch(set -> !set.causes().isEmpty());
         assertThat(diagnosis.sentence())
                 .startsWith("Stopped before the end; the best so far: ")
                 .doesNotContain("no known cause explains")

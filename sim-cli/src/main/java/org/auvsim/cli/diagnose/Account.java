@@ -23,11 +23,11 @@ public final class Account {
     public static List<String> of(Diagnosis diagnosis) {
         List<String> lines = new ArrayList<>();
         lines.add(diagnosis.sentence());
-        List<Ranked> ranked = diagnosis.ranked().stream().limit(MOST_RANKED).toList();
+        List<Ranked> ranked = diagnosis.evidence().ranked().stream().limit(MOST_RANKED).toList();
         if (!ranked.isEmpty() && !diagnosis.isUntried()) {
             lines.add("");
             lines.add(Effort.words(diagnosis) + ".");
-            if (Effort.isRanked(diagnosis)) {
+            if (diagnosis.evidence().isRanked()) {
                 lines.add("");
                 addRanking(ranked, lines);
             }
@@ -39,6 +39,7 @@ public final class Account {
                             });
         }
         diagnosis
+                .conclusion()
                 .proposal()
                 .ifPresent(
                         proposal -> {

@@ -29,7 +29,7 @@ final class Announcement {
                 evidence(diagnosis),
                 isExtended,
                 diagnosis.selected().stream().map(Announcement::cause).toList(),
-                diagnosis.heldOut().entrySet().stream()
+                diagnosis.prediction().gains().entrySet().stream()
                         .map(
                                 of ->
                                         new MeasuredGain(
@@ -43,12 +43,12 @@ final class Announcement {
     /** By how much the chosen set's evidence is larger than that of no causes. */
     private static double evidence(Diagnosis diagnosis) {
         double none =
-                diagnosis.ranked().stream()
+                diagnosis.evidence().ranked().stream()
                         .filter(set -> set.causes().isEmpty())
                         .mapToDouble(Ranked::logEvidence)
                         .max()
                         .orElse(Double.NEGATIVE_INFINITY);
-        return diagnosis.ranked().getFirst().logEvidence() - none;
+        return diagnosis.evidence().ranked().getFirst().logEvidence() - none;
     }
 
     private static FoundCause cause(Finding finding) {

@@ -10,11 +10,14 @@ import org.auvsim.diagnosis.report.DiagnosisDocument.HorizonPart;
 import org.auvsim.diagnosis.report.DiagnosisDocument.RankedPart;
 import org.auvsim.diagnosis.report.DiagnosisDocument.RunPart;
 import org.auvsim.diagnosis.report.DiagnosisDocument.SelectedPart;
+import org.auvsim.diagnosis.result.Conclusion;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Evidence;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.ForceResidual;
 import org.auvsim.diagnosis.result.Gain;
+import org.auvsim.diagnosis.result.Prediction;
 import org.auvsim.diagnosis.result.QuantityGroup;
 import org.auvsim.diagnosis.result.Ranked;
 import org.auvsim.diagnosis.run.Channel;
@@ -75,12 +78,15 @@ final class DiagnosisJson {
     }
 
     private static DiagnosisDocument document(Diagnosis of, List<NamedRun> runs) {
-        Optional<Gain> position = Optional.ofNullable(of.heldOut().get(Channel.POSITION));
+        Conclusion conclusion = of.conclusion();
+        Evidence evidence = of.evidence();
+        Prediction prediction = of.prediction();
+        Optional<Gain> position = Optional.ofNullable(prediction.gains().get(Channel.POSITION));
         return new DiagnosisDocument(
-                Names.of(of.verdict()),
-                of.selected().stream().map(DiagnosisJson::selected).toList(),
-                of.ranked().stream().map(DiagnosisJson::ranked).toList(),
-                of.alternatives().stream()
+                Names.of(conclusion.verdict()),
+                conclusion.selected().stream().map(DiagnosisJson::selected).toList(),
+                evidence.ranked().stream().map(DiagnosisJson::ranked).toList(),
+                evidence.alternatives().stream()
                         .map(
                                 a ->
                                         new AlternativePart(
@@ -89,22 +95,23 @@ final class DiagnosisJson {
                                                 a.determined(),
                                                 a.otherSensor()))
                         .toList(),
-                byName(of.noise()),
+                byName(prediction.noise()),
                 position.map(Gain::before),
                 position.map(Gain::after),
-                byName(of.heldOut()),
-                of.nextExperiment(),
+                byName(prediction.gains()),
+                evidence.nextExperiment(),
                 of.seed(),
                 DiagnosisDocument.VERSION,
-                of.sentence(),
+                conclusion.sentence(),
                 of.body(),
                 of.isComplete(),
-                of.usedHeldOut(),
-                of.candidates(),
-                of.horizons().stream()
+                prediction.usedHeldOut(),
+                evidence.candidates(),
+                prediction.horizons().stream()
                         .map(h -> new HorizonPart(h.ahead(), byName(h.errors())))
                         .toList(),
-                of.discrepancy()
+                conclusion
+                        .discrepancy()
                         .map(
                                 d ->
                                         new DiscrepancyPart(
@@ -119,7 +126,8 @@ final class DiagnosisJson {
                                                         d.place().z()),
                                                 d.frequency().stream().boxed().findFirst(),
                                                 d.share())),
-                of.approximation()
+                conclusion
+                        .approximation()
                         .map(
                                 near ->
                                         new ApproximationPart(
@@ -127,9 +135,9 @@ final class DiagnosisJson {
                                                         .map(DiagnosisJson::selected)
                                                         .toList(),
                                                 Report.APPROXIMATE)),
-                of.proposal(),
-                of.identifiability(),
-                runs.stream().map(file -> run(file, of.noise())).toList(),
+                conclusion.proposal(),
+                evidence.identifiability(),
+                runs.stream().map(file -> run(file, prediction.noise())).toList(),
                 of.notices());
     }
 

@@ -53,10 +53,10 @@ final class FindingTables {
                                     + " misfit beyond noise when this cause is added last."));
         }
         if (!of.isUntried()) {
-            of.discrepancy().map(this::discrepancy).ifPresent(blocks::add);
+            of.conclusion().discrepancy().map(this::discrepancy).ifPresent(blocks::add);
         }
-        of.approximation().map(this::approximation).ifPresent(blocks::add);
-        of.proposal().map(FindingTables::proposal).ifPresent(blocks::add);
+        of.conclusion().approximation().map(this::approximation).ifPresent(blocks::add);
+        of.conclusion().proposal().map(FindingTables::proposal).ifPresent(blocks::add);
         return blocks;
     }
 
@@ -132,12 +132,12 @@ final class FindingTables {
     }
 
     List<Block> ranking() {
-        if (of.ranked().isEmpty() || of.isUntried()) {
+        if (of.evidence().ranked().isEmpty() || of.isUntried()) {
             return List.of();
         }
         List<Block> blocks = new ArrayList<>();
         blocks.add(new Text(Effort.words(of) + "."));
-        if (Effort.isRanked(of)) {
+        if (of.evidence().isRanked()) {
             blocks.add(sets());
         }
         Effort.behind(of).map(Text::new).ifPresent(blocks::add);
@@ -145,9 +145,10 @@ final class FindingTables {
     }
 
     private Table sets() {
-        double best = of.ranked().getFirst().logEvidence();
+        List<Ranked> sets = of.evidence().ranked();
+        double best = sets.getFirst().logEvidence();
         List<List<String>> rows = new ArrayList<>();
-        for (Ranked ranked : of.ranked().subList(0, Math.min(MOST_RANKED, of.ranked().size()))) {
+        for (Ranked ranked : sets.subList(0, Math.min(MOST_RANKED, sets.size()))) {
             rows.add(
                     List.of(
                             ranked.causes().isEmpty()
@@ -157,7 +158,7 @@ final class FindingTables {
                             Numbers.rounded(ranked.logEvidence() - best, 3),
                             Numbers.probability(ranked.probability())));
         }
-        int more = of.ranked().size() - rows.size();
+        int more = sets.size() - rows.size();
         return new Table(
                 List.of("causes", "numbers", "log evidence", "probability"),
                 rows,
@@ -190,12 +191,12 @@ final class FindingTables {
     }
 
     List<Block> next() {
-        Block run = of.nextExperiment().map(FindingTables::next).orElseGet(this::noNext);
+        Block run = of.evidence().nextExperiment().map(FindingTables::next).orElseGet(this::noNext);
         return Stream.concat(Stream.of(run), otherSensors().limit(MOST_SENSORS)).toList();
     }
 
     private Stream<Block> otherSensors() {
-        return of.alternatives().stream()
+        return of.evidence().alternatives().stream()
                 .filter(alternative -> !alternative.otherSensor().isEmpty())
                 .map(
                         alternative ->
@@ -218,7 +219,7 @@ final class FindingTables {
             return "No run is proposed: there are no known causes left that it would have to tell"
                     + " apart.";
         }
-        if (!of.alternatives().isEmpty()) {
+        if (!of.evidence().alternatives().isEmpty()) {
             return "No run is proposed: none of those considered would tell these causes apart."
                     + " Other sensors or independent knowledge would be needed.";
         }
@@ -254,7 +255,7 @@ final class FindingTables {
                                                 channels(run)))
                         .toList();
         String noise =
-                of.noise().entrySet().stream()
+                of.prediction().noise().entrySet().stream()
                         .map(
                                 e ->
                                         "%s %s %s"
@@ -272,7 +273,8 @@ final class FindingTables {
 
     /** What a run was used for. */
     static String role(Diagnosis of, DiagnosedRun run) {
-        String heldOut = of.usedHeldOut() ? "held out, but then searched with" : "held out";
+        String heldOut =
+                of.prediction().usedHeldOut() ? "held out, but then searched with" : "held out";
         return run.isHeldOut() ? heldOut : "fitted";
     }
 

@@ -1,9 +1,9 @@
 package org.auvsim.diagnosis.report;
 
-import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Gain;
 import org.auvsim.diagnosis.result.HorizonGain;
 import org.auvsim.diagnosis.result.Numbers;
+import org.auvsim.diagnosis.result.Prediction;
 import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.plot.page.Block;
@@ -19,28 +19,28 @@ import java.util.function.ToDoubleFunction;
 
 /** How much better held-out runs are predicted. */
 final class GainTables {
-    private final Diagnosis of;
+    private final Prediction of;
     private final List<String> models;
 
     /**
-     * Tables of a diagnosis.
+     * Tables of predictions.
      *
      * @param models names of the believed model and of the one that was found, if it is another
      */
-    GainTables(Diagnosis of, List<String> models) {
+    GainTables(Prediction of, List<String> models) {
         this.of = of;
         this.models = models;
     }
 
     List<Block> byChannel() {
-        if (of.heldOut().isEmpty()) {
+        if (of.gains().isEmpty()) {
             return List.of();
         }
         List<String> heading = new ArrayList<>(models);
         heading.addFirst("");
         heading.addAll(List.of("noise", "unit"));
         List<List<String>> rows = new ArrayList<>();
-        of.heldOut().forEach((channel, gain) -> rows.add(row(channel, gain)));
+        of.gains().forEach((channel, gain) -> rows.add(row(channel, gain)));
         return List.of(
                 new Table(
                         heading,

@@ -27,13 +27,14 @@ final class IdentifiabilityTables {
     }
 
     List<Block> alternatives() {
-        if (of.alternatives().isEmpty()) {
+        List<Alternative> alternatives = of.evidence().alternatives();
+        if (alternatives.isEmpty()) {
             return List.of();
         }
         boolean isAnyDetermined =
-                of.alternatives().stream().anyMatch(other -> !other.determined().isBlank());
+                alternatives.stream().anyMatch(other -> !other.determined().isBlank());
         List<List<String>> rows = new ArrayList<>();
-        for (Alternative alternative : of.alternatives()) {
+        for (Alternative alternative : alternatives) {
             List<String> row = new ArrayList<>();
             row.add(String.join(" + ", alternative.causes()));
             row.add(
@@ -60,7 +61,7 @@ final class IdentifiabilityTables {
 
     List<Block> pairs() {
         List<Confusion> pairs =
-                of.identifiability().pairs().stream()
+                of.evidence().identifiability().pairs().stream()
                         .sorted(Comparator.comparingDouble(Confusion::angle))
                         .limit(MOST_PAIRS)
                         .toList();
@@ -77,7 +78,7 @@ final class IdentifiabilityTables {
                             pair.secondNumber(),
                             Numbers.rounded(pair.angle()) + "\u00b0"));
         }
-        int more = of.identifiability().pairs().size() - pairs.size();
+        int more = of.evidence().identifiability().pairs().size() - pairs.size();
         return List.of(
                 new Table(
                         List.of("one cause", "its number", "another", "its number", "angle"),
@@ -95,11 +96,11 @@ final class IdentifiabilityTables {
         return Stream.concat(
                         words(
                                 "Unless they are very strong, these leave no trace in this data",
-                                of.identifiability().unseen()),
+                                of.evidence().identifiability().unseen()),
                         words(
                                 "These change nothing that was measured: what they do is held, was"
                                         + " not measured, or does not come about in these runs",
-                                of.identifiability().unobservable()))
+                                of.evidence().identifiability().unobservable()))
                 .toList();
     }
 
@@ -111,7 +112,7 @@ final class IdentifiabilityTables {
 
     List<Block> smallest() {
         List<List<String>> rows = new ArrayList<>();
-        for (Smallest each : of.identifiability().smallest()) {
+        for (Smallest each : of.evidence().identifiability().smallest()) {
             String unit = each.unit().equals("1") ? "" : " " + each.unit();
             rows.add(List.of(each.cause(), each.parameter(), Numbers.rounded(each.size()) + unit));
         }

@@ -80,7 +80,7 @@ final class Page {
     }
 
     private List<Block> gain() {
-        GainTables tables = new GainTables(of, names);
+        GainTables tables = new GainTables(of.prediction(), names);
         return Stream.of(tables.byChannel(), tables.byHorizon()).flatMap(List::stream).toList();
     }
 
@@ -105,7 +105,7 @@ final class Page {
     }
 
     private RunCharts charts(DiagnosedRun run) {
-        return new RunCharts(run, of.noise(), names);
+        return new RunCharts(run, of.prediction().noise(), names);
     }
 
     /** Of one run that people see at once: a held-out one, if there is one. */

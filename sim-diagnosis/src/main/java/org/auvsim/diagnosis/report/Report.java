@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.report;
 
+import org.auvsim.diagnosis.result.Approximation;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.plot.page.ReportPage;
@@ -9,6 +10,7 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /** A diagnosis as a folder of files. */
 public final class Report {
@@ -47,8 +49,9 @@ public final class Report {
                 out -> out.write(ExtendedScenario.text(diagnosis)));
         Path approximate = folder.resolve(APPROXIMATE);
         Files.deleteIfExists(approximate);
-        if (diagnosis.approximation().isPresent()) {
-            String text = ExtendedScenario.text(diagnosis, diagnosis.approximation().get());
+        Optional<Approximation> nearer = diagnosis.conclusion().approximation();
+        if (nearer.isPresent()) {
+            String text = ExtendedScenario.text(diagnosis, nearer.get());
             WholeFile.write(approximate, out -> out.write(text));
         }
         Path page = folder.resolve("report.html");

@@ -18,22 +18,17 @@ public final class Effort {
      * more than noise would is not fitted.
      */
     public static String words(Diagnosis of) {
-        long sets = of.ranked().stream().filter(set -> !set.causes().isEmpty()).count();
+        long sets = of.evidence().ranked().stream().filter(set -> !set.causes().isEmpty()).count();
         if (of.isComplete() && sets == 0) {
             return "Causes looked for: %d; none of them promised enough to be fitted"
-                    .formatted(of.candidates());
+                    .formatted(of.evidence().candidates());
         }
         String form =
                 of.isComplete()
                         ? "Causes looked for: %d; sets of them that were fitted: %d"
                         : "Causes to be looked for: %d; sets of them that were fitted before the"
                                 + " search was stopped: %d";
-        return form.formatted(of.candidates(), sets);
-    }
-
-    /** Whether sets of causes were tried beside the model as it is believed: else nothing ranks. */
-    public static boolean isRanked(Diagnosis of) {
-        return of.ranked().stream().anyMatch(set -> !set.causes().isEmpty());
+        return form.formatted(of.evidence().candidates(), sets);
     }
 
     /**
@@ -42,7 +37,7 @@ public final class Effort {
      */
     public static Optional<String> behind(Diagnosis of) {
         Map<String, List<String>> byReason = new LinkedHashMap<>();
-        for (Ranked set : of.ranked()) {
+        for (Ranked set : of.evidence().ranked()) {
             set.behind()
                     .ifPresent(
                             reason ->
@@ -67,7 +62,7 @@ public final class Effort {
     private static String ofNearest(Diagnosis of) {
         return "Errors and residuals are those %s, despite higher evidence not with "
                 .formatted(
-                        of.ranked().stream()
+                        of.evidence().ranked().stream()
                                 .filter(set -> set.behind().isEmpty())
                                 .findFirst()
                                 .map(

@@ -61,7 +61,7 @@ public final class Imbalance {
         return byMotion.explained(
                 found,
                 Sentence.shaking(found, shaking.references()),
-                ranked(byMotion.ranked(), factor, shaking.logEvidence()));
+                ranked(byMotion.evidence().ranked(), factor, shaking.logEvidence()));
     }
 
     /** With the cause added to the model as it is believed. */

@@ -12,12 +12,15 @@ import org.auvsim.diagnosis.residual.LocalMotion;
 import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.result.Alternative;
 import org.auvsim.diagnosis.result.Approximation;
+import org.auvsim.diagnosis.result.Conclusion;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Discrepancy;
+import org.auvsim.diagnosis.result.Evidence;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Gain;
 import org.auvsim.diagnosis.result.Moments;
+import org.auvsim.diagnosis.result.Prediction;
 import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
@@ -194,24 +197,32 @@ public final class Examination {
                     case UNEXPLAINED -> sentence.unexplained(discrepancy);
                     case UNDECIDED -> Sentence.stoppedAtOnce();
                 };
+        Prediction prediction =
+                new Prediction(
+                        found.noise().byChannel(),
+                        gains,
+                        course.goesOn() ? trial.horizons(best.fit().variant()) : List.of(),
+                        usedHeldOut);
+        List<DiagnosedRun> runs = runs(found, best, after);
         return new Diagnosis(
-                verdict,
-                words,
                 model.body(),
-                selected,
-                causes.size(),
-                Ranking.of(found, verdict != Verdict.UNEXPLAINED),
-                alternatives,
-                found.noise().byChannel(),
-                gains,
-                course.goesOn() ? trial.horizons(best.fit().variant()) : List.of(),
-                usedHeldOut,
-                runs(found, best, after),
-                discrepancy,
-                verdict == Verdict.UNEXPLAINED ? approximation(found, gains) : Optional.empty(),
-                Optional.empty(),
-                new Menu(best.fit(), found.noise()).next(best, found.competitors()),
-                found.traces().identifiability(best.fit().hypothesis().causes()),
+                new Conclusion(
+                        verdict,
+                        words,
+                        selected,
+                        discrepancy,
+                        verdict == Verdict.UNEXPLAINED
+                                ? approximation(found, gains)
+                                : Optional.empty(),
+                        Optional.empty()),
+                new Evidence(
+                        causes.size(),
+                        Ranking.of(found, verdict != Verdict.UNEXPLAINED),
+                        alternatives,
+                        found.traces().identifiability(best.fit().hypothesis().causes()),
+                        new Menu(best.fit(), found.noise()).next(best, found.competitors())),
+                prediction,
+                runs,
                 extended(isExplained ? best.fit().variant() : model.variant(), selected),
                 new Notices(model, fit, heldOut).of(found, after, verdict, foretold),
                 seed,

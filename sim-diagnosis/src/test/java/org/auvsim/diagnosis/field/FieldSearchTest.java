@@ -56,7 +56,7 @@ class FieldSearchTest {
     void aForceThatDependsOnThePlaceIsMapped() {
         Diagnosis diagnosis = mapped(new PushedSphere((p, v) -> eggBox(p)));
 
-        Proposal proposal = diagnosis.proposal().orElseThrow();
+        Proposal proposal = diagnosis.conclusion().proposal().orElseThrow();
 
         assertThat(diagnosis.verdict()).isEqualTo(Verdict.UNEXPLAINED);
         assertThat(diagnosis.selected()).isEmpty();
@@ -98,6 +98,6 @@ class FieldSearchTest {
         Diagnosis diagnosis = mapped(kicked);
 
         assertThat(diagnosis.verdict()).isEqualTo(Verdict.UNEXPLAINED);
-        assertThat(diagnosis.proposal()).isEmpty();
+        assertThat(diagnosis.conclusion().proposal()).isEmpty();
     }
 }

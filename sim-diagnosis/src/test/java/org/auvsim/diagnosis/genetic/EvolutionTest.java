@@ -43,8 +43,8 @@ class EvolutionTest {
                 .containsExactly("quadratic_drag");
         assertThat(diagnosis.selected().getFirst().quantities().getFirst().value())
                 .isCloseTo(DRAG, within(0.2));
-        assertThat(diagnosis.proposal()).isEmpty();
-        assertThat(diagnosis(CAUSES).ranked()).isEqualTo(diagnosis.ranked());
+        assertThat(diagnosis.conclusion().proposal()).isEmpty();
+        assertThat(diagnosis(CAUSES).evidence().ranked()).isEqualTo(diagnosis.evidence().ranked());
     }
 
     /** As if only causes were chosen that this body cannot have. */

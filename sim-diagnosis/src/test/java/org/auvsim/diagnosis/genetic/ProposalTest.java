@@ -28,8 +28,8 @@ class ProposalTest {
 
         assertThat(diagnosis.verdict()).as(diagnosis.sentence()).isEqualTo(Verdict.UNEXPLAINED);
         assertThat(diagnosis.selected()).isEmpty();
-        assertThat(diagnosis.proposal()).isPresent();
-        Proposal proposal = diagnosis.proposal().orElseThrow();
+        assertThat(diagnosis.conclusion().proposal()).isPresent();
+        Proposal proposal = diagnosis.conclusion().proposal().orElseThrow();
         assertThat(proposal.kind()).isEqualTo("formula");
         assertThat(proposal.text()).contains("F.x =").contains("vx").doesNotContain("F.z");
         assertThat(proposal.heldOut().after())
@@ -53,7 +53,7 @@ class ProposalTest {
 
         assertThat(diagnosis.verdict()).isEqualTo(Verdict.UNEXPLAINED);
         assertThat(diagnosis.isComplete()).isTrue();
-        assertThat(diagnosis.proposal()).isEmpty();
+        assertThat(diagnosis.conclusion().proposal()).isEmpty();
         assertThat(asked).hasValue(5);
     }
 }

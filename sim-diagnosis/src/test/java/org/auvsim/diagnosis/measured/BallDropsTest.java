@@ -50,7 +50,7 @@ class BallDropsTest {
         Diagnosis diagnosis = diagnosis(ball);
 
         isDrag(diagnosis);
-        assertThat(diagnosis.alternatives())
+        assertThat(diagnosis.evidence().alternatives())
                 .filteredOn(Alternative::isIndistinguishable)
                 .extracting(Alternative::causes)
                 .contains(List.of("quadratic_drag"));
@@ -64,7 +64,7 @@ class BallDropsTest {
         assertThat(diagnosis.runs()).hasSize(2);
         assertThat(diagnosis.verdict()).isEqualTo(Verdict.EXPLAINED);
         assertThat(diagnosis.selected()).extracting(Finding::cause).containsExactly("linear_drag");
-        Gain gain = Objects.requireNonNull(diagnosis.heldOut().get(Channel.POSITION));
+        Gain gain = Objects.requireNonNull(diagnosis.prediction().gains().get(Channel.POSITION));
         assertThat(gain.before()).isGreaterThan(0.9);
         assertThat(gain.after()).isLessThan(gain.before() / 5);
     }
@@ -75,6 +75,6 @@ class BallDropsTest {
 
         assertThat(diagnosis.verdict()).isEqualTo(Verdict.NONE);
         assertThat(diagnosis.selected()).isEmpty();
-        assertThat(diagnosis.alternatives()).isEmpty();
+        assertThat(diagnosis.evidence().alternatives()).isEmpty();
     }
 }

@@ -55,7 +55,7 @@ class PendulumTest {
         assertThat(light.verdict()).isEqualTo(Verdict.EXPLAINED);
         assertThat(light.selected()).extracting(Finding::name).contains(DRY, VISCOUS);
         assertThat(error(light.runs().getFirst())).isLessThan(0.009);
-        Gain gain = Objects.requireNonNull(light.heldOut().get(Channel.ORIENTATION));
+        Gain gain = Objects.requireNonNull(light.prediction().gains().get(Channel.ORIENTATION));
         assertThat(gain.before()).isGreaterThan(0.2);
         assertThat(gain.after()).isLessThan(0.03);
         isEitherMassOrGain(light);
@@ -68,20 +68,22 @@ class PendulumTest {
         assertThat(heavy.selected()).extracting(Finding::name).containsExactly(MASS);
         assertThat(heavy.selected().getFirst().quantities().getFirst().value())
                 .isCloseTo(2, within(0.2));
-        Gain gained = Objects.requireNonNull(heavy.heldOut().get(Channel.ORIENTATION));
+        Gain gained = Objects.requireNonNull(heavy.prediction().gains().get(Channel.ORIENTATION));
         assertThat(gained.before()).isGreaterThan(0.1);
         assertThat(gained.after()).isLessThan(0.01);
-        assertThat(heavy.identifiability().pairs()).anySatisfy(PendulumTest::isOfMassAndGain);
+        assertThat(heavy.evidence().identifiability().pairs())
+                .anySatisfy(PendulumTest::isOfMassAndGain);
     }
 
     /** Torque and inertia appear as their ratio alone, whatever friction does to both. */
     private static void isEitherMassOrGain(Diagnosis diagnosis) {
         assertThat(diagnosis.selected()).extracting(Finding::name).containsAnyOf(MASS, GAIN);
-        assertThat(diagnosis.alternatives())
+        assertThat(diagnosis.evidence().alternatives())
                 .filteredOn(Alternative::isIndistinguishable)
                 .anySatisfy(other -> assertThat(other.causes()).containsAnyOf(MASS, GAIN));
         assertThat(diagnosis.sentence()).contains("this data cannot tell apart");
-        assertThat(diagnosis.identifiability().pairs()).anySatisfy(PendulumTest::isOfMassAndGain);
+        assertThat(diagnosis.evidence().identifiability().pairs())
+                .anySatisfy(PendulumTest::isOfMassAndGain);
     }
 
     private static void isOfMassAndGain(Confusion confusion) {

@@ -74,7 +74,7 @@ class ShipTest {
         assertThat(rms(told.sway(), measured.sway()))
                 .isLessThan(0.5 * rms(nomoto.sway(measured), measured.sway()));
         assertThat(diagnosis.verdict()).isEqualTo(Verdict.UNEXPLAINED);
-        assertThat(diagnosis.approximation()).isPresent();
+        assertThat(diagnosis.conclusion().approximation()).isPresent();
     }
 
     private static Zigzag measured(MeasuredRun run) {

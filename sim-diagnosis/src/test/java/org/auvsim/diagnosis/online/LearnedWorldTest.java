@@ -14,9 +14,12 @@ import org.auvsim.diagnosis.Investigation;
 import org.auvsim.diagnosis.Method;
 import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.result.Conclusion;
 import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Evidence;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Identifiability;
+import org.auvsim.diagnosis.result.Prediction;
 import org.auvsim.diagnosis.result.Ranked;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.server.simulator.StepMade;
@@ -36,6 +39,7 @@ import java.util.function.Function;
 @Timeout(60)
 class LearnedWorldTest {
     private static final LearningPlan PLAN = new LearningPlan(true, 30, 1000, 1, Method.SHOOTING);
+    private static final List<Quantity> NUMBERS = List.of(new Quantity("k", "1", 1));
 
     private final World measured = Heard.world();
     private final ObedientWorld running = new ObedientWorld(Heard.world());
@@ -72,37 +76,34 @@ class LearnedWorldTest {
 
     private static Diagnosis diagnosis(
             Verdict verdict, List<String> causes, Scenario extended, boolean isComplete) {
-        List<Quantity> numbers = List.of(new Quantity("k", "1", 1));
+        Ranked chosen =
+                new Ranked(
+                        causes, causes.stream().map(_ -> NUMBERS).toList(), 0, 1, Optional.empty());
         return new Diagnosis(
-                verdict,
-                "what is to be said",
                 "body",
-                causes.stream()
-                        .map(id -> new Finding(id, Optional.empty(), numbers, List.of(), 1, true))
-                        .toList(),
-                2,
-                List.of(
-                        new Ranked(
-                                causes,
-                                causes.stream().map(_ -> numbers).toList(),
-                                0,
-                                1,
-                                Optional.empty())),
+                new Conclusion(
+                        verdict,
+                        "what is to be said",
+                        causes.stream().map(LearnedWorldTest::finding).toList(),
+                        Optional.empty(),
+                        Optional.empty(),
+                        Optional.empty()),
+                new Evidence(
+                        2,
+                        List.of(chosen),
+                        List.of(),
+                        new Identifiability(List.of(), List.of(), List.of(), List.of()),
+                        Optional.empty()),
+                new Prediction(Map.of(), Map.of(), List.of(), false),
                 List.of(),
-                Map.of(),
-                Map.of(),
-                List.of(),
-                false,
-                List.of(),
-                Optional.empty(),
-                Optional.empty(),
-                Optional.empty(),
-                Optional.empty(),
-                new Identifiability(List.of(), List.of(), List.of(), List.of()),
                 extended,
                 List.of(),
                 1,
                 isComplete);
+    }
+
+    private static Finding finding(String cause) {
+        return new Finding(cause, Optional.empty(), NUMBERS, List.of(), 1, true);
     }
 
     private Diagnosis diagnosis(Investigation of) {

@@ -12,9 +12,11 @@ import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.result.Alternative;
 import org.auvsim.diagnosis.result.Approximation;
 import org.auvsim.diagnosis.result.Axis;
+import org.auvsim.diagnosis.result.Conclusion;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Discrepancy;
+import org.auvsim.diagnosis.result.Evidence;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.ForceResidual;
 import org.auvsim.diagnosis.result.Gain;
@@ -23,6 +25,7 @@ import org.auvsim.diagnosis.result.Identifiability;
 import org.auvsim.diagnosis.result.Identifiability.Confusion;
 import org.auvsim.diagnosis.result.Identifiability.Smallest;
 import org.auvsim.diagnosis.result.NextExperiment;
+import org.auvsim.diagnosis.result.Prediction;
 import org.auvsim.diagnosis.result.Proposal;
 import org.auvsim.diagnosis.result.Ranked;
 import org.auvsim.diagnosis.result.Sentence;
@@ -272,38 +275,43 @@ final class Diagnoses {
             String sentence,
             List<Finding> selected,
             List<Alternative> alternatives,
-            Map<Channel, Gain> heldOut,
+            Map<Channel, Gain> gains,
             List<DiagnosedRun> runs,
             Optional<Discrepancy> discrepancy,
             Optional<Proposal> proposal,
             Scenario extended,
             List<String> notices) {
         return new Diagnosis(
-                verdict,
-                sentence,
                 "sledge",
-                selected,
+                new Conclusion(
+                        verdict,
+                        sentence,
+                        selected,
+                        discrepancy,
+                        approximation(discrepancy),
+                        proposal),
+                evidence(selected, alternatives),
+                new Prediction(
+                        NOISES,
+                        gains,
+                        List.of(
+                                ahead(1, 0.012, 0.0105),
+                                ahead(5, 0.08, 0.0107),
+                                ahead(20, 0.4, 0.011),
+                                ahead(60, 0.834, 0.0112)),
+                        false),
+                runs,
+                extended,
+                notices,
+                42,
+                true);
+    }
+
+    private static Evidence evidence(List<Finding> selected, List<Alternative> alternatives) {
+        return new Evidence(
                 62,
                 ranked(selected),
                 alternatives,
-                NOISES,
-                heldOut,
-                List.of(
-                        ahead(1, 0.012, 0.0105),
-                        ahead(5, 0.08, 0.0107),
-                        ahead(20, 0.4, 0.011),
-                        ahead(60, 0.834, 0.0112)),
-                false,
-                runs,
-                discrepancy,
-                approximation(discrepancy),
-                proposal,
-                Optional.of(
-                        new NextExperiment(
-                                "coast_down",
-                                "Speed up to 3 m/s, then coast with all thrusters off.",
-                                List.of("quadratic_drag", "linear_drag"),
-                                41)),
                 new Identifiability(
                         List.of(
                                 new Confusion("quadratic_drag", "k", "linear_drag", "c", 11.2),
@@ -311,10 +319,12 @@ final class Diagnoses {
                         List.of("magnus"),
                         List.of("restitution", "contact_friction"),
                         List.of(new Smallest("mass_error", "factor", "1", 0.0123))),
-                extended,
-                notices,
-                42,
-                true);
+                Optional.of(
+                        new NextExperiment(
+                                "coast_down",
+                                "Speed up to 3 m/s, then coast with all thrusters off.",
+                                List.of("quadratic_drag", "linear_drag"),
+                                41)));
     }
 
     /** The runs of a null, but no model gets through the held-out one. */
@@ -337,120 +347,111 @@ final class Diagnoses {
 
     /** The same of a body of another name. */
     static Diagnosis renamed(Diagnosis of, String body) {
-        return with(of, body, of.nextExperiment(), of.isComplete());
+        return with(of, body, of.evidence(), of.prediction(), of.isComplete());
     }
 
     /** The same of a search that was stopped before its end. */
     static Diagnosis stopped(Diagnosis of) {
-        return with(of, of.body(), of.nextExperiment(), false).toldAsFarAsItCame();
+        return with(of, of.body(), of.evidence(), of.prediction(), false).toldAsFarAsItCame();
     }
 
     /** The same, a set that was not chosen having more evidence. */
     static Diagnosis outweighed(Diagnosis of, String reason) {
-        List<Ranked> sets = new ArrayList<>(of.ranked());
+        List<Ranked> sets = new ArrayList<>(of.evidence().ranked());
         sets.add(new Ranked(List.of("magnetic"), List.of(List.of()), 0, 0, Optional.of(reason)));
         return of.explained(of.selected().getFirst(), of.sentence(), sets);
     }
 
     /** The same without anything that is left open. */
     static Diagnosis settled(Diagnosis of) {
-        return with(of, of.body(), Optional.empty(), of.isComplete());
+        return with(
+                of,
+                new Evidence(
+                        of.evidence().candidates(),
+                        of.evidence().ranked(),
+                        of.evidence().alternatives(),
+                        of.evidence().identifiability(),
+                        Optional.empty()));
     }
 
     /** The same where no cause was tried. */
     static Diagnosis untried(Diagnosis of) {
-        Ranked none = new Ranked(List.of(), List.of(), 0, 1, Optional.empty());
-        return with(
-                of, of.body(), List.of(none), of.horizons(), of.nextExperiment(), of.isComplete());
+        return with(of, List.of(new Ranked(List.of(), List.of(), 0, 1, Optional.empty())));
     }
 
     /** The same, two causes tried together. */
     static Diagnosis withPair(Diagnosis of) {
-        List<Ranked> sets =
-                List.of(
-                        of.ranked().getFirst(),
-                        new Ranked(
-                                List.of("linear_drag", "magnus"),
-                                List.of(
-                                        List.of(new Quantity("c", "N s/m", 8.1)),
-                                        List.of(new Quantity("s", "kg", 0.2))),
-                                -1270,
-                                0,
-                                Optional.empty()));
-        return with(of, of.body(), sets, of.horizons(), of.nextExperiment(), of.isComplete());
-    }
-
-    /** The same where the believed model gets lost between 5 and 60 s. */
-    static Diagnosis lost(Diagnosis of) {
-        List<HorizonGain> horizons =
-                List.of(ahead(5, 0.08, 0.0107), ahead(60, Double.POSITIVE_INFINITY, 0.0112));
-        return with(of, of.body(), of.ranked(), horizons, of.nextExperiment(), of.isComplete());
+        Ranked pair =
+                new Ranked(
+                        List.of("linear_drag", "magnus"),
+                        List.of(
+                                List.of(new Quantity("c", "N s/m", 8.1)),
+                                List.of(new Quantity("s", "kg", 0.2))),
+                        -1270,
+                        0,
+                        Optional.empty());
+        return with(of, List.of(of.evidence().ranked().getFirst(), pair));
     }
 
     /** The same, a set having more evidence than that which errors are told of. */
     static Diagnosis overtaken(Diagnosis of, String reason) {
-        List<Ranked> sets = new ArrayList<>(of.ranked());
+        List<Ranked> sets = new ArrayList<>(of.evidence().ranked());
         sets.addFirst(
                 new Ranked(List.of("magnetic"), List.of(List.of()), 0, 0, Optional.of(reason)));
-        return with(of, of.body(), sets, of.horizons(), of.nextExperiment(), of.isComplete());
+        return with(of, sets);
+    }
+
+    /** The same where the believed model gets lost between 5 and 60 s. */
+    static Diagnosis lost(Diagnosis of) {
+        return with(
+                of,
+                List.of(ahead(5, 0.08, 0.0107), ahead(60, Double.POSITIVE_INFINITY, 0.0112)),
+                of.prediction().usedHeldOut());
     }
 
     /** The same, its held-out runs used for the search, too. */
     static Diagnosis searchedWithAll(Diagnosis of) {
-        return new Diagnosis(
-                of.verdict(),
-                of.sentence(),
+        return with(of, of.prediction().horizons(), /* usedHeldOut= */ true);
+    }
+
+    private static Diagnosis with(Diagnosis of, List<HorizonGain> horizons, boolean usedHeldOut) {
+        Prediction before = of.prediction();
+        return with(
+                of,
                 of.body(),
-                of.selected(),
-                of.candidates(),
-                of.ranked(),
-                of.alternatives(),
-                of.noise(),
-                of.heldOut(),
-                of.horizons(),
-                /* usedHeldOut= */ true,
-                of.runs(),
-                of.discrepancy(),
-                of.approximation(),
-                of.proposal(),
-                of.nextExperiment(),
-                of.identifiability(),
-                of.extended(),
-                of.notices(),
-                of.seed(),
+                of.evidence(),
+                new Prediction(before.noise(), before.gains(), horizons, usedHeldOut),
                 of.isComplete());
     }
 
-    private static Diagnosis with(
-            Diagnosis of, String body, Optional<NextExperiment> next, boolean isComplete) {
-        return with(of, body, of.ranked(), of.horizons(), next, isComplete);
+    private static Diagnosis with(Diagnosis of, List<Ranked> ranked) {
+        Evidence before = of.evidence();
+        return with(
+                of,
+                new Evidence(
+                        before.candidates(),
+                        ranked,
+                        before.alternatives(),
+                        before.identifiability(),
+                        before.nextExperiment()));
+    }
+
+    private static Diagnosis with(Diagnosis of, Evidence evidence) {
+        return with(of, of.body(), evidence, of.prediction(), of.isComplete());
     }
 
     private static Diagnosis with(
             Diagnosis of,
             String body,
-            List<Ranked> ranked,
-            List<HorizonGain> horizons,
-            Optional<NextExperiment> next,
+            Evidence evidence,
+            Prediction prediction,
             boolean isComplete) {
         return new Diagnosis(
-                of.verdict(),
-                of.sentence(),
                 body,
-                of.selected(),
-                of.candidates(),
-                ranked,
-                of.alternatives(),
-                of.noise(),
-                of.heldOut(),
-                horizons,
-                of.usedHeldOut(),
+                of.conclusion(),
+                evidence,
+                prediction,
                 of.runs(),
-                of.discrepancy(),
-                of.approximation(),
-                of.proposal(),
-                next,
-                of.identifiability(),
                 of.extended(),
                 of.notices(),
                 of.seed(),

@@ -107,7 +107,7 @@ class ExtendedScenarioTest {
                 .contains("An approximation, no finding")
                 .contains("- quadratic_drag: k = 12.4 kg/m;");
         assertThat(ScenarioLoader.load(LOADER).load(approximate))
-                .isEqualTo(diagnosis.approximation().orElseThrow().scenario());
+                .isEqualTo(diagnosis.conclusion().approximation().orElseThrow().scenario());
 
         written(Diagnoses.explained());
         assertThat(approximate).doesNotExist();

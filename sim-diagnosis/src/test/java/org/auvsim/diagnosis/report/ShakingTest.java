@@ -32,7 +32,8 @@ class ShakingTest {
         assertThat(diagnosis.selected())
                 .extracting(Finding::name)
                 .containsExactly("propeller_imbalance");
-        assertThat(diagnosis.candidates()).isEqualTo(Diagnoses.none().candidates() + 1);
+        assertThat(diagnosis.evidence().candidates())
+                .isEqualTo(Diagnoses.none().evidence().candidates() + 1);
         assertThat(diagnosis.notices()).isEqualTo(Diagnoses.none().notices());
         assertThat(diagnosis.extended()).isEqualTo(Diagnoses.none().extended());
     }
@@ -40,12 +41,12 @@ class ShakingTest {
     /** By Schwarz's criterion: half of 9 ln(1 + 4^2 / 7), less half of ln 9. */
     @Test
     void itsEvidenceIsThatOfAnotherMean() {
-        List<Ranked> ranked = Imbalance.judged(Diagnoses.none(), MUCH).ranked();
+        List<Ranked> ranked = Imbalance.judged(Diagnoses.none(), MUCH).evidence().ranked();
 
         assertThat(ranked.getFirst().causes()).containsExactly("propeller_imbalance");
         assertThat(
                         ranked.getFirst().logEvidence()
-                                - Diagnoses.none().ranked().getFirst().logEvidence())
+                                - Diagnoses.none().evidence().ranked().getFirst().logEvidence())
                 .isCloseTo(4.5 * Math.log(1 + 16 / 7.0) - Math.log(9) / 2, within(1e-9));
         assertThat(ranked.stream().mapToDouble(Ranked::probability).sum())
                 .isCloseTo(1, within(1e-9));

@@ -82,7 +82,7 @@ class AliasTest {
 
         assertThat(diagnosis.verdict()).isEqualTo(Verdict.UNEXPLAINED);
         assertThat(slow.found(causes).competitors()).isNotEmpty();
-        assertThat(diagnosis.alternatives()).isEmpty();
+        assertThat(diagnosis.evidence().alternatives()).isEmpty();
     }
 
     /** Whoever sees it behind a set of less evidence is told why. */

@@ -100,6 +100,6 @@ class CreepingFrictionTest {
         Diagnosis diagnosis = diagnosed(0.03, 3);
 
         assertThat(found(diagnosis)).extracting(Quantity::name).containsExactly("mu");
-        assertThat(diagnosis.alternatives()).isEmpty();
+        assertThat(diagnosis.evidence().alternatives()).isEmpty();
     }
 }

@@ -62,7 +62,8 @@ class ImitationTrialTest {
                                         }));
 
         assertThat(of.verdict()).isEqualTo(Verdict.UNEXPLAINED);
-        Gain ofCauses = Optional.ofNullable(of.heldOut().get(Channel.POSITION)).orElseThrow();
+        Gain ofCauses =
+                Optional.ofNullable(of.prediction().gains().get(Channel.POSITION)).orElseThrow();
         assertThat(gains).hasSize(1);
         assertThat(gains.getFirst().before()).isCloseTo(ofCauses.before(), within(1e-12));
         assertThat(gains.getFirst().after()).isCloseTo(ofCauses.before(), within(1e-12));

@@ -98,11 +98,11 @@ class NoisyTorpedoTest {
         assertThat(diagnosis.selected())
                 .extracting(Finding::cause)
                 .containsExactly("current_constant");
-        assertThat(diagnosis.alternatives())
+        assertThat(diagnosis.evidence().alternatives())
                 .filteredOn(Alternative::isIndistinguishable)
                 .extracting(Alternative::causes)
                 .containsExactly(List.of("position_drift"));
-        assertThat(diagnosis.nextExperiment()).isEmpty(); // it would tell no more
+        assertThat(diagnosis.evidence().nextExperiment()).isEmpty(); // it would tell no more
     }
 
     private Fit followed(BelievedModel model, Hypothesis hypothesis) {

@@ -46,8 +46,10 @@ class NotBorneOutTest {
     void whatHeldOutRunsDoNotBearOutIsNothingWhereTheModelLeavesNoise() throws Exception {
         Diagnosis diagnosis = diagnosis(SLIGHT, 0);
 
-        assertThat(diagnosis.ranked()).extracting(Ranked::causes).contains(List.of("linear_drag"));
-        assertThat(diagnosis.ranked().getFirst().causes()).isEmpty();
+        assertThat(diagnosis.evidence().ranked())
+                .extracting(Ranked::causes)
+                .contains(List.of("linear_drag"));
+        assertThat(diagnosis.evidence().ranked().getFirst().causes()).isEmpty();
         assertThat(diagnosis.verdict()).isEqualTo(Verdict.NONE);
         assertThat(diagnosis.selected()).isEmpty();
     }

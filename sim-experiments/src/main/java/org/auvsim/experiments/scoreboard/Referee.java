@@ -78,7 +78,7 @@ final class Referee {
     private static boolean isTold(Twins twins, Diagnosis diagnosis) {
         List<String> selected = diagnosis.selected().stream().map(Finding::cause).toList();
         List<String> others =
-                diagnosis.alternatives().stream()
+                diagnosis.evidence().alternatives().stream()
                         .filter(Alternative::isIndistinguishable)
                         .flatMap(a -> a.causes().stream())
                         .toList();

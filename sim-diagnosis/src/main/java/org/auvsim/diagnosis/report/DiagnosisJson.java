@@ -102,7 +102,7 @@ final class DiagnosisJson {
                 evidence.nextExperiment(),
                 of.seed(),
                 DiagnosisDocument.VERSION,
-                conclusion.sentence(),
+                of.sentence(),
                 of.body(),
                 of.isComplete(),
                 prediction.usedHeldOut(),

@@ -15,7 +15,7 @@ import java.util.Optional;
  */
 public record Conclusion(
         Verdict verdict,
-        String sentence,
+        Sentence sentence,
         List<Finding> selected,
         Optional<Discrepancy> discrepancy,
         Optional<Approximation> approximation,
@@ -25,8 +25,13 @@ public record Conclusion(
         selected = List.copyOf(selected);
     }
 
+    /** Where nothing is known of a misfit. */
+    public Conclusion(Verdict verdict, Sentence sentence, List<Finding> selected) {
+        this(verdict, sentence, selected, Optional.empty(), Optional.empty(), Optional.empty());
+    }
+
     /** The same in other words. */
-    Conclusion saying(String words) {
+    Conclusion saying(Sentence words) {
         return judged(verdict, words, selected);
     }
 
@@ -38,15 +43,15 @@ public record Conclusion(
 
     /** That nothing can be said yet, as no cause was tried. */
     Conclusion undecided() {
-        return judged(Verdict.UNDECIDED, Sentence.stoppedAtOnce(), selected);
+        return judged(Verdict.UNDECIDED, Sentences.stoppedAtOnce(), selected);
     }
 
     /** That a cause explains it. */
-    Conclusion explained(Finding found, String words) {
+    Conclusion explained(Finding found, Sentence words) {
         return judged(Verdict.EXPLAINED, words, List.of(found));
     }
 
-    private Conclusion judged(Verdict other, String words, List<Finding> found) {
+    private Conclusion judged(Verdict other, Sentence words, List<Finding> found) {
         return new Conclusion(other, words, found, discrepancy, approximation, proposal);
     }
 }

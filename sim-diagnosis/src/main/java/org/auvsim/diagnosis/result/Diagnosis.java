@@ -41,7 +41,7 @@ public record Diagnosis(
 
     /** The verdict for people. */
     public String sentence() {
-        return conclusion.sentence();
+        return conclusion.sentence().text();
     }
 
     /** The causes found; none unless the verdict is {@link Verdict#EXPLAINED}. */
@@ -59,20 +59,17 @@ public record Diagnosis(
         if (isComplete) {
             return this;
         }
-        return with(
-                isUntried()
-                        ? conclusion.undecided()
-                        : conclusion.saying(Sentence.stopped(sentence())));
+        return isUntried() ? with(conclusion.undecided()) : saying(conclusion.sentence().stopped());
     }
 
     /** The same, only some of the causes that are known having been looked for. */
     public Diagnosis ofSomeCauses() {
-        return with(conclusion.saying(Sentence.ofSome(sentence())));
+        return saying(conclusion.sentence().ofSome());
     }
 
     /** The same of runs whose numbers may not be what they are taken for, as notices say. */
     public Diagnosis doubted() {
-        return with(conclusion.saying(Sentence.doubted(sentence())));
+        return saying(conclusion.sentence().doubted());
     }
 
     /** The same with a formula or field that imitates the misfit. */
@@ -81,7 +78,7 @@ public record Diagnosis(
     }
 
     /** The same with a cause that changes nothing of the motion, where that lacks nothing. */
-    public Diagnosis explained(Finding found, String words, List<Ranked> sets) {
+    public Diagnosis explained(Finding found, Sentence words, List<Ranked> sets) {
         return with(conclusion.explained(found, words), evidence.ofOneMore(sets), notices);
     }
 
@@ -90,6 +87,10 @@ public record Diagnosis(
         List<String> all = new ArrayList<>(more);
         all.addAll(notices);
         return with(conclusion, evidence, all);
+    }
+
+    private Diagnosis saying(Sentence words) {
+        return with(conclusion.saying(words));
     }
 
     private Diagnosis with(Conclusion other) {

@@ -5,7 +5,7 @@ import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.diagnosis.result.Ranked;
-import org.auvsim.diagnosis.result.Sentence;
+import org.auvsim.diagnosis.result.Sentences;
 import org.auvsim.diagnosis.result.Verdict;
 
 import java.util.ArrayList;
@@ -60,7 +60,7 @@ public final class Imbalance {
                         false);
         return byMotion.explained(
                 found,
-                Sentence.shaking(found, shaking.references()),
+                Sentences.shaking(found, shaking.references()),
                 ranked(byMotion.evidence().ranked(), factor, shaking.logEvidence()));
     }
 

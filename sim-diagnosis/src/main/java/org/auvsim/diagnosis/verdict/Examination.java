@@ -22,6 +22,7 @@ import org.auvsim.diagnosis.result.Gain;
 import org.auvsim.diagnosis.result.Moments;
 import org.auvsim.diagnosis.result.Prediction;
 import org.auvsim.diagnosis.result.Sentence;
+import org.auvsim.diagnosis.result.Sentences;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -171,50 +172,30 @@ public final class Examination {
     private Diagnosis diagnosis(Judgement judgement, Optional<LeaveOneOut> turns) {
         boolean usedHeldOut = turns.isPresent();
         Search.Found found = judgement.found();
-        Trial trial = judgement.trial();
         Judged best = found.best();
-        Judged before = judgement.before();
         Judged after = judgement.after();
         Verdict verdict = judgement.verdict();
         boolean isExplained = verdict == Verdict.EXPLAINED;
-        List<Finding> selected = isExplained ? Findings.of(found) : List.of();
-        double share = Findings.share(found.none(), best);
         List<Alternative> alternatives = isExplained ? alternatives(found) : List.of();
         Foretold foretold =
                 turns.map(of -> Foretold.byTurns(asBelieved(found), of, found.noise()))
-                        .orElseGet(() -> Foretold.of(before, after, found.noise()));
-        Map<Channel, Gain> gains = foretold.gains();
-        Optional<Discrepancy> discrepancy =
-                verdict == Verdict.UNEXPLAINED
-                        ? Optional.of(Misfit.largest(judgement.inDoubt(), share))
-                        : Optional.empty();
-        Sentence sentence =
-                new Sentence(gains, usedHeldOut, foretold.isBetter()).with(new Moments(allRuns()));
-        String words =
-                switch (verdict) {
-                    case EXPLAINED -> explained(sentence, found, selected, share, alternatives);
-                    case NONE -> sentence.none();
-                    case UNEXPLAINED -> sentence.unexplained(discrepancy);
-                    case UNDECIDED -> Sentence.stoppedAtOnce();
-                };
+                        .orElseGet(() -> Foretold.of(judgement.before(), after, found.noise()));
+        Sentences sentences =
+                new Sentences(foretold.gains(), usedHeldOut, foretold.isBetter())
+                        .with(new Moments(allRuns()));
+        Conclusion conclusion = conclusion(judgement, alternatives, foretold.gains(), sentences);
         Prediction prediction =
                 new Prediction(
                         found.noise().byChannel(),
-                        gains,
-                        course.goesOn() ? trial.horizons(best.fit().variant()) : List.of(),
+                        foretold.gains(),
+                        course.goesOn()
+                                ? judgement.trial().horizons(best.fit().variant())
+                                : List.of(),
                         usedHeldOut);
         List<DiagnosedRun> runs = runs(found, best, after);
         return new Diagnosis(
                 model.body(),
-                new Conclusion(
-                        verdict,
-                        words,
-                        selected,
-                        discrepancy,
-                        verdict == Verdict.UNEXPLAINED
-                                ? approximation(found, gains)
-                                : Optional.empty(),
-                        Optional.empty()),
+                conclusion,
                 new Evidence(
                         causes.size(),
                         Ranking.of(found, verdict != Verdict.UNEXPLAINED),
@@ -223,10 +204,47 @@ public final class Examination {
                         new Menu(best.fit(), found.noise()).next(best, found.competitors())),
                 prediction,
                 runs,
-                extended(isExplained ? best.fit().variant() : model.variant(), selected),
+                extended(
+                        isExplained ? best.fit().variant() : model.variant(),
+                        conclusion.selected()),
                 new Notices(model, fit, heldOut).of(found, after, verdict, foretold),
                 seed,
                 course.goesOn());
+    }
+
+    private Conclusion conclusion(
+            Judgement judgement,
+            List<Alternative> alternatives,
+            Map<Channel, Gain> gains,
+            Sentences sentences) {
+        Search.Found found = judgement.found();
+        double share = Findings.share(found.none(), found.best());
+        return switch (judgement.verdict()) {
+            case EXPLAINED -> {
+                List<Finding> selected = Findings.of(found);
+                Sentence words = sentences.explained(selected, share, alternatives);
+                yield new Conclusion(
+                        Verdict.EXPLAINED,
+                        DragLaw.unsettled(found, alternatives)
+                                .map(other -> words.unsettled(other.cause(), other.share()))
+                                .orElse(words),
+                        selected);
+            }
+            case NONE -> new Conclusion(Verdict.NONE, sentences.none(), List.of());
+            case UNEXPLAINED -> {
+                Optional<Discrepancy> seen =
+                        Optional.of(Misfit.largest(judgement.inDoubt(), share));
+                yield new Conclusion(
+                        Verdict.UNEXPLAINED,
+                        sentences.unexplained(seen),
+                        List.of(),
+                        seen,
+                        approximation(found, gains),
+                        Optional.empty());
+            }
+            case UNDECIDED ->
+                    new Conclusion(Verdict.UNDECIDED, Sentences.stoppedAtOnce(), List.of());
+        };
     }
 
     /** To what was found. */
@@ -240,18 +258,6 @@ public final class Examination {
 
     private LeaveOneOut asBelieved(Search.Found found) {
         return new LeaveOneOut(found.none(), course);
-    }
-
-    private static String explained(
-            Sentence sentence,
-            Search.Found found,
-            List<Finding> selected,
-            double share,
-            List<Alternative> alternatives) {
-        String words = sentence.explained(selected, share, alternatives);
-        return DragLaw.unsettled(found, alternatives)
-                .map(other -> Sentence.unsettled(words, other.cause(), other.share()))
-                .orElse(words);
     }
 
     /**

@@ -21,6 +21,7 @@ import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Identifiability;
 import org.auvsim.diagnosis.result.Prediction;
 import org.auvsim.diagnosis.result.Ranked;
+import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.server.simulator.StepMade;
 import org.junit.jupiter.api.AfterEach;
@@ -83,11 +84,8 @@ class LearnedWorldTest {
                 "body",
                 new Conclusion(
                         verdict,
-                        "what is to be said",
-                        causes.stream().map(LearnedWorldTest::finding).toList(),
-                        Optional.empty(),
-                        Optional.empty(),
-                        Optional.empty()),
+                        Sentence.of("what is to be said"),
+                        causes.stream().map(LearnedWorldTest::finding).toList()),
                 new Evidence(
                         2,
                         List.of(chosen),

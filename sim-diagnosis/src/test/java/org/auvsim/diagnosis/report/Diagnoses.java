@@ -29,6 +29,7 @@ import org.auvsim.diagnosis.result.Prediction;
 import org.auvsim.diagnosis.result.Proposal;
 import org.auvsim.diagnosis.result.Ranked;
 import org.auvsim.diagnosis.result.Sentence;
+import org.auvsim.diagnosis.result.Sentences;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -199,7 +200,7 @@ final class Diagnoses {
                         Channel.ORIENTATION, new Gain(0.0041, 0.00405, TURN_NOISE));
         return diagnosis(
                 Verdict.EXPLAINED,
-                new Sentence(heldOut, false, true).explained(found, 0.991, alternatives),
+                new Sentences(heldOut, false, true).explained(found, 0.991, alternatives),
                 found,
                 alternatives,
                 heldOut,
@@ -215,7 +216,7 @@ final class Diagnoses {
         Map<Channel, Gain> heldOut = Map.of(Channel.POSITION, new Gain(0.0101, 0.0101, NOISE));
         return diagnosis(
                 Verdict.NONE,
-                new Sentence(heldOut, false, true).none(),
+                new Sentences(heldOut, false, true).none(),
                 List.of(),
                 List.of(),
                 heldOut,
@@ -240,7 +241,7 @@ final class Diagnoses {
                         0.41);
         return diagnosis(
                 Verdict.UNEXPLAINED,
-                new Sentence(heldOut, false, true).unexplained(Optional.of(seen)),
+                new Sentences(heldOut, false, true).unexplained(Optional.of(seen)),
                 List.of(),
                 List.of(),
                 heldOut,
@@ -272,7 +273,7 @@ final class Diagnoses {
 
     private static Diagnosis diagnosis(
             Verdict verdict,
-            String sentence,
+            Sentence sentence,
             List<Finding> selected,
             List<Alternative> alternatives,
             Map<Channel, Gain> gains,
@@ -334,7 +335,7 @@ final class Diagnoses {
         runs.add(new DiagnosedRun(last.run(), true, List.of(), List.of(), List.of(), Set.of()));
         return diagnosis(
                 Verdict.NONE,
-                "Nothing",
+                Sentence.of("Nothing"),
                 List.of(),
                 List.of(),
                 Map.of(),
@@ -359,7 +360,7 @@ final class Diagnoses {
     static Diagnosis outweighed(Diagnosis of, String reason) {
         List<Ranked> sets = new ArrayList<>(of.evidence().ranked());
         sets.add(new Ranked(List.of("magnetic"), List.of(List.of()), 0, 0, Optional.of(reason)));
-        return of.explained(of.selected().getFirst(), of.sentence(), sets);
+        return of.explained(of.selected().getFirst(), of.conclusion().sentence(), sets);
     }
 
     /** The same without anything that is left open. */

@@ -28,8 +28,8 @@ class SentenceTest {
                             new Quantity("u.y", "m/s", -0.1),
                             new Quantity("u.z", "m/s", 0)),
                     List.of(0.004, 0.004, 0.004));
-    private final Sentence sentence =
-            new Sentence(
+    private final Sentences sentences =
+            new Sentences(
                     Map.of(
                             Channel.POSITION, new Gain(0.83, 0.0112, 0.01),
                             Channel.ORIENTATION, new Gain(0.1, 0.1, 0.1)),
@@ -42,7 +42,7 @@ class SentenceTest {
 
     @Test
     void oneCause() {
-        assertThat(sentence.explained(List.of(DRAG), 0.991, List.of()))
+        assertThat(sentences.explained(List.of(DRAG), 0.991, List.of()).text())
                 .isEqualTo(
                         "Quadratic drag is missing: 12.4 +- 0.3 kg/m; it explains 99.1 % of the"
                                 + " misfit; held-out position error 0.83 m -> 0.011 m, noise is"
@@ -86,23 +86,24 @@ class SentenceTest {
 
     @Test
     void aCauseThatMattersToNoHeldOutRun() {
-        Sentence same =
-                new Sentence(Map.of(Channel.POSITION, new Gain(0.01001, 0.01, 0.01)), false, false);
-        assertThat(same.explained(List.of(DRAG), 0.991, List.of()))
+        Sentences same =
+                new Sentences(
+                        Map.of(Channel.POSITION, new Gain(0.01001, 0.01, 0.01)), false, false);
+        assertThat(same.explained(List.of(DRAG), 0.991, List.of()).text())
                 .endsWith(
                         "; held-out position error 0.010 m -> 0.010 m, noise is 0.010 m; but these"
                                 + " runs are predicted just as well without it");
-        assertThat(same.explained(List.of(DRAG, CURRENT), 0.991, List.of()))
+        assertThat(same.explained(List.of(DRAG, CURRENT), 0.991, List.of()).text())
                 .endsWith("; but these runs are predicted just as well without them");
     }
 
     /** Of what was not tried nothing is said. */
     @Test
     void aSearchThatWasStopped() {
-        assertThat(Sentence.stopped(sentence.explained(List.of(DRAG), 0.991, List.of())))
+        assertThat(sentences.explained(List.of(DRAG), 0.991, List.of()).stopped().text())
                 .startsWith(
                         "Stopped before the end; the best so far: quadratic drag is missing: 12.4");
-        assertThat(Sentence.stopped(sentence.none()))
+        assertThat(sentences.none().stopped().text())
                 .startsWith(
                         "Stopped before the end; the best so far: the model as it is; no cause"
                                 + " tried so far gains enough; held-out position error 0.83 m");
@@ -115,14 +116,15 @@ class SentenceTest {
                         Vec3.ZERO,
                         OptionalDouble.empty(),
                         0.4);
-        assertThat(Sentence.stopped(sentence.unexplained(Optional.of(seen))))
+        assertThat(sentences.unexplained(Optional.of(seen)).stopped().text())
                 .startsWith(
                         "Stopped before the end; the best so far: the model lacks something that no"
                             + " cause tried so far explains; the best of these remove 40.0 % of it,"
                             + " and what they leave shows most in the position along x, at 3.00 s"
                             + " of run1;")
                 .doesNotContain("known");
-        assertThat(Sentence.stoppedAtOnce()).startsWith("Stopped before any cause was fitted");
+        assertThat(Sentences.stoppedAtOnce().text())
+                .startsWith("Stopped before any cause was fitted");
     }
 
     @Test
@@ -137,24 +139,39 @@ class SentenceTest {
                         OptionalDouble.empty(),
                         0.4);
 
-        assertThat(Sentence.ofSome(sentence.unexplained(Optional.of(seen))))
+        assertThat(sentences.unexplained(Optional.of(seen)).ofSome().text())
                 .startsWith(
                         "The model lacks something that none of the requested causes explains;"
                                 + " the best of these remove 40.0 % of it, and what they leave"
                                 + " shows most in the position along x, at 3.00 s of run1;");
-        assertThat(Sentence.ofSome(sentence.none())).isEqualTo(sentence.none());
+        assertThat(sentences.none().ofSome().text()).isEqualTo(sentences.none().text());
+    }
+
+    /** What was tried of them before it was stopped is fewer still. */
+    @Test
+    void aSearchForSomeCausesThatWasStopped() {
+        Sentence unexplained = sentences.unexplained(Optional.empty());
+
+        assertThat(List.of(unexplained.stopped().ofSome(), unexplained.ofSome().stopped()))
+                .extracting(Sentence::text)
+                .allMatch(
+                        text ->
+                                text.startsWith(
+                                        "Stopped before the end; the best so far: the model lacks"
+                                                + " something that no cause tried so far explains;"
+                                                + " held-out"));
     }
 
     @Test
     void doubtfulDataIsNotBelievedWithoutAWord() {
-        assertThat(Sentence.doubted(sentence.none()))
-                .startsWith(sentence.none())
+        assertThat(sentences.none().doubted().text())
+                .startsWith(sentences.none().text())
                 .endsWith("; but the notices cast doubt on the data: read them first");
     }
 
     @Test
     void twoCauses() {
-        assertThat(sentence.explained(List.of(DRAG, CURRENT), 0.9, List.of()))
+        assertThat(sentences.explained(List.of(DRAG, CURRENT), 0.9, List.of()).text())
                 .startsWith(
                         "Quadratic drag is missing: 12.4 +- 0.3 kg/m, and a constant current is"
                                 + " missing: (0.200 +- 0.004, -0.100 +- 0.004, 0.000 +- 0.004) m/s;"
@@ -171,7 +188,7 @@ class SentenceTest {
                                 new Quantity("force.y", "N", 0),
                                 new Quantity("omega", "rad/s", 1.5)),
                         List.of(0.1, 0.1, 0.002));
-        assertThat(sentence.explained(List.of(periodic), 1, List.of()))
+        assertThat(sentences.explained(List.of(periodic), 1, List.of()).text())
                 .startsWith(
                         "A periodic force is missing: force (2.00 +- 0.10, 0.00 +- 0.10) N, omega"
                                 + " 1.500 +- 0.002 rad/s; it explains more than 99.9 %");
@@ -195,7 +212,8 @@ class SentenceTest {
     })
     void theOnlyNumberSaysWhatItIs(String cause, String name, String unit, String words) {
         Finding one = found(cause, List.of(new Quantity(name, unit, 0.85)), List.of(0.02));
-        assertThat(sentence.explained(List.of(one), 0.9, List.of())).startsWith(words + "; it ");
+        assertThat(sentences.explained(List.of(one), 0.9, List.of()).text())
+                .startsWith(words + "; it ");
     }
 
     @Test
@@ -207,7 +225,7 @@ class SentenceTest {
                         List.of(0.004));
         Alternative tilt =
                 new Alternative(List.of("thruster_misalignment (tilt of port)"), true, "", "");
-        assertThat(sentence.explained(List.of(angle), 0.9, List.of(tilt)))
+        assertThat(sentences.explained(List.of(angle), 0.9, List.of(tilt)).text())
                 .contains("or the tilt of 'port' is wrong");
     }
 
@@ -218,7 +236,7 @@ class SentenceTest {
         Alternative gain =
                 new Alternative(List.of("thruster_gain"), true, "mass 1.20, or gain 0.83", "");
         Alternative worse = new Alternative(List.of("magnus"), false, "", "");
-        assertThat(sentence.explained(List.of(mass), 0.9, List.of(gain, worse)))
+        assertThat(sentences.explained(List.of(mass), 0.9, List.of(gain, worse)).text())
                 .startsWith(
                         "The mass is wrong: 1.200 +- 0.004 times what the model has; it explains"
                                 + " 90.0 %")
@@ -234,7 +252,7 @@ class SentenceTest {
                 Stream.of("position_drift", "mass_error", "magnus")
                         .map(cause -> new Alternative(List.of(cause), true, "", ""))
                         .toList();
-        assertThat(sentence.explained(List.of(CURRENT), 0.9, many))
+        assertThat(sentences.explained(List.of(CURRENT), 0.9, many).text())
                 .endsWith(
                         "; this data cannot tell apart: a constant current is missing, or the"
                                 + " measured position drifts, and 2 more sets of causes");
@@ -243,11 +261,12 @@ class SentenceTest {
     @Test
     void nothing() {
         assertThat(
-                        new Sentence(
+                        new Sentences(
                                         Map.of(Channel.POSITION, new Gain(0.011, 0.011, 0.01)),
                                         false,
                                         false)
-                                .none())
+                                .none()
+                                .text())
                 .isEqualTo(
                         "This data shows nothing missing from the model; held-out position error"
                                 + " 0.011 m, noise is 0.010 m");
@@ -265,7 +284,7 @@ class SentenceTest {
                         OptionalDouble.empty(),
                         0);
 
-        assertThat(sentence.unexplained(Optional.of(seen)))
+        assertThat(sentences.unexplained(Optional.of(seen)).text())
                 .contains(
                         "at 3.00 s of run1; no cause removes enough of it to be"
                                 + " believed; held-out");
@@ -282,19 +301,19 @@ class SentenceTest {
                         Vec3.ZERO,
                         OptionalDouble.empty(),
                         0);
-        String unexplained = sentence.unexplained(Optional.of(seen));
+        Sentence unexplained = sentences.unexplained(Optional.of(seen));
 
-        assertThat(List.of(Sentence.stopped(unexplained), Sentence.ofSome(unexplained)))
+        assertThat(List.of(unexplained.stopped().text(), unexplained.ofSome().text()))
                 .allMatch(s -> s.contains("; none of these removes enough of it to be believed;"))
                 .noneMatch(s -> s.contains("no cause removes"));
     }
 
     @Test
     void whatPredictsHeldOutRunsWorseIsToldSo() {
-        Sentence worse =
-                new Sentence(Map.of(Channel.POSITION, new Gain(0.83, 2.1, 0.01)), false, false);
+        Sentences worse =
+                new Sentences(Map.of(Channel.POSITION, new Gain(0.83, 2.1, 0.01)), false, false);
 
-        assertThat(worse.unexplained(Optional.empty()))
+        assertThat(worse.unexplained(Optional.empty()).text())
                 .endsWith(
                         "error 0.83 m -> 2.1 m, noise is 0.010 m; these causes make the prediction"
                                 + " worse");
@@ -311,7 +330,7 @@ class SentenceTest {
                         Vec3.ZERO,
                         OptionalDouble.of(0.312),
                         0.41);
-        assertThat(sentence.unexplained(Optional.of(seen)))
+        assertThat(sentences.unexplained(Optional.of(seen)).text())
                 .isEqualTo(
                         "The model lacks something that no known cause explains; the best known"
                                 + " causes remove 41.0 % of it, and what they leave shows most in"
@@ -337,7 +356,7 @@ class SentenceTest {
                         OptionalDouble.empty(),
                         0);
 
-        assertThat(sentence.unexplained(Optional.of(seen)))
+        assertThat(sentences.unexplained(Optional.of(seen)).text())
                 .contains("it shows most in " + words + ", at 3.00 s of run1;");
     }
 
@@ -349,7 +368,7 @@ class SentenceTest {
                         Channel.POSITION, new Gain(0.23, 0.23, 0.23),
                         Channel.ORIENTATION, new Gain(0.07, 0.02, 0.02));
 
-        assertThat(new Sentence(gains, false, true).explained(List.of(DRAG), 1, List.of()))
+        assertThat(new Sentences(gains, false, true).explained(List.of(DRAG), 1, List.of()).text())
                 .endsWith(
                         "; held-out orientation error 0.070 rad -> 0.020 rad, noise is 0.020 rad");
     }
@@ -357,21 +376,21 @@ class SentenceTest {
     /** As many who predict as well by other numbers of noise do. */
     @Test
     void aLittleMoreErrorIsNotWorse() {
-        Sentence same =
-                new Sentence(
+        Sentences same =
+                new Sentences(
                         Map.of(Channel.POSITION, new Gain(0.0100, 0.0101, 0.01)), false, false);
 
-        assertThat(same.unexplained(Optional.empty())).doesNotContain("worse");
+        assertThat(same.unexplained(Optional.empty()).text()).doesNotContain("worse");
     }
 
     @Test
     void otherChannelsAndRunsLeftOut() {
-        Sentence depth = new Sentence(Map.of(Channel.VELOCITY, new Gain(2, 1, 0.5)), true, true);
-        assertThat(depth.unexplained(Optional.empty()))
+        Sentences depth = new Sentences(Map.of(Channel.VELOCITY, new Gain(2, 1, 0.5)), true, true);
+        assertThat(depth.unexplained(Optional.empty()).text())
                 .isEqualTo(
                         "The model lacks something that no known cause explains; left-out velocity"
                                 + " error 2.0 m/s -> 1.0 m/s, noise is 0.50 m/s");
-        assertThat(new Sentence(Map.of(), false, false).none())
+        assertThat(new Sentences(Map.of(), false, false).none().text())
                 .isEqualTo("This data shows nothing missing from the model");
     }
 
@@ -399,16 +418,16 @@ class SentenceTest {
         Finding one =
                 new Finding("thruster_gain", Optional.of("port"), factor, List.of(0.02), 0.9, true);
 
-        assertThat(sentence.explained(List.of(one), 0.9, List.of()))
+        assertThat(sentences.explained(List.of(one), 0.9, List.of()).text())
                 .startsWith("'port' runs backwards: -1.02 +- 0.02 times what the model has; ");
-        assertThat(sentence.explained(List.of(all), 0.9, List.of()))
+        assertThat(sentences.explained(List.of(all), 0.9, List.of()).text())
                 .startsWith("All thrusters run backwards: -1.02 +- 0.02 times what the model has");
     }
 
     @Test
     void whatThereIsTooMuchOfAndWhoseItIs() {
         Finding less = found("linear_drag", List.of(new Quantity("c", "N s/m", -3)), List.of(0.1));
-        assertThat(sentence.explained(List.of(less), 0.9, List.of()))
+        assertThat(sentences.explained(List.of(less), 0.9, List.of()).text())
                 .startsWith("There is too much linear drag: 3.00 +- 0.10 N s/m; ");
         assertThat(Phrases.of("thruster_gain (port)")).isEqualTo("The thrust of 'port' is wrong");
         assertThat(Phrases.of("eddy_wash")).isEqualTo("Eddy wash is missing");

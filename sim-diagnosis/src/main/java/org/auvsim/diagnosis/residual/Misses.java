@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.residual;
 
+import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
@@ -55,7 +56,9 @@ public final class Misses {
             for (int axis = 0; axis < 3; axis++) {
                 if (run.measures(channel, axis) && noise.tells(channel, axis)) {
                     rows.add(new Row(channel, axis));
-                    whitenings.add(Whitening.of(run.lastingErrors(channel, axis)));
+                    List<LastingError> errors = new ArrayList<>(run.lastingErrors(channel, axis));
+                    noise.lasting(channel, axis).ifPresent(errors::add);
+                    whitenings.add(Whitening.of(errors));
                 }
             }
         }
@@ -67,7 +70,8 @@ public final class Misses {
                 Row row = rows.get(r);
                 int i = k * rows.size() + r;
                 double stated = run.deviation(row.channel(), k, row.axis());
-                deviations[i] = Double.isNaN(stated) ? noise.of(row.channel(), row.axis()) : stated;
+                deviations[i] =
+                        Double.isNaN(stated) ? noise.anew(row.channel(), row.axis()) : stated;
                 boolean isMeasured = !Double.isNaN(run.value(row.channel(), k, row.axis()));
                 weights[i] = isMeasured ? 1 / deviations[i] : 0;
             }

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.residual;
 
 import org.apache.commons.math3.stat.descriptive.rank.Median;
 import org.apache.commons.math3.util.ResizableDoubleArray;
+import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
@@ -9,6 +10,8 @@ import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * How much noise a measurement has, from the measurement alone: third differences of the numbers
@@ -36,8 +39,12 @@ public final class Noise {
     /** By axis; NaN along or about an axis that tells nothing. */
     private final Map<Channel, double[]> deviations;
 
-    private Noise(Map<Channel, double[]> deviations) {
+    /** What of it lasts from row to row. */
+    private final Persistence persistence;
+
+    private Noise(Map<Channel, double[]> deviations, Persistence persistence) {
         this.deviations = deviations;
+        this.persistence = persistence;
     }
 
     /**
@@ -61,7 +68,7 @@ public final class Noise {
                 deviations.put(channel, deviations(axes, Axis.all(telling).deviation()));
             }
         }
-        return new Noise(deviations);
+        return new Noise(deviations, Persistence.of(runs));
     }
 
     /** What runs tell of each axis, together. */
@@ -133,9 +140,38 @@ public final class Noise {
         return deviations.containsKey(channel) ? deviations.get(channel)[axis] : Double.NaN;
     }
 
-    /** Standard deviation of a channel's numbers, all axes together, in its unit. */
+    /** The same of the part that is new in each row. */
+    double anew(Channel channel, int axis) {
+        return persistence
+                .of(channel, axis)
+                .map(Persistence.Lasting::anew)
+                .orElse(of(channel, axis));
+    }
+
+    /** The part that lasts from row to row, though nothing is stated of it. */
+    Optional<LastingError> lasting(Channel channel, int axis) {
+        return persistence.of(channel, axis).map(Persistence.Lasting::error);
+    }
+
+    /** What is to be said of errors that last. */
+    public Optional<String> notice() {
+        return persistence.notice();
+    }
+
+    /**
+     * Standard deviation of a channel's numbers, all axes and all that lasts together, in its unit.
+     */
     public double of(Channel channel) {
-        return deviations.containsKey(channel) ? rootMeanSquare(deviations.get(channel)) : 1;
+        return deviations.containsKey(channel)
+                ? rootMeanSquare(
+                        IntStream.range(0, 3).mapToDouble(axis -> all(channel, axis)).toArray())
+                : 1;
+    }
+
+    private double all(Channel channel, int axis) {
+        return lasting(channel, axis)
+                .map(error -> StrictMath.hypot(anew(channel, axis), error.deviation()))
+                .orElse(of(channel, axis));
     }
 
     /** Those of all channels that tell anything. */

@@ -7,6 +7,7 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.OrientationError;
 
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 
 /**
@@ -16,6 +17,9 @@ import java.util.stream.IntStream;
 final class Series {
     /** Intervals that differ by less than this share are even: times are rounded, too. */
     private static final double EVEN = 1e-6;
+
+    /** The same for what only asks how many rows ago something was. */
+    private static final double NEARLY_EVEN = 0.01;
 
     private final MeasuredRun run;
     private final Channel channel;
@@ -154,6 +158,33 @@ final class Series {
             weights[j] *= scale;
         }
         return weights;
+    }
+
+    /** From each number to the next (s), if all are evenly far apart. */
+    OptionalDouble interval() {
+        double mean = (time(size() - 1) - time(0)) / (size() - 1);
+        for (int i = 1; i < size(); i++) {
+            if (Math.abs(time(i) - time(i - 1) - mean) > NEARLY_EVEN * mean) {
+                return OptionalDouble.empty();
+            }
+        }
+        return OptionalDouble.of(mean);
+    }
+
+    /** Whether both have the same interval, if they have one. */
+    boolean isAsFarApart(Series other) {
+        OptionalDouble own = interval();
+        OptionalDouble others = other.interval();
+        return own.isPresent()
+                && others.isPresent()
+                && Math.abs(own.getAsDouble() - others.getAsDouble())
+                        < NEARLY_EVEN * own.getAsDouble();
+    }
+
+    /** Whether a sensor counts in steps, so that its errors go on as long as it does not. */
+    boolean isCounted() {
+        double[] changes = IntStream.range(1, size()).mapToDouble(this::change).toArray();
+        return Resolution.deviation(changes) > 0;
     }
 
     /** When a number was measured (s). */

@@ -74,6 +74,7 @@ final class Notices {
         if (verdict != Verdict.EXPLAINED) {
             all.forEach(run -> StatedStarts.notice(run, found.noise()).ifPresent(notices::add));
         }
+        found.noise().notice().ifPresent(notices::add);
         notices.addAll(new NoisierRuns(found.best(), heldOut).notices());
         for (Misses of : Misses.of(all, found.noise())) {
             HeavyTails.notice(of.run(), of.rows(), found.noise()).ifPresent(notices::add);

@@ -37,9 +37,13 @@ class HeavyTailsTest {
 
     /** Those of a body that stays at the origin. */
     private static double[] misses(Misses of) {
-        RigidMotion[] still = new RigidMotion[SAMPLES];
+        return misses(of, SAMPLES);
+    }
+
+    static double[] misses(Misses of, int samples) {
+        RigidMotion[] still = new RigidMotion[samples];
         Arrays.fill(still, new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO));
-        return of.of(still, Sensing.EXACT, 0, SAMPLES);
+        return of.of(still, Sensing.EXACT, 0, samples);
     }
 
     private static Misses.Row x() {

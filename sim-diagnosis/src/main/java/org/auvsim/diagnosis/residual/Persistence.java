@@ -1,0 +1,236 @@
+package org.auvsim.diagnosis.residual;
+
+import org.apache.commons.math3.stat.descriptive.rank.Median;
+import org.apache.commons.math3.util.ResizableDoubleArray;
+import org.auvsim.auvsml.run.LastingError;
+import org.auvsim.diagnosis.result.Numbers;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.Collectors;
+
+/**
+ * Errors of measurements that last from one row to the next few, as those of a filtered sensor do,
+ * found by the rows alone: third differences of numbers that are h rows apart hold all of an error
+ * that is new in each row, whatever h is; of one that lasts the more, the larger h is, until it is
+ * forgotten; and of motion by far more still, its variance by h to the sixth.
+ *
+ * @param errors by channel and axis, of those that nothing is stated of
+ */
+record Persistence(List<Lasting> errors) {
+    private static final int FARTHEST = 4;
+
+    /** Of fewer differences chance may make any of this. */
+    private static final int FEWEST = 300;
+
+    /** Five standard deviations of a ratio of two variances are this over the root of how many. */
+    private static final double CHANCE = 20;
+
+    /** Of errors no more is in differences of four rows apart than this many times those of two. */
+    private static final double MOST_OF_ERRORS = 2;
+
+    /** From row to row so much of an error may stay; what stays for longer may be motion. */
+    private static final double MOST_KEPT = 0.85;
+
+    private static final double STEP = 0.01;
+
+    /**
+     * Share of the variance seen in differences of successive rows that is new in each at least.
+     */
+    private static final double LEAST_ANEW = 0.05;
+
+    /** Of a normal distribution: the median absolute deviation in standard deviations. */
+    private static final double NORMAL = 0.6745;
+
+    /** The squares of 1, 3, 3, 1. */
+    private static final double THIRD = 20;
+
+    /**
+     * An error that lasts.
+     *
+     * @param axis 0 to 2
+     * @param anew standard deviation of what is new in each row
+     */
+    record Lasting(Channel channel, int axis, LastingError error, double anew) {
+        private String words() {
+            return "those of the %s about %s s"
+                    .formatted(
+                            channel.name().toLowerCase(Locale.ROOT).replace('_', ' '),
+                            Numbers.rounded(error.time()));
+        }
+    }
+
+    /** The list cannot be changed. */
+    Persistence {
+        errors = List.copyOf(errors);
+    }
+
+    /** Those of runs that were measured with the same sensors. */
+    static Persistence of(List<MeasuredRun> runs) {
+        List<Lasting> errors = new ArrayList<>();
+        for (Channel channel : Channel.values()) {
+            errors.addAll(of(runs, channel));
+        }
+        return new Persistence(errors);
+    }
+
+    /** That of an axis (0 to 2) of a channel. */
+    Optional<Lasting> of(Channel channel, int axis) {
+        return errors.stream().filter(e -> e.channel() == channel && e.axis() == axis).findFirst();
+    }
+
+    /** What is to be said of them. */
+    Optional<String> notice() {
+        return errors.isEmpty()
+                ? Optional.empty()
+                : Optional.of(
+                        "errors last from row to row, as the rows tell, and count as such: "
+                                + errors.stream()
+                                        .map(Lasting::words)
+                                        .distinct()
+                                        .collect(Collectors.joining(", ")));
+    }
+
+    /** All axes of a channel forget alike. */
+    private static List<Lasting> of(List<MeasuredRun> runs, Channel channel) {
+        List<ResizableDoubleArray> together = arrays();
+        double[] deviations = new double[3];
+        double interval = Double.NaN;
+        for (int axis = 0; axis < 3; axis++) {
+            List<Series> telling = telling(runs, channel, axis);
+            if (telling.isEmpty()) {
+                continue;
+            }
+            interval = telling.getFirst().interval().orElseThrow();
+            List<ResizableDoubleArray> own = differences(telling);
+            deviations[axis] = Math.sqrt(variance(own.getFirst()));
+            for (int h = 0; h < FARTHEST && deviations[axis] > 0; h++) {
+                for (double difference : own.get(h).getElements()) {
+                    together.get(h).addElement(difference / deviations[axis]);
+                }
+            }
+        }
+        if (together.getFirst().getNumElements() < FEWEST) {
+            return List.of();
+        }
+        double[] variances = together.stream().mapToDouble(Persistence::variance).toArray();
+        OptionalDouble kept = kept(variances, together.getFirst().getNumElements());
+        if (kept.isEmpty()) {
+            return List.of();
+        }
+        List<Lasting> errors = new ArrayList<>();
+        double lasting = lasting(variances, kept.getAsDouble());
+        double anew = Math.max(LEAST_ANEW, anew(variances, kept.getAsDouble(), lasting));
+        double time = -interval / StrictMath.log(kept.getAsDouble());
+        for (int axis = 0; axis < 3; axis++) {
+            if (deviations[axis] > 0) {
+                LastingError error = new LastingError(Math.sqrt(lasting) * deviations[axis], time);
+                errors.add(new Lasting(channel, axis, error, Math.sqrt(anew) * deviations[axis]));
+            }
+        }
+        return errors;
+    }
+
+    /** Numbers of which nothing is stated, evenly far apart in all runs, and more than counted. */
+    private static List<Series> telling(List<MeasuredRun> runs, Channel channel, int axis) {
+        List<Series> telling = new ArrayList<>();
+        for (MeasuredRun run : runs) {
+            Series series = Series.of(run, channel, axis);
+            boolean isTold = !run.lastingErrors(channel, axis).isEmpty();
+            if (isTold || series.statesDeviations() || series.isCounted()) {
+                return List.of();
+            }
+            if (series.size() > THIRD) {
+                OptionalDouble interval = series.interval();
+                if (interval.isEmpty()
+                        || !telling.stream().allMatch(other -> other.isAsFarApart(series))) {
+                    return List.of();
+                }
+                telling.add(series);
+            }
+        }
+        return telling;
+    }
+
+    private static List<ResizableDoubleArray> arrays() {
+        List<ResizableDoubleArray> arrays = new ArrayList<>();
+        for (int h = 0; h < FARTHEST; h++) {
+            arrays.add(new ResizableDoubleArray());
+        }
+        return arrays;
+    }
+
+    /** Sizes of third differences of numbers one row apart, two, and so on. */
+    private static List<ResizableDoubleArray> differences(List<Series> all) {
+        List<ResizableDoubleArray> differences = arrays();
+        for (Series series : all) {
+            double[] x = series.levels();
+            for (int h = 1; h <= FARTHEST; h++) {
+                for (int i = 0; i + 3 * h < x.length; i++) {
+                    double third = x[i + 3 * h] - 3 * x[i + 2 * h] + 3 * x[i + h] - x[i];
+                    differences.get(h - 1).addElement(Math.abs(third));
+                }
+            }
+        }
+        return differences;
+    }
+
+    /** The variance of an error that is new in each row and has such differences. */
+    private static double variance(ResizableDoubleArray differences) {
+        double size = new Median().evaluate(differences.getElements()) / NORMAL;
+        return size * size / THIRD;
+    }
+
+    /** How much of an error is left in the next row; empty if none that lasts is told. */
+    private static OptionalDouble kept(double[] variances, int count) {
+        double chance = CHANCE / Math.sqrt(count);
+        boolean lasts = variances[1] > (1 + chance) * variances[0];
+        boolean isForgotten = variances[3] < (1 + chance) * MOST_OF_ERRORS * variances[1];
+        if (!lasts || !isForgotten) {
+            return OptionalDouble.empty();
+        }
+        double best = STEP;
+        for (double kept = STEP; kept < MOST_KEPT; kept += STEP) {
+            best = off(variances, kept) < off(variances, best) ? kept : best;
+        }
+        return off(variances, best) < chance && lasting(variances, best) > 0
+                ? OptionalDouble.of(best)
+                : OptionalDouble.empty();
+    }
+
+    /** Largest share by which a variance is off that of an error that lasts and one that is new. */
+    private static double off(double[] variances, double kept) {
+        double lasting = lasting(variances, kept);
+        double anew = anew(variances, kept, lasting);
+        double largest = 0;
+        for (int h = 0; h < FARTHEST; h++) {
+            double of = anew + lasting * share(StrictMath.pow(kept, h + 1));
+            largest = Math.max(largest, Math.abs(of / variances[h] - 1));
+        }
+        return largest;
+    }
+
+    /** Variance of what is new in each row, if all the rest of the first is of what lasts. */
+    private static double anew(double[] variances, double kept, double lasting) {
+        return Math.max(0, variances[0] - lasting * share(kept));
+    }
+
+    /** Variance of what lasts, which makes the first of the variances and the last differ. */
+    private static double lasting(double[] variances, double kept) {
+        double near = share(kept);
+        double far = share(StrictMath.pow(kept, FARTHEST));
+        return Math.min(
+                variances[0] / near,
+                Math.max(0, variances[FARTHEST - 1] - variances[0]) / (far - near));
+    }
+
+    /** Of an error that is left so much after h rows: its share in their third differences. */
+    static double share(double left) {
+        return 1 - left * (15 - left * (6 - left)) / 10;
+    }
+}

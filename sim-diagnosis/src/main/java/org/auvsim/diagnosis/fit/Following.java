@@ -20,6 +20,7 @@ import org.auvsim.server.feedback.RigidMotion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
 
@@ -30,6 +31,8 @@ import java.util.stream.IntStream;
  */
 public final class Following {
     private static final int MOST_WINDOWS = 32;
+
+    /** Of a window; if fixes of its place alone tell how fast it begins, so many of them. */
     private static final int FEWEST_SAMPLES = 8;
 
     /** A run that is followed in one go is so by these parts of it. */
@@ -174,11 +177,28 @@ public final class Following {
     }
 
     private int mostWindows() {
+        int all = run.size() - 1;
+        int samples = data.count(Channel.VELOCITY) > 0 ? all : places().orElse(all);
         int count = MOST_WINDOWS;
-        while (count > 1 && (run.size() - 1) / count < FEWEST_SAMPLES) {
+        while (count > 1 && samples / count < FEWEST_SAMPLES) {
             count /= 2;
         }
         return count;
+    }
+
+    /** In how many samples but the last the place was measured, along the axis that has fewest. */
+    private OptionalInt places() {
+        return data.rows().stream()
+                .filter(row -> row.channel() == Channel.POSITION)
+                .mapToInt(row -> places(row.axis()))
+                .min();
+    }
+
+    private int places(int axis) {
+        return (int)
+                IntStream.range(0, run.size() - 1)
+                        .filter(k -> !Double.isNaN(run.value(Channel.POSITION, k, axis)))
+                        .count();
     }
 
     /** The longest windows in which the model follows, of equal length but for the last. */

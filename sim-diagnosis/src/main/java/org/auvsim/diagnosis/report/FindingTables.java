@@ -16,7 +16,6 @@ import org.auvsim.diagnosis.result.Phrases;
 import org.auvsim.diagnosis.result.Proposal;
 import org.auvsim.diagnosis.result.QuantityGroup;
 import org.auvsim.diagnosis.result.Ranked;
-import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -260,9 +259,9 @@ final class FindingTables {
                                 e ->
                                         "%s %s %s"
                                                 .formatted(
-                                                        Sentence.words(e.getKey()),
+                                                        e.getKey().words(),
                                                         Numbers.rounded(e.getValue()),
-                                                        Sentence.unit(e.getKey())))
+                                                        e.getKey().unit()))
                         .collect(Collectors.joining(", "));
         return List.of(
                 new Table(
@@ -283,7 +282,7 @@ final class FindingTables {
                 .filter(of.run()::measures)
                 .map(
                         channel ->
-                                Sentence.words(channel)
+                                channel.words()
                                         + " "
                                         + IntStream.range(0, 3)
                                                 .filter(axis -> of.run().measures(channel, axis))

@@ -4,7 +4,6 @@ import org.auvsim.diagnosis.result.Gain;
 import org.auvsim.diagnosis.result.HorizonGain;
 import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.diagnosis.result.Prediction;
-import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.plot.page.Block;
 import org.auvsim.plot.page.Block.Chart;
@@ -55,10 +54,10 @@ final class GainTables {
 
     private List<String> row(Channel channel, Gain gain) {
         List<String> row = new ArrayList<>();
-        row.add(Sentence.words(channel));
+        row.add(channel.words());
         errors(gain).forEach(error -> row.add(Numbers.rounded(error)));
         row.add(Numbers.rounded(gain.noise()));
-        row.add(Sentence.unit(channel));
+        row.add(channel.unit());
         return row;
     }
 
@@ -92,9 +91,9 @@ final class GainTables {
                         .flatMap(curve -> curve.points().stream())
                         .anyMatch(point -> Double.isInfinite(point.y()));
         return Chart.logarithmic(
-                "Error of the %s by how far ahead is predicted".formatted(Sentence.words(channel)),
+                "Error of the %s by how far ahead is predicted".formatted(channel.words()),
                 "ahead (s)",
-                "error (%s)".formatted(Sentence.unit(channel)),
+                "error (%s)".formatted(channel.unit()),
                 curves,
                 "Predicted from eight states along each held-out run, each estimated by the model%s; with so few predictions an error may fall below the noise.%s"
                         .formatted(

@@ -4,7 +4,6 @@ import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.result.DiagnosedRun;
 import org.auvsim.diagnosis.result.ForceResidual;
 import org.auvsim.diagnosis.result.Numbers;
-import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.plot.page.Block;
@@ -236,9 +235,9 @@ final class RunCharts {
                                 k -> new Point(time(k), residuals.of(channel, k).component(of))));
             }
         }
-        String unit = Sentence.unit(channel);
+        String unit = channel.unit();
         return new Chart(
-                "Residual of the %s, %s".formatted(Sentence.words(channel), model.name()),
+                "Residual of the %s, %s".formatted(channel.words(), model.name()),
                 timeAxis(),
                 "measured less simulated (%s)".formatted(unit),
                 curves,

@@ -2,7 +2,6 @@ package org.auvsim.diagnosis.report;
 
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.result.ForceResidual;
-import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.plot.page.Block;
@@ -69,9 +68,9 @@ final class StateCharts {
         }
         return new Chart(
                 "Residual of the %s over the %s, %s"
-                        .formatted(Sentence.words(channel), over.title(), model),
+                        .formatted(channel.words(), over.title(), model),
                 over.label(),
-                "measured less simulated (%s)".formatted(Sentence.unit(channel)),
+                "measured less simulated (%s)".formatted(channel.unit()),
                 curves,
                 "");
     }

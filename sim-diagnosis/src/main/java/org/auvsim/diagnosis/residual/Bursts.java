@@ -76,13 +76,17 @@ final class Bursts {
         return off;
     }
 
-    /** Whether it may be one: what comes next is cheap to ask of few. */
+    /**
+     * Whether it may be one: what comes next is cheap to ask of few. The first number alone, and
+     * the last, may as well be where a motion changes.
+     */
     private boolean jumps(int first, int length) {
         int next = first + length;
+        boolean isAlone = length == 1;
         if (isAtEnd(first, length)) {
-            return true;
+            return !isAlone;
         }
-        if (length == 1 && first >= NOT_ALONE && next + NOT_ALONE <= levels.length) {
+        if (isAlone && first >= NOT_ALONE && next + NOT_ALONE <= levels.length) {
             return false;
         }
         double jump = levels[first] - levels[first - 1] + levels[next - 1] - levels[next];

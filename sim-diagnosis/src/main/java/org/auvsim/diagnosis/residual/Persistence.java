@@ -9,7 +9,6 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
@@ -59,9 +58,7 @@ record Persistence(List<Lasting> errors) {
     record Lasting(Channel channel, int axis, LastingError error, double anew) {
         private String words() {
             return "those of the %s about %s s"
-                    .formatted(
-                            channel.name().toLowerCase(Locale.ROOT).replace('_', ' '),
-                            Numbers.rounded(error.time()));
+                    .formatted(channel.words(), Numbers.rounded(error.time()));
         }
     }
 

@@ -25,13 +25,12 @@ public record Axis(Frame frame, char letter) {
     /** For a sentence: {@code velocity along x}, {@code velocity along the body's x (ahead)}. */
     public String within(Channel channel) {
         return "%s %s %s"
-                .formatted(
-                        Sentence.words(channel), isTurning(channel) ? "about" : "along", words());
+                .formatted(channel.words(), isTurning(channel) ? "about" : "along", words());
     }
 
     /** For lists, shorter where it is the world's: {@code velocity x}. */
     public String brief(Channel channel) {
-        return frame == Frame.WORLD ? Sentence.words(channel) + " " + letter : within(channel);
+        return frame == Frame.WORLD ? channel.words() + " " + letter : within(channel);
     }
 
     private String words() {

@@ -1,7 +1,5 @@
 package org.auvsim.diagnosis.result;
 
-import org.auvsim.diagnosis.run.Channel;
-
 import java.util.ArrayList;
 import java.util.List;
 
@@ -69,25 +67,5 @@ public record Sentence(Opening opening, List<String> clauses, Scope scope) {
         List<String> more = new ArrayList<>(clauses);
         more.add(clause);
         return new Sentence(opening, more, scope);
-    }
-
-    /** A channel's name for people. */
-    public static String words(Channel channel) {
-        return switch (channel) {
-            case POSITION -> "position";
-            case ORIENTATION -> "orientation";
-            case VELOCITY -> "velocity";
-            case ANGULAR_VELOCITY -> "angular velocity";
-        };
-    }
-
-    /** The unit of a channel's numbers. */
-    public static String unit(Channel channel) {
-        return switch (channel) {
-            case POSITION -> "m";
-            case ORIENTATION -> "rad";
-            case VELOCITY -> "m/s";
-            case ANGULAR_VELOCITY -> "rad/s";
-        };
     }
 }

@@ -52,12 +52,12 @@ record ToldError(Channel channel, Gain gain, boolean isLeftOut) {
         return "%s %s error %s, noise is %s"
                 .formatted(
                         isLeftOut ? "left-out" : "held-out",
-                        Sentence.words(channel),
+                        channel.words(),
                         error,
                         text(gain.noise()));
     }
 
     private String text(double value) {
-        return Numbers.rounded(value) + " " + Sentence.unit(channel);
+        return Numbers.rounded(value) + " " + channel.unit();
     }
 }

@@ -6,7 +6,6 @@ import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.result.Axis;
 import org.auvsim.diagnosis.result.Numbers;
-import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.OrientationError;
 import org.auvsim.server.feedback.RigidMotion;
@@ -83,7 +82,7 @@ final class Unmeasured {
                 .formatted(
                         new Axis(Frame.WORLD, AXES.charAt(axis)).within(channel),
                         Numbers.rounded(far),
-                        Sentence.unit(channel));
+                        channel.unit());
     }
 
     /** How far two motions are apart, in the world's axes. */

@@ -5,7 +5,6 @@ import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.result.Axis;
 import org.auvsim.diagnosis.result.Numbers;
-import org.auvsim.diagnosis.result.Sentence;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
@@ -125,7 +124,7 @@ final class NoisierRuns {
     }
 
     private static String notice(MeasuredRun run, Misses.Row row, double[] own, double[] others) {
-        String unit = " " + Sentence.unit(row.channel());
+        String unit = " " + row.channel().unit();
         return "%s: %s has %s times the noise of the other runs (%s against %s), but one noise is taken for all: state the standard deviations in all runs (as sd_x)"
                 .formatted(
                         run.name(),

@@ -11,6 +11,7 @@ import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.shooting.Stepping;
 import org.auvsim.diagnosis.shooting.Window;
 import org.auvsim.diagnosis.subject.Cart;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -50,6 +51,32 @@ class FollowingTest {
                                                 run.value(Channel.VELOCITY, window.to(), 0) - 0.1,
                                                 run.value(Channel.VELOCITY, window.from(), 0)
                                                         + 0.1));
+    }
+
+    /** A window that has one fix begins as fast as the noise has it, and tells nothing. */
+    @Test
+    void eachHasSomeFixesOfThePlace() throws Exception {
+        Random random = new Random(9);
+        MeasuredRunBuilder builder = MeasuredRun.named("fixes").commands(List.of("motor"));
+        for (int k = 0; k < SAMPLES; k++) {
+            double x = 2 / 0.3 * (1 - Math.exp(-0.3 * k * SPACING));
+            boolean isFix = k % 10 == 0;
+            builder.at(k * SPACING).command(0, 0);
+            builder.position(isFix ? x + NOISE * random.nextGaussian() : Double.NaN, 0, 0);
+        }
+        MeasuredRun run = builder.build();
+        Noise noise = Noise.of(List.of(run));
+
+        Fit fit =
+                Following.of(
+                        Stepping.exact(Cart.believed()),
+                        Hypothesis.NONE,
+                        Misses.of(List.of(run), noise),
+                        noise);
+
+        assertThat(fit.windows().getFirst())
+                .hasSizeBetween(2, SAMPLES / 10 / 8)
+                .allSatisfy(window -> assertThat(window.length()).isGreaterThan(80));
     }
 
     /** From 2 m/s, by 3 N s/m of 10 kg. */

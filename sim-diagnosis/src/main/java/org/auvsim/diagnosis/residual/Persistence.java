@@ -27,6 +27,11 @@ record Persistence(List<Lasting> errors) {
     /** Of fewer differences chance may make any of this. */
     private static final int FEWEST = 300;
 
+    private static final int FEWEST_IN_RUN = 20;
+
+    /** Share of the noise that steps of a sensor may leave out, so that it is no error of these. */
+    private static final double MOST_ROUNDED = 0.3;
+
     /** Five standard deviations of a ratio of two variances are this over the root of how many. */
     private static final double CHANCE = 20;
 
@@ -93,65 +98,104 @@ record Persistence(List<Lasting> errors) {
                                         .collect(Collectors.joining(", ")));
     }
 
-    /** All axes of a channel forget alike. */
+    /** Axes of a channel that are measured as often forget alike. */
     private static List<Lasting> of(List<MeasuredRun> runs, Channel channel) {
-        List<ResizableDoubleArray> together = arrays();
-        double[] deviations = new double[3];
-        double interval = Double.NaN;
+        List<OfAxis> axes = new ArrayList<>();
         for (int axis = 0; axis < 3; axis++) {
             List<Series> telling = telling(runs, channel, axis);
-            if (telling.isEmpty()) {
-                continue;
-            }
-            interval = telling.getFirst().interval().orElseThrow();
-            List<ResizableDoubleArray> own = differences(telling);
-            deviations[axis] = Math.sqrt(variance(own.getFirst()));
-            for (int h = 0; h < FARTHEST && deviations[axis] > 0; h++) {
-                for (double difference : own.get(h).getElements()) {
-                    together.get(h).addElement(difference / deviations[axis]);
+            if (!telling.isEmpty()) {
+                OfAxis of = new OfAxis(axis, telling);
+                if (of.isNoise()) {
+                    axes.add(of);
                 }
             }
         }
-        if (together.getFirst().getNumElements() < FEWEST) {
-            return List.of();
-        }
-        double[] variances = together.stream().mapToDouble(Persistence::variance).toArray();
-        OptionalDouble kept = kept(variances, together.getFirst().getNumElements());
-        if (kept.isEmpty()) {
-            return List.of();
-        }
         List<Lasting> errors = new ArrayList<>();
-        double lasting = lasting(variances, kept.getAsDouble());
-        double anew = Math.max(LEAST_ANEW, anew(variances, kept.getAsDouble(), lasting));
-        double time = -interval / StrictMath.log(kept.getAsDouble());
-        for (int axis = 0; axis < 3; axis++) {
-            if (deviations[axis] > 0) {
-                LastingError error = new LastingError(Math.sqrt(lasting) * deviations[axis], time);
-                errors.add(new Lasting(channel, axis, error, Math.sqrt(anew) * deviations[axis]));
-            }
+        while (!axes.isEmpty()) {
+            OfAxis first = axes.getFirst();
+            List<OfAxis> alike = axes.stream().filter(first::isAsOften).toList();
+            errors.addAll(of(channel, alike));
+            axes.removeAll(alike);
         }
         return errors;
     }
 
-    /** Numbers of which nothing is stated, evenly far apart in all runs, and more than counted. */
+    /** What third differences of an axis say. */
+    private static final class OfAxis {
+        private final int axis;
+        private final Series series;
+        private final List<ResizableDoubleArray> differences;
+        private final double deviation;
+        private final double rounding;
+
+        OfAxis(int axis, List<Series> all) {
+            this.axis = axis;
+            series = all.getFirst();
+            differences = differences(all);
+            deviation = Math.sqrt(variance(differences.getFirst()));
+            rounding = all.stream().mapToDouble(Series::rounding).max().orElse(0);
+        }
+
+        /** Whether it has noise, and more than a sensor that counts in steps leaves out. */
+        boolean isNoise() {
+            return deviation > 0 && rounding < MOST_ROUNDED * deviation;
+        }
+
+        boolean isAsOften(OfAxis other) {
+            return series.isAsFarApart(other.series);
+        }
+
+        double interval() {
+            return series.interval().orElseThrow();
+        }
+    }
+
+    private static List<Lasting> of(Channel channel, List<OfAxis> axes) {
+        double[] variances = new double[FARTHEST];
+        int count = 0;
+        for (int h = 0; h < FARTHEST; h++) {
+            ResizableDoubleArray together = new ResizableDoubleArray();
+            for (OfAxis of : axes) {
+                for (double difference : of.differences.get(h).getElements()) {
+                    together.addElement(difference / of.deviation);
+                }
+            }
+            variances[h] = variance(together);
+            count = together.getNumElements();
+        }
+        OptionalDouble kept = count < FEWEST ? OptionalDouble.empty() : kept(variances, count);
+        if (kept.isEmpty()) {
+            return List.of();
+        }
+        double lasting = lasting(variances, kept.getAsDouble());
+        double anew = Math.max(LEAST_ANEW, anew(variances, kept.getAsDouble(), lasting));
+        double time = -axes.getFirst().interval() / StrictMath.log(kept.getAsDouble());
+        return axes.stream()
+                .map(
+                        of ->
+                                new Lasting(
+                                        channel,
+                                        of.axis,
+                                        new LastingError(Math.sqrt(lasting) * of.deviation, time),
+                                        Math.sqrt(anew) * of.deviation))
+                .toList();
+    }
+
+    /** Numbers of which nothing is stated, evenly far apart in all runs. */
     private static List<Series> telling(List<MeasuredRun> runs, Channel channel, int axis) {
         List<Series> telling = new ArrayList<>();
         for (MeasuredRun run : runs) {
             Series series = Series.of(run, channel, axis);
-            boolean isTold = !run.lastingErrors(channel, axis).isEmpty();
-            if (isTold || series.statesDeviations() || series.isCounted()) {
+            if (!run.lastingErrors(channel, axis).isEmpty() || series.statesDeviations()) {
                 return List.of();
             }
-            if (series.size() > THIRD) {
-                OptionalDouble interval = series.interval();
-                if (interval.isEmpty()
-                        || !telling.stream().allMatch(other -> other.isAsFarApart(series))) {
-                    return List.of();
-                }
+            if (series.size() > FEWEST_IN_RUN) {
                 telling.add(series);
             }
         }
-        return telling;
+        boolean areEven =
+                telling.stream().allMatch(series -> series.isAsFarApart(telling.getFirst()));
+        return areEven ? telling : List.of();
     }
 
     private static List<ResizableDoubleArray> arrays() {

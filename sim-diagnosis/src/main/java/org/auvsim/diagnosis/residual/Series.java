@@ -181,10 +181,9 @@ final class Series {
                         < NEARLY_EVEN * own.getAsDouble();
     }
 
-    /** Whether a sensor counts in steps, so that its errors go on as long as it does not. */
-    boolean isCounted() {
-        double[] changes = IntStream.range(1, size()).mapToDouble(this::change).toArray();
-        return Resolution.deviation(changes) > 0;
+    /** The standard deviation of what a sensor that counts in steps leaves out; or 0. */
+    double rounding() {
+        return Resolution.deviation(IntStream.range(1, size()).mapToDouble(this::change).toArray());
     }
 
     /** When a number was measured (s). */

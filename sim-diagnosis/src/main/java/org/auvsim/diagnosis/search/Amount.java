@@ -14,6 +14,9 @@ record Amount(Quantity of, double neutral) {
     private static final String PURE = "1";
     private static final int DIGITS = 3;
 
+    /** Of three digits one at least differs from those of a number that is further away. */
+    private static final double NEAR = 0.01;
+
     /** The so many-th number of a cause. */
     static Amount of(Cause cause, double[] theta, int number) {
         Quantity told = cause.quantities(theta).get(number);
@@ -43,6 +46,14 @@ record Amount(Quantity of, double neutral) {
         return neutral == 0 && other.neutral == 0 && of.unit().equals(other.of.unit());
     }
 
+    /** Rounded, but so that it shows by how much it differs from what changes nothing. */
+    String number() {
+        double apart = Math.abs(excess() / of.value());
+        boolean isNear = neutral != 0 && apart > 0 && apart < NEAR;
+        int digits = isNear ? DIGITS - (int) Math.floor(StrictMath.log10(apart / NEAR)) : DIGITS;
+        return Numbers.rounded(of.value(), digits);
+    }
+
     /** In words: {@code a clock offset of 0.700 s}. */
     String words() {
         String unit = of.unit().equals(PURE) ? "" : " " + of.unit();
@@ -54,7 +65,7 @@ record Amount(Quantity of, double neutral) {
                 .formatted(
                         "aeio".indexOf(of.name().charAt(0)) < 0 ? "a" : "an",
                         of.name(),
-                        Numbers.rounded(of.value(), DIGITS),
+                        number(),
                         unit,
                         otherwise);
     }

@@ -1,13 +1,9 @@
 package org.auvsim.diagnosis.search;
 
-import org.auvsim.diagnosis.result.Numbers;
-
 /** What may be instead of each other, in words: two numbers, either of which explains the runs. */
 final class Barter {
     /** Factors nearer to each other are one and the same. */
     private static final double ALIKE = 0.05;
-
-    private static final int DIGITS = 3;
 
     private Barter() {}
 
@@ -25,10 +21,10 @@ final class Barter {
         double other = b.of().value();
         if (a.isFactor() && b.isFactor()) {
             if (areAlike(one * other, 1)) {
-                return "any two whose ratio is " + Numbers.rounded(one, DIGITS);
+                return "any two whose ratio is " + a.number();
             }
             if (areAlike(one, other)) {
-                return "any two whose product is " + Numbers.rounded(one, DIGITS);
+                return "any two whose product is " + a.number();
             }
         }
         if (a.isAddedTo(b) && areAlike(one, other)) {

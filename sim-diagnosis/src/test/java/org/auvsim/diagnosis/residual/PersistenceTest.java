@@ -112,6 +112,26 @@ class PersistenceTest {
         }
     }
 
+    /** Digits that are left out of the file are no matter; nor is an axis that is measured less. */
+    @Test
+    void axesMayBeMeasuredAtOtherTimesAndRounded() {
+        IntToDoubleFunction x = errors(0.6, 11);
+        IntToDoubleFunction y = errors(0.6, 12);
+        MeasuredRunBuilder run = MeasuredRun.named("rounded");
+        for (int k = 0; k < SAMPLES; k++) {
+            double z = NOISE * Math.sin(k * k);
+            run.at(INTERVAL * k)
+                    .position(
+                            Math.rint(1000 * x.applyAsDouble(k)) / 1000,
+                            Math.rint(1000 * y.applyAsDouble(k)) / 1000,
+                            k % 2 == 0 ? z : Double.NaN);
+        }
+        Persistence found = Persistence.of(List.of(run.build()));
+
+        assertThat(found.errors()).extracting(Persistence.Lasting::axis).containsExactly(0, 1);
+        assertThat(found.errors().getFirst().error().time()).isBetween(INTERVAL, 3 * INTERVAL);
+    }
+
     /** Misses are whitened by what was found: none is told by the one before. */
     @Test
     void whatLastsIsTakenOutOfMisses() {

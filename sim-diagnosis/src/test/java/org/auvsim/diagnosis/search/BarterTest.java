@@ -74,6 +74,19 @@ class BarterTest {
                 .endsWith("or a part of the one and the rest of the other");
     }
 
+    /** "A factor of 1.00" would say that nothing is wrong. */
+    @Test
+    void aFactorShowsByHowMuchItDiffersFromOne() {
+        assertThat(amount("mass error factor", "1", 0.9999, 1).words())
+                .isEqualTo("a mass error factor of 0.99990");
+        assertThat(amount("mass error factor", "1", 1.0004, 1).words())
+                .isEqualTo("a mass error factor of 1.0004");
+        assertThat(amount("mass error factor", "1", 1.02, 1).words())
+                .isEqualTo("a mass error factor of 1.02");
+        assertThat(amount("mass error factor", "1", 1, 1).words())
+                .isEqualTo("a mass error factor of 1.00");
+    }
+
     @Test
     void aNumberIsNamedOnce() throws Exception {
         BelievedModel model = Cart.believed();

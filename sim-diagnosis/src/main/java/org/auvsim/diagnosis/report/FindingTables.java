@@ -166,8 +166,7 @@ final class FindingTables {
 
     private String evidence() {
         return of.verdict() == Verdict.UNEXPLAINED
-                ? "Natural logarithm of the evidence, less that of the set that has most. None of"
-                        + " them explains the runs."
+                ? "Natural logarithm of the evidence, less that of the set that has most."
                 : "Natural logarithm of the evidence, less that of the set that was chosen, which"
                         + " stands first: below about -5 a set can be ruled out.";
     }

@@ -15,7 +15,7 @@ public final class Effort {
 
     /**
      * In words: {@code Causes looked for: 62; sets of them that were fitted: 23}. What promises no
-     * more than noise would is not fitted.
+     * more than noise would is not fitted. The most probable of sets need not explain anything.
      */
     public static String words(Diagnosis of) {
         long sets = of.evidence().ranked().stream().filter(set -> !set.causes().isEmpty()).count();
@@ -28,7 +28,10 @@ public final class Effort {
                         ? "Causes looked for: %d; sets of them that were fitted: %d"
                         : "Causes to be looked for: %d; sets of them that were fitted before the"
                                 + " search was stopped: %d";
-        return form.formatted(of.evidence().candidates(), sets);
+        String tried = form.formatted(of.evidence().candidates(), sets);
+        return of.verdict() == Verdict.UNEXPLAINED && sets > 0
+                ? tried + ", none of which explains the runs"
+                : tried;
     }
 
     /**

@@ -200,7 +200,7 @@ class ReportTest {
                 .contains("No set of causes tried so far leaves")
                 .contains(
                         "Causes to be looked for: 62; sets of them that were fitted before the"
-                                + " search was stopped: 2.")
+                                + " search was stopped: 2, none of which explains the runs.")
                 .doesNotContain("No set of known causes");
     }
 
@@ -248,7 +248,8 @@ class ReportTest {
                 .contains(
                         "Errors and residuals are those of the model as believed, despite higher"
                                 + " evidence not with magnetic (its gain is too small).",
-                        "less that of the set that has most. None of them explains the runs.")
+                        "less that of the set that has most.",
+                        ", none of which explains the runs.")
                 .doesNotContain("Not chosen", "which stands first");
     }
 

@@ -27,9 +27,25 @@
     backgroundColor: paint(curve, k),
   });
 
+  // Ticks begin in small steps, up to the first that is round: not all of those can have labels.
+  const apart = ticks => {
+    const least = Math.log(ticks.at(-1).value / ticks[0].value) / 15;
+    const kept = new Set();
+    let last = -Infinity;
+    ticks.map(tick => tick.value).forEach(value => {
+      if (Math.log(value) - last > least) {
+        kept.add(value);
+        last = Math.log(value);
+      }
+    });
+    return kept;
+  };
+
   // Over more than a power of ten 1, 2 and 5 are enough.
   const power = (value, _, ticks) =>
-    ticks.at(-1).value < 10 * ticks[0].value || /^[125]e/.test(Number(value.toPrecision(3)).toExponential())
+    (ticks.at(-1).value < 10 * ticks[0].value
+      ? apart(ticks).has(value)
+      : /^[125]e/.test(Number(value.toPrecision(3)).toExponential()))
       ? String(Number(value.toPrecision(3))) : '';
 
   const axis = (text, axes) => ({

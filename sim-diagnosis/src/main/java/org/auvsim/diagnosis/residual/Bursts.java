@@ -44,12 +44,12 @@ final class Bursts {
     private final Series series;
     private final double[] levels;
     private final double noise;
-    private final double share;
+    private final double scale;
 
-    private Bursts(Series series, double noise, double share) {
+    private Bursts(Series series, double noise, double scale) {
         this.series = series;
         this.noise = noise;
-        this.share = share;
+        this.scale = scale;
         levels = series.levels();
     }
 
@@ -57,10 +57,10 @@ final class Bursts {
      * By how many standard deviations each number is off, 0 of those that are in no burst.
      *
      * @param noise standard deviation of numbers of which the run states none
-     * @param share by how many times all of them are larger than that
+     * @param scale by how many times all of them are larger than that
      */
-    static double[] off(Series series, double noise, double share) {
-        return new Bursts(series, noise, share).off();
+    static double[] off(Series series, double noise, double scale) {
+        return new Bursts(series, noise, scale).off();
     }
 
     private double[] off() {
@@ -169,7 +169,7 @@ final class Bursts {
 
     private double deviation(int i) {
         double stated = series.stated(i);
-        return share * (Double.isNaN(stated) ? noise : stated);
+        return scale * (Double.isNaN(stated) ? noise : stated);
     }
 
     /** Powers of the time of a number since another one, in their mean intervals. */

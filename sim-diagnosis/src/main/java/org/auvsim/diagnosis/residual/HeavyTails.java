@@ -1,6 +1,5 @@
 package org.auvsim.diagnosis.residual;
 
-import org.apache.commons.math3.stat.descriptive.rank.Median;
 import org.auvsim.diagnosis.result.Axis;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -38,9 +37,6 @@ public final class HeavyTails {
     /** Speeds may leap and come back, as in a collision; a place does not. */
     private static final Set<Channel> WITHOUT_LEAPS =
             EnumSet.of(Channel.POSITION, Channel.ORIENTATION);
-
-    /** Of a normal distribution: the median absolute deviation in standard deviations. */
-    private static final double NORMAL = 0.6745;
 
     private HeavyTails() {}
 
@@ -139,8 +135,8 @@ public final class HeavyTails {
 
     /** What most numbers are off makes no outlier, though less was stated. */
     private static double usual(double[] off) {
-        double median = new Median().evaluate(Arrays.stream(off).map(Math::abs).toArray());
-        return Math.max(1, median / NORMAL);
+        double[] sizes = Arrays.stream(off).map(Math::abs).toArray();
+        return Math.max(1, MedianAbsoluteDeviation.standardDeviation(sizes));
     }
 
     private static boolean hasOutliers(double[] off) {

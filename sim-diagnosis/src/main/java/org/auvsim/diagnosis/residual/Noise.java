@@ -1,6 +1,5 @@
 package org.auvsim.diagnosis.residual;
 
-import org.apache.commons.math3.stat.descriptive.rank.Median;
 import org.apache.commons.math3.util.ResizableDoubleArray;
 import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.diagnosis.run.Channel;
@@ -21,9 +20,6 @@ import java.util.stream.IntStream;
  * numbers only those count whose standard deviations are stated.
  */
 public final class Noise {
-    /** Of a normal distribution: the median absolute deviation in standard deviations. */
-    private static final double NORMAL = 0.6745;
-
     /** Of fewer differences the median may be small by chance; without any, nothing is known. */
     private static final int FEWEST = 8;
 
@@ -254,7 +250,7 @@ public final class Noise {
         for (double size : sizes) {
             largest = Math.max(largest, size);
         }
-        double noise = new Median().evaluate(sizes) / NORMAL / Math.sqrt(20);
+        double noise = MedianAbsoluteDeviation.standardDeviation(sizes) / Math.sqrt(20);
         return Math.max(noise, Math.max(ROUNDED, ROUNDED * largest));
     }
 }

@@ -1,6 +1,5 @@
 package org.auvsim.diagnosis.residual;
 
-import org.apache.commons.math3.stat.descriptive.rank.Median;
 import org.apache.commons.math3.util.ResizableDoubleArray;
 import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.diagnosis.result.Numbers;
@@ -47,9 +46,6 @@ record Persistence(List<Lasting> errors) {
      * Share of the variance seen in differences of successive rows that is new in each at least.
      */
     private static final double LEAST_ANEW = 0.05;
-
-    /** Of a normal distribution: the median absolute deviation in standard deviations. */
-    private static final double NORMAL = 0.6745;
 
     /** The squares of 1, 3, 3, 1. */
     private static final double THIRD = 20;
@@ -223,7 +219,7 @@ record Persistence(List<Lasting> errors) {
 
     /** The variance of an error that is new in each row and has such differences. */
     private static double variance(ResizableDoubleArray differences) {
-        double size = new Median().evaluate(differences.getElements()) / NORMAL;
+        double size = MedianAbsoluteDeviation.standardDeviation(differences.getElements());
         return size * size / THIRD;
     }
 
@@ -271,7 +267,7 @@ record Persistence(List<Lasting> errors) {
     }
 
     /** Of an error that is left so much after h rows: its share in their third differences. */
-    static double share(double left) {
+    private static double share(double left) {
         return 1 - left * (15 - left * (6 - left)) / 10;
     }
 }

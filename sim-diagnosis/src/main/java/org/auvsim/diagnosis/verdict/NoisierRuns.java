@@ -1,7 +1,7 @@
 package org.auvsim.diagnosis.verdict;
 
-import org.apache.commons.math3.stat.descriptive.rank.Median;
 import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.residual.MedianAbsoluteDeviation;
 import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.result.Axis;
 import org.auvsim.diagnosis.result.Numbers;
@@ -33,9 +33,6 @@ final class NoisierRuns {
      * numbers.
      */
     private static final double SPREAD = 1.75;
-
-    /** Of a normal distribution: the median absolute deviation in standard deviations. */
-    private static final double NORMAL = 0.6745;
 
     /** The variance of third differences of noise: 1, 3, 3 and 1 squared. */
     private static final double VARIANCE = 20;
@@ -120,7 +117,7 @@ final class NoisierRuns {
     }
 
     private static double deviation(double[] sizes) {
-        return new Median().evaluate(sizes) / NORMAL / Math.sqrt(VARIANCE);
+        return MedianAbsoluteDeviation.standardDeviation(sizes) / Math.sqrt(VARIANCE);
     }
 
     private static String notice(MeasuredRun run, Misses.Row row, double[] own, double[] others) {

@@ -136,7 +136,10 @@ public final class FieldSearch implements Imitator {
                 .mapToObj(share -> field(samples, forces, places, share * range))
                 .flatMap(Optional::stream)
                 .max(Comparator.comparingDouble(Found::evidence))
-                .filter(found -> found.evidence() > Evidence.ofNothing(forces) + LEAST_GAIN)
+                .filter(
+                        found ->
+                                found.evidence()
+                                        > Regression.evidenceOfNothing(forces) + LEAST_GAIN)
                 .map(Found::field);
     }
 
@@ -186,10 +189,10 @@ public final class FieldSearch implements Imitator {
             }
             columns.setColumnVector(c, column);
         }
-        Evidence evidence = Evidence.of(columns, forces);
-        List<Double> heights = Arrays.stream(evidence.weights().toArray()).boxed().toList();
+        Regression regression = Regression.of(columns, forces);
+        List<Double> heights = Arrays.stream(regression.weights().toArray()).boxed().toList();
         return Optional.of(
-                new Found(new PotentialField(centres, heights, width), evidence.logarithm()));
+                new Found(new PotentialField(centres, heights, width), regression.evidence()));
     }
 
     /** On held-out runs, of the position. */

@@ -27,7 +27,7 @@ final class CsvRuns {
     private List<Source> sources = List.of();
     private Source longest;
     private Doubt doubt = Doubt.NONE;
-    private Optional<ManyTurns> turns = Optional.empty();
+    private Optional<Suspicion> turns = Optional.empty();
     private Optional<LikeMilliseconds> milliseconds = Optional.empty();
 
     CsvRuns(Path file, String name, ColumnMapping mapping, MeasuredBody body, KnownOfRun known) {
@@ -86,7 +86,7 @@ final class CsvRuns {
     }
 
     /** Angles that may be in degrees, if there are any. */
-    Optional<ManyTurns> turns() {
+    Optional<Suspicion> turns() {
         return turns;
     }
 
@@ -108,7 +108,7 @@ final class CsvRuns {
                 notices.add(
                         undirected.size() == 1 ? lacks(undirected.getFirst()) : lacks(undirected));
             }
-            doubt = doubt.and(body.isAllDrive(undirected) ? Doubt.OF_DATA : Doubt.NONE);
+            doubt = doubt.and(body.isAllDrive(undirected) ? Doubt.LASTING : Doubt.NONE);
             return Survey.of(table, layout);
         } catch (IOException e) {
             throw CsvTable.unreadable(file, e);
@@ -155,15 +155,15 @@ final class CsvRuns {
         }
         if (survey.looksLikeMilliseconds()) {
             LikeMilliseconds seen = new LikeMilliseconds(file, time, survey.interval());
-            doubt(Doubt.OF_DATA, seen.notice());
+            doubt(Doubt.LASTING, seen.notice());
             milliseconds = Optional.of(seen);
         }
     }
 
     private void tellAngles(RowReader rows) {
         if (rows.largestAngle() > SEVERAL_TURNS && !mapping.degrees()) {
-            ManyTurns seen =
-                    new ManyTurns(
+            Suspicion seen =
+                    Suspicion.ofTurns(
                             "%s:%d: column '%s': angles go up to %s rad"
                                     .formatted(
                                             file,
@@ -172,7 +172,7 @@ final class CsvRuns {
                                             Figures.shown(rows.largestAngle())),
                             "are they in degrees (--degrees)? Of a heading that counts its turns,"
                                     + " take whole turns away");
-            doubt(Doubt.OF_TURNS, seen.notice());
+            doubt(Doubt.UNTIL_EXPLAINED, seen.notice());
             turns = Optional.of(seen);
         }
     }

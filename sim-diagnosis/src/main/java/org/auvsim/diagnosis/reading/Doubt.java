@@ -7,22 +7,25 @@ public enum Doubt {
     /** They look like what they are taken for. */
     NONE,
 
-    /** Angles go round several times, or very fast: they may be in degrees. */
-    OF_TURNS,
-
-    /** Units, axes or commands look as if they were others. */
-    OF_DATA;
+    /**
+     * What a model predicts to the noise is what it was taken for: angles that go round several
+     * times are then not in degrees, axes that few of the runs speak for not those.
+     */
+    UNTIL_EXPLAINED,
 
     /**
-     * Whether it is still open after a verdict. What a model predicts to the noise was no angle in
-     * degrees that was read in radians; positions in another unit may pass for another cause.
+     * Units, axes or commands look as if they were others, and might pass for what explains the
+     * runs.
      */
+    LASTING;
+
+    /** Whether it is still open after a verdict. */
     public boolean isOpen(Verdict verdict) {
-        return this == OF_DATA || (this == OF_TURNS && verdict == Verdict.UNEXPLAINED);
+        return this == LASTING || (this == UNTIL_EXPLAINED && verdict == Verdict.UNEXPLAINED);
     }
 
     /** The graver of two. */
     Doubt and(Doubt other) {
-        return this == OF_DATA || other == NONE ? this : other;
+        return this == LASTING || other == NONE ? this : other;
     }
 }

@@ -32,11 +32,15 @@ final class MeasuredBody {
         return definition.orientation();
     }
 
-    /** The actuators that nothing tells what to do, no behavior either. */
+    /** The actuators that nothing tells what to do, no behavior either; fixed fins need nobody. */
     List<Actuator> undirected(List<String> told) {
         return commands.actuators().stream()
-                .filter(a -> !told.contains(a.name()) && !definition.directs(a))
+                .filter(a -> !told.contains(a.name()) && !definition.directs(a) && !isFixed(a))
                 .toList();
+    }
+
+    private static boolean isFixed(Actuator actuator) {
+        return actuator instanceof Fin fin && fin.maximumAngle() == 0;
     }
 
     /**

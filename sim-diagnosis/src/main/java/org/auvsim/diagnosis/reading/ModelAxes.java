@@ -43,8 +43,8 @@ final class ModelAxes {
         List<MeasuredRun> in(MeasuredAxes other) throws DocumentException;
     }
 
-    /** What is suspected, in words, if anything is. */
-    Optional<String> suspicion(List<MeasuredRun> runs, Again again) throws DocumentException {
+    /** What is suspected, if anything is. */
+    Optional<Suspicion> suspicion(List<MeasuredRun> runs, Again again) throws DocumentException {
         int longest =
                 IntStream.range(0, runs.size())
                         .boxed()
@@ -57,19 +57,25 @@ final class ModelAxes {
         MeasuredAxes other = axes == MeasuredAxes.NED ? MeasuredAxes.ENU : MeasuredAxes.NED;
         double otherwise = misfit(again.in(other).get(longest));
         return otherwise <= FITS && asTold >= BETTER * otherwise
-                ? Optional.of(words(other))
+                ? Optional.of(suspected(other))
                 : Optional.empty();
     }
 
-    private static String words(MeasuredAxes other) {
+    private static Suspicion suspected(MeasuredAxes other) {
         return switch (other) {
-            case NED ->
-                    "the model moves as this does if x is north, y east and z down: are these the"
-                            + " axes? If so, say so (--ned)";
+            case NED -> suspected("x is north, y east and z down", "say so (--ned)");
             case ENU ->
-                    "the model moves as this does if x is east, y north and z up: are these the"
-                            + " axes? If so, leave out --ned, or axes=\"NED\" of the mapping";
+                    suspected(
+                            "x is east, y north and z up",
+                            "leave out --ned, or axes=\"NED\" of the mapping");
         };
+    }
+
+    private static Suspicion suspected(String axes, String remedy) {
+        return new Suspicion(
+                "the model moves as this does if " + axes,
+                ": are these the axes? If so, " + remedy,
+                ", but it is explained in the axes in which it was read");
     }
 
     /** The mean misfit of parts of a run, each begun as measured, as a share of what forces do. */

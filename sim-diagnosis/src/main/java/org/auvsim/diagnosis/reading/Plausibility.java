@@ -147,7 +147,7 @@ final class Plausibility {
     }
 
     /** Rates that are too fast for radians, as they may be. */
-    Optional<ManyTurns> turns() {
+    Optional<Suspicion> turns() {
         double fastest = 0;
         for (int axis = 0; axis < 3; axis++) {
             fastest = Math.max(fastest, run.range(Channel.ANGULAR_VELOCITY, axis));
@@ -155,7 +155,7 @@ final class Plausibility {
         String axes = run.frame(Channel.ANGULAR_VELOCITY) == Frame.BODY ? "p, q, r" : "wx, wy, wz";
         return fastest > SEVERAL_TURNS && !inDegrees
                 ? Optional.of(
-                        new ManyTurns(
+                        Suspicion.ofTurns(
                                 source.says(
                                         source.columns(Channel.ANGULAR_VELOCITY),
                                         "%s differ by up to %s rad/s"

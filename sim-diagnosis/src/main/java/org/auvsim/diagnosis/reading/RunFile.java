@@ -17,6 +17,7 @@ import java.util.Optional;
  * @param notices what was done to the data, and what looks wrong with it
  * @param doubt whether some of them doubt that the numbers are what they are taken for
  * @param settled what is left of some of them where a model explains the run
+ * @param axes why its axes may be others; all files have the same ones
  */
 public record RunFile(
         Path file,
@@ -25,7 +26,8 @@ public record RunFile(
         Optional<RunRole> role,
         List<String> notices,
         Doubt doubt,
-        Map<String, String> settled) {
+        Map<String, String> settled,
+        Optional<Suspicion> axes) {
     /** The lists and the map cannot be changed. */
     public RunFile {
         runs = List.copyOf(runs);

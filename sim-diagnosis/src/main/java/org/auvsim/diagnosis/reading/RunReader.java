@@ -164,12 +164,12 @@ public final class RunReader {
             csv.milliseconds().get().requireFewSteps(stretch.of(runs, csv.sources()), step);
         }
         notices.addAll(csv.notices());
-        List<String> doubts = new ArrayList<>();
-        new ModelAxes(model, mapping.axes())
-                .suspicion(runs, other -> csv(file, name, document, other).read())
-                .ifPresent(doubt -> doubts.add(file + ": " + doubt));
+        Optional<Suspicion> axes =
+                new ModelAxes(model, mapping.axes())
+                        .suspicion(runs, other -> csv(file, name, document, other).read())
+                        .map(seen -> seen.of(file));
         return checked(
-                file, runs, csv.sources(), document, notices, doubts, csv.turns(), csv.doubt());
+                file, runs, csv.sources(), document, notices, axes, csv.turns(), csv.doubt());
     }
 
     private CsvRuns csv(Path file, String name, Run document, MeasuredAxes axes) {
@@ -183,12 +183,14 @@ public final class RunReader {
             List<Source> sources,
             Run document,
             List<String> notices,
-            List<String> doubts,
-            Optional<ManyTurns> ofAngles,
+            Optional<Suspicion> axes,
+            Optional<Suspicion> ofAngles,
             Doubt before)
             throws DocumentException {
+        axes.map(Suspicion::notice).ifPresent(notices::add);
+        List<String> doubts = new ArrayList<>();
         List<MeasuredRun> sound = new ArrayList<>();
-        List<ManyTurns> turns = new ArrayList<>();
+        List<Suspicion> turns = new ArrayList<>();
         for (int i = 0; i < runs.size(); i++) {
             Spikes spikes = new Spikes(sources.get(i), runs.get(i));
             notices.addAll(spikes.notices());
@@ -201,11 +203,11 @@ public final class RunReader {
         doubts.addAll(new StatedPlausibility(beside(file), document, sound, sources).notices());
         notices.addAll(doubts);
         turns.forEach(each -> notices.add(each.notice()));
-        Doubt ofTurns = turns.isEmpty() ? Doubt.NONE : Doubt.OF_TURNS;
+        Doubt ofTurns = turns.isEmpty() ? Doubt.NONE : Doubt.UNTIL_EXPLAINED;
         ofAngles.ifPresent(turns::add);
         Map<String, String> settled = new LinkedHashMap<>();
         turns.forEach(each -> settled.put(each.notice(), each.settled()));
-        Doubt ofData = doubts.isEmpty() ? Doubt.NONE : Doubt.OF_DATA;
+        Doubt ofData = doubts.isEmpty() ? Doubt.NONE : Doubt.LASTING;
         return new RunFile(
                 file,
                 stretch.of(sound, sources),
@@ -213,7 +215,8 @@ public final class RunReader {
                 document.role(),
                 notices,
                 before.and(ofTurns).and(ofData),
-                settled);
+                settled,
+                axes);
     }
 
     private RunFile recorded(Path file, String name) throws DocumentException {
@@ -230,7 +233,7 @@ public final class RunReader {
                 sources,
                 document,
                 notices,
-                new ArrayList<>(),
+                Optional.empty(),
                 Optional.empty(),
                 Doubt.NONE);
     }

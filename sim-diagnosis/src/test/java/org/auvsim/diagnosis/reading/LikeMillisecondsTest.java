@@ -72,6 +72,6 @@ class LikeMillisecondsTest {
 
         assertThat(file.runs().getFirst().duration()).isEqualTo(9_800);
         assertThat(file.notices()).anyMatch(notice -> notice.contains("are these milliseconds?"));
-        assertThat(file.doubt()).isEqualTo(Doubt.OF_DATA);
+        assertThat(file.doubt()).isEqualTo(Doubt.LASTING);
     }
 }

@@ -11,6 +11,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.IntFunction;
 
 /** What may be right but looks wrong is told, with its place, and read as it is. */
@@ -44,7 +46,7 @@ class SuspicionsTest {
                                         || notice.contains("level of the propulsor")
                                         || notice.contains("angle of the fin"))
                 .hasSize(notices);
-        assertThat(file.doubt() == Doubt.OF_DATA).isEqualTo(isDoubtful);
+        assertThat(file.doubt() == Doubt.LASTING).isEqualTo(isDoubtful);
     }
 
     @Test
@@ -100,23 +102,44 @@ class SuspicionsTest {
     @CsvSource({"ENU, ENU, 0", "NED, NED, 0", "NED, ENU, 1", "ENU, NED, 1"})
     void otherAxesAreSuspectedByHowTheModelMoves(
             MeasuredAxes told, MeasuredAxes readAs, int suspicions) throws Exception {
-        RunFile file = Rov.read(folder, ColumnMapping.USUAL.in(readAs), sinking(told));
+        RunFile file = Rov.read(folder, ColumnMapping.USUAL.in(readAs), sinking(told, 5));
 
         assertThat(file.notices())
                 .filteredOn(notice -> notice.contains("are these the axes?"))
                 .hasSize(suspicions)
                 .allMatch(
                         notice -> notice.startsWith(at(": the model moves as this does if x is")));
-        assertThat(file.doubt() == Doubt.OF_DATA).isEqualTo(suspicions > 0);
     }
 
-    /** A push of 5 N to the left and up, which the Rov has all the time, for 6 s. */
-    private static String sinking(MeasuredAxes axes) {
+    /** All files have the same axes: what one of them alone speaks for may be a missing force. */
+    @ParameterizedTest
+    @CsvSource({"1, 0, NONE", "3, 1, UNTIL_EXPLAINED", "3, 2, LASTING", "1, 1, LASTING"})
+    void otherAxesAreThoseOfMostFiles(int files, int others, Doubt doubt) throws Exception {
+        List<Path> runs = new ArrayList<>();
+        for (int i = 0; i < files; i++) {
+            runs.add(
+                    Rov.write(
+                            folder.resolve("run" + i + ".csv"),
+                            sinking(i < others ? MeasuredAxes.NED : MeasuredAxes.ENU, 5 + i)));
+        }
+        RunFiles read = RunFiles.read(Rov.reader(ColumnMapping.USUAL), runs, List.of());
+
+        assertThat(read.doubt()).isEqualTo(doubt);
+        assertThat(read.noticesAfter(Verdict.EXPLAINED))
+                .filteredOn(notice -> notice.contains("the model moves as this does"))
+                .hasSize(others)
+                .allMatch(
+                        notice ->
+                                notice.contains("are these the axes?") == (doubt == Doubt.LASTING));
+    }
+
+    /** A push to the left and up for 6 s; the Rov has one of 5 N all the time. */
+    private static String sinking(MeasuredAxes axes, double push) {
         return Rov.rows(
                 "x,y,z,main,rudder",
                 60,
                 i -> {
-                    double along = 0.5 / 30 * 0.01 * i * i;
+                    double along = push / 10 / 30 * 0.01 * i * i;
                     double y = 3 * along;
                     double z = 4 * along;
                     return axes == MeasuredAxes.NED
@@ -186,11 +209,11 @@ class SuspicionsTest {
         RunFile file = Rov.read(folder, ColumnMapping.USUAL, text);
 
         assertThat(file.notices()).anyMatch(notice -> notice.contains("are they in degrees"));
-        assertThat(file.doubt()).isEqualTo(Doubt.OF_TURNS);
+        assertThat(file.doubt()).isEqualTo(Doubt.UNTIL_EXPLAINED);
         assertThat(file.doubt().isOpen(Verdict.EXPLAINED)).isFalse();
         assertThat(file.doubt().isOpen(Verdict.NONE)).isFalse();
         assertThat(file.doubt().isOpen(Verdict.UNEXPLAINED)).isTrue();
-        assertThat(file.doubt().and(Doubt.OF_DATA).isOpen(Verdict.NONE)).isTrue();
+        assertThat(file.doubt().and(Doubt.LASTING).isOpen(Verdict.NONE)).isTrue();
     }
 
     @Test

@@ -24,6 +24,17 @@ class UndirectedTest {
     }
 
     @Test
+    void aFinThatIsFixedHasNoAngleToTell() throws Exception {
+        String scenario =
+                Rov.with(
+                        "<fin name='wing' area='0.1' lift-slope='3' maximum-angle='0'>"
+                                + "<span x='0' y='1' z='0'/></fin>");
+        String rows = Rov.rows("x,main,rudder", 20, i -> i + ",0,0");
+
+        assertThat(Rov.read(folder, scenario, rows).notices()).isEmpty();
+    }
+
+    @Test
     void aForceThatABehaviorAppliesDirectsNoThruster() throws Exception {
         String scenario =
                 Rov.with(

@@ -10,16 +10,16 @@ import org.apache.commons.math3.linear.RealVector;
  * interpolation, Neural Computation 4).
  *
  * @param weights of the columns
- * @param logarithm of the evidence, up to a constant that is the same for all columns
+ * @param evidence its logarithm, up to a constant that is the same for all columns
  */
-record Evidence(RealVector weights, double logarithm) {
+record Regression(RealVector weights, double evidence) {
     private static final int ROUNDS = 40;
 
     /** A weight's and a misfit's square are at least such a share of the values': rounding. */
     private static final double LEAST = 1e-12;
 
     /** The regression of values on columns. */
-    static Evidence of(RealMatrix columns, RealVector values) {
+    static Regression of(RealMatrix columns, RealVector values) {
         EigenDecomposition products = new EigenDecomposition(columns.transpose().multiply(columns));
         RealMatrix axes = products.getV();
         double[] eigenvalues = products.getRealEigenvalues();
@@ -29,7 +29,7 @@ record Evidence(RealVector weights, double logarithm) {
         double prior = 1;
         double precision = count / size;
         RealVector weights = along;
-        double logarithm = Double.NEGATIVE_INFINITY;
+        double evidence = Double.NEGATIVE_INFINITY;
         for (int round = 0; round < ROUNDS; round++) {
             RealVector rotated = along.copy();
             double determined = 0;
@@ -44,7 +44,7 @@ record Evidence(RealVector weights, double logarithm) {
             double square = Math.max(weights.dotProduct(weights), LEAST * size);
             RealVector left = values.subtract(columns.operate(weights));
             double misfit = Math.max(left.dotProduct(left), LEAST * size);
-            logarithm =
+            evidence =
                     (eigenvalues.length * StrictMath.log(prior)
                                     + count * StrictMath.log(precision)
                                     - precision * misfit
@@ -54,11 +54,11 @@ record Evidence(RealVector weights, double logarithm) {
             prior = determined / square;
             precision = Math.max(1, count - determined) / misfit;
         }
-        return new Evidence(weights, logarithm);
+        return new Regression(weights, evidence);
     }
 
-    /** That of no columns at all: the values are noise. */
-    static double ofNothing(RealVector values) {
+    /** The evidence of no columns at all: the values are noise. */
+    static double evidenceOfNothing(RealVector values) {
         int count = values.getDimension();
         return (count * StrictMath.log(count / values.dotProduct(values)) - count) / 2;
     }

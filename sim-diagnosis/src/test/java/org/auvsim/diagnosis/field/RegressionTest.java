@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import java.util.Random;
 
 /** Weights that were drawn are found, and columns of which noise says nothing are not believed. */
-class EvidenceTest {
+class RegressionTest {
     private static final int ROWS = 120;
     private static final int COLUMNS = 20;
     private static final double NOISE = 0.5;
@@ -44,11 +44,11 @@ class EvidenceTest {
         double[] weights = random.doubles(COLUMNS, -2, 2).toArray();
         RealVector values = columns.operate(new ArrayRealVector(weights)).add(noise(random, NOISE));
 
-        Evidence evidence = Evidence.of(columns, values);
+        Regression regression = Regression.of(columns, values);
 
-        assertThat(evidence.logarithm()).isGreaterThan(Evidence.ofNothing(values) + 20);
+        assertThat(regression.evidence()).isGreaterThan(Regression.evidenceOfNothing(values) + 20);
         for (int c = 0; c < COLUMNS; c++) {
-            assertThat(evidence.weights().getEntry(c))
+            assertThat(regression.weights().getEntry(c))
                     .isCloseTo(weights[c], within(4 * NOISE / Math.sqrt(ROWS)));
         }
     }
@@ -60,10 +60,10 @@ class EvidenceTest {
         RealMatrix columns = columns(random);
         RealVector values = noise(random, 3);
 
-        Evidence evidence = Evidence.of(columns, values);
+        Regression regression = Regression.of(columns, values);
 
-        assertThat(evidence.logarithm()).isLessThan(Evidence.ofNothing(values) + 2);
-        assertThat(columns.operate(evidence.weights()).getNorm())
+        assertThat(regression.evidence()).isLessThan(Regression.evidenceOfNothing(values) + 2);
+        assertThat(columns.operate(regression.weights()).getNorm())
                 .isLessThan(0.35 * values.getNorm());
     }
 }

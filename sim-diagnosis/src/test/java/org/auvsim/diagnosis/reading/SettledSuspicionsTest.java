@@ -13,7 +13,7 @@ import java.nio.file.Path;
 import java.util.List;
 
 /** A vehicle goes round and round: its heading counts its turns, and no model minds. */
-class ManyTurnsTest {
+class SettledSuspicionsTest {
     private static final String QUESTION = "are they in degrees";
 
     @TempDir private Path folder;
@@ -61,7 +61,7 @@ class ManyTurnsTest {
     void besideAGraverDoubtItStaysSuspected() throws Exception {
         RunFiles files = files("yaw,r,push.x,rudder");
 
-        assertThat(files.doubt()).isEqualTo(Doubt.OF_DATA);
+        assertThat(files.doubt()).isEqualTo(Doubt.LASTING);
         assertThat(files.noticesAfter(Verdict.NONE)).isEqualTo(files.notices());
     }
 }

@@ -3,13 +3,15 @@ package org.auvsim.diagnosis.fit;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Ensemble.Work;
 import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.residual.Outcome;
 import org.auvsim.diagnosis.shooting.Shooting;
 import org.auvsim.diagnosis.shooting.Stepping;
 import org.auvsim.diagnosis.shooting.Window;
 import org.auvsim.server.feedback.RigidMotion;
 
+import java.util.Arrays;
 import java.util.List;
-import java.util.function.ToDoubleBiFunction;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 
 /**
@@ -19,13 +21,17 @@ import java.util.stream.IntStream;
  * either and save work; and differences of two motions take longer ones still.
  */
 public final class StepLength {
-    /** Half the step may move a prediction by this share of the noise. */
-    private static final double SHARE = 0.1;
+    /**
+     * Half the step may move all predictions together by this share of the noise (root of the sum
+     * of squares): no parameter is then moved by more of its standard deviation, however many
+     * numbers tell it.
+     */
+    private static final double SHARE = 0.3;
 
     /** Predictions in longer steps may be moved by that of it. */
-    private static final double LONG_SHARE = 0.01;
+    private static final double LONG_SHARE = 0.1;
 
-    /** Steps that do for differences may move it by so much noise. */
+    /** Steps that do for differences may move each number by so much noise. */
     private static final double ROUGH = 1;
 
     /** Of steps of differences the engine may cut this share. */
@@ -54,13 +60,28 @@ public final class StepLength {
     private static BelievedModel fine(Fit following) {
         BelievedModel now = following.model();
         for (int h = 0; h < MOST_HALVINGS; h++) {
-            Stepping finer = Stepping.finer(now, step(now, following) / 2);
-            if (ofDifferences(finer, following) < SHARE) {
+            Stepping finer = halved(now, following);
+            if (all(following, ofDifferences(finer, following)) < SHARE) {
                 break;
             }
             now = finer.rough();
         }
         return now;
+    }
+
+    private static Stepping halved(BelievedModel model, Fit following) {
+        return Stepping.finer(model, step(model, following) / 2);
+    }
+
+    /** Whether half of a fit's steps make no difference that the data could show. */
+    public static boolean areFine(Fit fit) {
+        Stepping finer = halved(fit.stepping().fine(), fit);
+        return all(fit, ofDifferences(finer, fit)) < SHARE;
+    }
+
+    /** The same model in half of a fit's steps. */
+    public static BelievedModel finer(Fit fit) {
+        return halved(fit.stepping().fine(), fit).rough();
     }
 
     /** Predictions that pass samples by; of a body that may touch something none. */
@@ -81,7 +102,10 @@ public final class StepLength {
         return leastWork(
                 predicting,
                 predicting.withLongerDifferences().stream()
-                        .filter(longer -> ofDifferences(longer, following) < ROUGH)
+                        .filter(
+                                longer ->
+                                        largest(following, ofDifferences(longer, following))
+                                                < ROUGH)
                         .filter(longer -> areHardlyCut(work(longer, following)))
                         .toList(),
                 following);
@@ -133,63 +157,84 @@ public final class StepLength {
 
     /** Whether steps of predictions that pass samples by move none that the data could show. */
     public static boolean doFor(Fit fit) {
-        return !fit.stepping().passesBy() || ofPredictions(fit) < LONG_SHARE;
+        return !fit.stepping().passesBy() || all(fit, ofPredictions(fit)) < LONG_SHARE;
     }
 
-    /** The most by which predictions differ from those in fine steps. */
-    private static double ofPredictions(Fit fit) {
+    /** By what numbers of a window differ in steps of two lengths (standard deviations). */
+    @FunctionalInterface
+    private interface Distances {
+        double[] of(Misses data, Window window);
+    }
+
+    /** Predictions from those in fine steps. */
+    private static Distances ofPredictions(Fit fit) {
         Stepping fine = Stepping.exact(fit.stepping().fine());
-        return largest(
-                fit,
-                (of, window) -> {
-                    Shooting one = shooting(fine, fit, of);
-                    Shooting other = shooting(fit.stepping(), fit, of);
-                    return distance(
-                            one.misses(window, one.motion(window)),
-                            other.misses(window, other.motion(window)));
-                });
+        return (of, window) -> {
+            Shooting one = shooting(fine, fit, of);
+            Shooting other = shooting(fit.stepping(), fit, of);
+            return difference(
+                    one.misses(window, one.motion(window)),
+                    other.misses(window, other.motion(window)));
+        };
     }
 
-    /** The most by which motions in steps of differences differ from predictions. */
-    private static double ofDifferences(Stepping stepping, Fit following) {
-        return largest(
-                following,
-                (of, window) -> {
-                    Shooting shooting = shooting(stepping, following, of);
-                    RigidMotion[] motion = shooting.motion(window);
-                    return distance(
-                            shooting.misses(window, motion),
-                            shooting.misses(window, shooting.rough(window, motion)));
-                });
+    /** Motions in steps of differences from predictions. */
+    private static Distances ofDifferences(Stepping stepping, Fit following) {
+        return (of, window) -> {
+            Shooting shooting = shooting(stepping, following, of);
+            RigidMotion[] motion = shooting.motion(window);
+            return difference(
+                    shooting.misses(window, motion),
+                    shooting.misses(window, shooting.rough(window, motion)));
+        };
     }
 
     private static Shooting shooting(Stepping stepping, Fit fit, Misses of) {
         return new Shooting(stepping, fit.variant(), of);
     }
 
-    /** That of all windows. */
-    private static double largest(Fit fit, ToDoubleBiFunction<Misses, Window> distance) {
-        return IntStream.range(0, fit.data().size())
-                .parallel()
-                .mapToDouble(
-                        r ->
-                                fit.windows().get(r).stream()
-                                        .mapToDouble(
-                                                w -> distance.applyAsDouble(fit.data().get(r), w))
-                                        .max()
-                                        .orElse(0))
-                .max()
-                .orElse(0);
-    }
-
-    /** Between the numbers that are farthest apart; infinite where a motion got lost. */
-    private static double distance(double[] one, double[] other) {
+    /** The largest of all windows; infinite where a motion got lost. */
+    private static double largest(Fit fit, Distances distances) {
         double largest = 0;
-        for (int i = 0; i < one.length; i++) {
-            double distance = Math.abs(one[i] - other[i]);
-            largest =
-                    Double.isNaN(distance) ? Double.POSITIVE_INFINITY : Math.max(largest, distance);
+        for (double of : ofWindows(fit, distances, StepLength::largest)) {
+            largest = Math.max(largest, of);
         }
         return largest;
+    }
+
+    private static double largest(double[] distances) {
+        double largest = 0;
+        for (double distance : distances) {
+            largest =
+                    Double.isNaN(distance)
+                            ? Double.POSITIVE_INFINITY
+                            : Math.max(largest, Math.abs(distance));
+        }
+        return largest;
+    }
+
+    /** The root of the sum of all squares; infinite where a motion got lost. */
+    private static double all(Fit fit, Distances distances) {
+        double sum = Arrays.stream(ofWindows(fit, distances, Outcome::squares)).sum();
+        return Double.isNaN(sum) ? Double.POSITIVE_INFINITY : Math.sqrt(sum);
+    }
+
+    private static double[] ofWindows(
+            Fit fit, Distances distances, ToDoubleFunction<double[]> measure) {
+        return IntStream.range(0, fit.data().size())
+                .parallel()
+                .mapToObj(
+                        r ->
+                                fit.windows().get(r).stream()
+                                        .map(w -> distances.of(fit.data().get(r), w))
+                                        .mapToDouble(measure))
+                .flatMapToDouble(ofRun -> ofRun)
+                .toArray();
+    }
+
+    private static double[] difference(double[] one, double[] other) {
+        double[] difference = new double[one.length];
+        Arrays.setAll(difference, i -> one[i] - other[i]);
+        return difference;
     }
 }

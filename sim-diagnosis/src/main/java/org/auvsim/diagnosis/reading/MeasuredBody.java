@@ -53,6 +53,16 @@ final class MeasuredBody {
                 .toList();
     }
 
+    /**
+     * The actuators that a behavior directed in a recording, no client, and nothing of the
+     * scenario.
+     */
+    List<Actuator> leftAlone(WorldObjectDefinition recorded, Set<String> named) {
+        return told(named).stream()
+                .filter(a -> !named.contains(a.name()) && recorded.directs(a))
+                .toList();
+    }
+
     /** Whether they are all that drives it; fins may well be fixed. */
     boolean isAllDrive(List<Actuator> some) {
         List<Actuator> drive =

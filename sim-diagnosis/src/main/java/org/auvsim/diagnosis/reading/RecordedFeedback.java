@@ -10,6 +10,7 @@ import org.auvsim.auvsml.message.control.RestoreSnapshotCommand;
 import org.auvsim.auvsml.message.feedback.FeedbackMessage;
 import org.auvsim.auvsml.recording.ClientSent;
 import org.auvsim.auvsml.recording.Entry;
+import org.auvsim.core.entity.WorldObject;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -42,11 +43,11 @@ final class RecordedFeedback {
     }
 
     /**
-     * The id that the recorded world gives to a body.
+     * A body as the recorded world begins with it.
      *
      * @throws DocumentException if it has none of this name
      */
-    long idOf(String body) throws DocumentException {
+    WorldObject object(String body) throws DocumentException {
         try (RecordingReader recording = RecordingReader.open(file, mapper)) {
             return recording.scenario().world().objects().stream()
                     .filter(object -> object.name().equals(body))
@@ -55,8 +56,7 @@ final class RecordedFeedback {
                             () ->
                                     new DocumentException(
                                             "%s: the recorded scenario has no world object '%s'"
-                                                    .formatted(file, body)))
-                    .id();
+                                                    .formatted(file, body)));
         } catch (IOException e) {
             throw CsvTable.unreadable(file, e);
         }

@@ -4,6 +4,7 @@ import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.core.entity.Actuator;
 import org.auvsim.core.entity.Frame;
+import org.auvsim.core.entity.WorldObject;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.nio.file.Path;
@@ -13,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.NavigableSet;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 
 /**
  * Reads the run, or the runs between gaps, of one recording: feedback messages are what was
@@ -25,6 +27,7 @@ final class RecordedRuns {
     private final AuvsmlMapper mapper;
     private final KnownOfRun known;
     private final List<String> notices = new ArrayList<>();
+    private Doubt doubt = Doubt.NONE;
 
     RecordedRuns(Path file, String name, MeasuredBody body, AuvsmlMapper mapper, KnownOfRun known) {
         this.file = file;
@@ -41,7 +44,8 @@ final class RecordedRuns {
      */
     List<MeasuredRun> read() throws DocumentException {
         RecordedFeedback feedback = new RecordedFeedback(file, mapper);
-        long id = feedback.idOf(body.name());
+        WorldObject recorded = feedback.object(body.name());
+        long id = recorded.id();
         RecordedRows all = all(feedback, id);
         long each = (all.times() + RunParts.MOST - 1) / RunParts.MOST;
         List<Actuator> told = body.told(all.names());
@@ -53,7 +57,32 @@ final class RecordedRuns {
                     pushes.sent(time, message);
                 });
         tell(feedback, rows, each);
+        tellOf(body.leftAlone(recorded.definition(), all.names()));
         return runs(rows, told, pushes);
+    }
+
+    /** Behaviors are those of the scenario, which may lack what directed the recorded body. */
+    private void tellOf(List<Actuator> leftAlone) {
+        if (leftAlone.isEmpty()) {
+            return;
+        }
+        String names =
+                leftAlone.stream()
+                        .map(Actuator::name)
+                        .collect(Collectors.joining("', '", "'", "'"));
+        notices.add(
+                "%s: a schedule or another behavior of the recorded scenario directed %s, and none of the scenario given does: %s what that states; add what directed %s to the scenario"
+                        .formatted(
+                                file,
+                                names,
+                                leftAlone.size() == 1 ? "it holds" : "they hold",
+                                leftAlone.size() == 1 ? "it" : "them"));
+        doubt = Doubt.LASTING;
+    }
+
+    /** Whether the commands may be other ones than it seems. */
+    Doubt doubt() {
+        return doubt;
     }
 
     /** What was done to the data, and what could not be used. */

@@ -235,7 +235,7 @@ public final class RunReader {
                 notices,
                 Optional.empty(),
                 Optional.empty(),
-                Doubt.NONE);
+                recorded.doubt());
     }
 
     /** Where a document is that says something of a file's runs, if there is one. */

@@ -120,6 +120,11 @@ public final class Source {
         return columns.getOrDefault(Slots.measuredBy(channel) + of, "");
     }
 
+    /** That of a channel along an axis of the body. */
+    String bodyColumn(Channel channel, int axis) {
+        return columns.getOrDefault(Slots.measuredBy(channel) + axis, "");
+    }
+
     /** Those of a channel. */
     List<String> columns(Channel channel) {
         int first = Slots.measuredBy(channel);

@@ -147,10 +147,10 @@ final class Spikes {
         return value < low - by || value > high + by;
     }
 
-    private List<String> columns(Channel channel, int axis) {
+    private String column(Channel channel, int axis) {
         return channel != Channel.POSITION && run.frame(channel) == Frame.BODY
-                ? source.columns(channel)
-                : List.of(source.column(channel, axis));
+                ? source.bodyColumn(channel, axis)
+                : source.column(channel, axis);
     }
 
     private void tell(Channel channel, int axis, List<Integer> found, List<Double> others) {
@@ -165,7 +165,7 @@ final class Spikes {
         notices.add(
                 source.says(
                         row(first),
-                        columns(channel, axis),
+                        List.of(column(channel, axis)),
                         "%s, which is no possible motion: all others lie between %s and %s; treated as not measured; if that is right, leave such cells empty"
                                 .formatted(
                                         what,

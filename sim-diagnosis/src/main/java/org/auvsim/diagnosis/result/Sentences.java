@@ -144,12 +144,17 @@ public final class Sentences {
             return List.of();
         }
         List<Alternative> named = same.subList(0, Math.min(MOST_OTHERS, same.size()));
-        String chosen = found.stream().map(Phrases::of).map(Phrases::inside).collect(AND);
+        List<String> shared = shared(found, named);
+        String chosen =
+                found.stream()
+                        .filter(finding -> !shared.contains(finding.name()))
+                        .map(Phrases::of)
+                        .map(Phrases::inside)
+                        .collect(AND);
         String others =
                 named.stream()
-                        .map(Alternative::causes)
-                        .map(names -> names.stream().map(Phrases::of).map(Phrases::inside))
-                        .map(phrases -> phrases.collect(AND))
+                        .map(other -> other.causes().stream().filter(c -> !shared.contains(c)))
+                        .map(causes -> causes.map(Phrases::of).map(Phrases::inside).collect(AND))
                         .collect(Collectors.joining(", or "));
         List<String> clauses = new ArrayList<>();
         clauses.add(
@@ -165,6 +170,19 @@ public final class Sentences {
             clauses.add("it could be " + determined);
         }
         return clauses;
+    }
+
+    /** What all of them have, if each has something beside it: that is not in question. */
+    private static List<String> shared(List<Finding> found, List<Alternative> others) {
+        List<String> shared =
+                found.stream()
+                        .map(Finding::name)
+                        .filter(name -> others.stream().allMatch(o -> o.causes().contains(name)))
+                        .toList();
+        boolean isAllOfOne =
+                shared.size() == found.size()
+                        || others.stream().anyMatch(o -> o.causes().size() == shared.size());
+        return isAllOfOne ? List.of() : shared;
     }
 
     private static String more(int sets) {

@@ -1,5 +1,7 @@
 package org.auvsim.diagnosis.search;
 
+import static java.util.stream.Collectors.toSet;
+
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Parameter;
 import org.auvsim.diagnosis.fit.Bounds;
@@ -18,6 +20,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -26,6 +29,7 @@ import java.util.function.BiFunction;
 import java.util.function.Predicate;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * Says which causes promise to explain what a fit misses, all at once and without a simulation for
@@ -35,6 +39,9 @@ import java.util.stream.IntStream;
 final class Screen {
     private static final int KEPT = 5;
     private static final int STARTS_OF_ONE = 2;
+
+    /** So many sets of causes are continued by one more each. */
+    private static final int CONTINUED = 12;
 
     /** Frequencies at which one that swings is begun. */
     private static final int PEAKS = 4;
@@ -144,14 +151,19 @@ final class Screen {
     }
 
     /**
-     * Sets of so many causes (1 or 2), from each level, where they promise most.
+     * Sets of so many causes, from each level, where they promise most. All of one or two are
+     * compared; larger ones are those of one cause fewer that promise most, each with one more.
      *
      * @param isNew those of which each set has one at least
      */
     List<Start> starts(int size, Predicate<Cause> isNew) {
         return starts(
                 (blocks, isWhole) ->
-                        size == 1 ? bestSingles(blocks, isWhole, isNew) : bestPairs(blocks, isNew));
+                        switch (size) {
+                            case 1 -> bestSingles(blocks, isWhole, isNew);
+                            case 2 -> bestPairs(blocks, isNew, KEPT);
+                            default -> bestSets(blocks, size, isNew);
+                        });
     }
 
     /** Starts of each cause alone, from each level: one at least, several of what promises most. */
@@ -291,9 +303,45 @@ final class Screen {
         return Gram.of(blocks, columns(set), moves.size()).cautious(parameters(set));
     }
 
-    private List<Promise> bestPairs(List<List<WindowBlock>> blocks, Predicate<Cause> isNew) {
+    private List<Promise> bestSets(
+            List<List<WindowBlock>> blocks, int size, Predicate<Cause> isNew) {
         Gram gram = Gram.of(blocks, moves.size()).cautious(parameters(seeds));
         double without = dropOfOwn(gram);
+        List<Promise> best = bestPairs(gram, without, isNew, CONTINUED);
+        for (int more = 3; more <= size; more++) {
+            List<Promise> continued =
+                    best.stream().flatMap(of -> withOneMore(gram, of.set(), without)).toList();
+            best = firstOfSets(best(continued), more == size ? KEPT : CONTINUED);
+        }
+        return best;
+    }
+
+    private Stream<Promise> withOneMore(Gram gram, List<Seed> set, double without) {
+        return seeds.parallelStream()
+                .filter(one -> set.stream().noneMatch(other -> other.cause().equals(one.cause())))
+                .map(one -> Stream.concat(set.stream(), Stream.of(one)).toList())
+                .map(more -> promise(gram, columns(more), more, without))
+                .filter(promise -> promise.score() > 0)
+                .toList()
+                .stream();
+    }
+
+    /** The best of each set of causes, in whatever order they were put together. */
+    private static List<Promise> firstOfSets(List<Promise> sorted, int most) {
+        Set<Set<Cause>> taken = new HashSet<>();
+        return sorted.stream()
+                .filter(p -> taken.add(p.set().stream().map(Seed::cause).collect(toSet())))
+                .limit(most)
+                .toList();
+    }
+
+    private List<Promise> bestPairs(
+            List<List<WindowBlock>> blocks, Predicate<Cause> isNew, int most) {
+        Gram gram = Gram.of(blocks, moves.size()).cautious(parameters(seeds));
+        return bestPairs(gram, dropOfOwn(gram), isNew, most);
+    }
+
+    private List<Promise> bestPairs(Gram gram, double without, Predicate<Cause> isNew, int most) {
         List<Promise> promises =
                 IntStream.range(0, seeds.size())
                         .parallel()
@@ -301,7 +349,7 @@ final class Screen {
                         .flatMap(List::stream)
                         .sorted(Comparator.comparingDouble(Promise::score).reversed())
                         .toList();
-        return firstOfEach(promises, 1, KEPT);
+        return firstOfEach(promises, 1, most);
     }
 
     private List<Promise> bestPairsOf(Gram gram, int i, double without, Predicate<Cause> isNew) {

@@ -11,8 +11,13 @@ import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.residual.Outcome;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
+import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
 
 /** Screens causes along the measured motion, as closely as a model can follow it. */
 final class Screening {
@@ -86,6 +91,23 @@ final class Screening {
         return screen.starts(1, cause -> true).stream()
                 .sorted(Comparator.comparingDouble(Screen.Start::promise).reversed())
                 .toList();
+    }
+
+    /**
+     * The same, so many of each level in turn: what promises most over whole runs may only bend as
+     * they do, where the motion is far from what the model has.
+     */
+    static List<Screen.Start> promisingOfEachLevel(Screen screen, int ofEach) {
+        Map<Integer, List<Screen.Start>> ofLevels = new TreeMap<>();
+        Set<List<Cause>> sets = new HashSet<>();
+        for (Screen.Start start : promising(screen)) {
+            List<Screen.Start> ofLevel =
+                    ofLevels.computeIfAbsent(start.perBlock(), _ -> new ArrayList<>());
+            if (ofLevel.size() < ofEach && sets.add(start.causes())) {
+                ofLevel.add(start);
+            }
+        }
+        return ofLevels.values().stream().flatMap(List::stream).toList();
     }
 
     /** Windows that follow the measurement under a hypothesis. */

@@ -114,19 +114,22 @@ public final class Search {
         }
     }
 
-    /** What is found, again in steps to each sample if what was would need them. */
+    /** What is found, again in shorter steps, or in those to each sample, if it would need them. */
     public Found found() {
         Found found = inTheseSteps();
-        return StepLength.doFor(found.best().fit()) || !course.goesOn()
-                ? found
-                : new Search(
-                                model,
-                                runs,
-                                library,
-                                contest,
-                                course.more(END),
-                                StepLength::atEachSample)
-                        .inTheseSteps();
+        Fit best = found.best().fit();
+        if (!course.goesOn()) {
+            return found;
+        }
+        if (found.best().isWhite() && !StepLength.areFine(best)) {
+            return again(StepLength.finer(best), StepLength::converged);
+        }
+        return StepLength.doFor(best) ? found : again(model, StepLength::atEachSample);
+    }
+
+    private Found again(BelievedModel stepping, Function<Fit, Stepping> length) {
+        return new Search(stepping, runs, library, contest, course.more(END), length)
+                .inTheseSteps();
     }
 
     private Found inTheseSteps() {

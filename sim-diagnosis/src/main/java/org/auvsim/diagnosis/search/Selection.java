@@ -16,14 +16,22 @@ import java.util.function.Predicate;
  * one by one, as few as are worth it.
  */
 final class Selection {
-    private static final int MOST_CAUSES = 3;
-    private static final int FORWARD = 4;
+    private static final int MOST_CAUSES = 5;
+
+    /** So many can imitate one with a place, a moment or a frequency. */
+    private static final int SEVERAL = 3;
+
+    /** Of each level, so many causes are tried beside others. */
+    private static final int FORWARD = 2;
 
     /** A gain below this may be one of noise, among so many causes. */
     static final double DOUBTFUL = 30;
 
     /** What promises more beside what leaves noise alone is tried. */
     private static final double TELLING = 5;
+
+    /** Squares of what is missed (standard deviations) a number, where little is missed. */
+    private static final double NEARLY = 5;
 
     private static final double FALSE_ALARMS = 0.01;
 
@@ -81,8 +89,8 @@ final class Selection {
         for (Judged more = completed(best); !more.equals(best); more = completed(best)) {
             best = more;
         }
-        if (best.isWhite() && !hasRoom(best) && contest.isEmpty() && course.goesOn()) {
-            best = rescued(best, specific); // so many causes can imitate one with a place
+        if (best.isWhite() && areSeveral(best) && contest.isEmpty() && course.goesOn()) {
+            best = rescued(best, specific);
         }
         return chosen(best.isNone() ? best : tried.settled(best));
     }
@@ -120,7 +128,8 @@ final class Selection {
      * stood for what another of its causes stands for: each is exchanged again beside it.
      */
     private Judged exchanged(Judged found, Traces traces) {
-        boolean isWorthIt = contest.isEmpty() && (hasRoom(found) || found.isWhite());
+        boolean isNear = found.cost() < NEARLY * found.outcome().count();
+        boolean isWorthIt = contest.isEmpty() && (hasRoom(found) || isNear);
         if (!isWorthIt) {
             return found;
         }
@@ -174,6 +183,10 @@ final class Selection {
                 .allMatch(other -> pair.promise() > other.promise() + DOUBTFUL);
     }
 
+    private static boolean areSeveral(Judged best) {
+        return best.fit().hypothesis().causes().size() >= SEVERAL;
+    }
+
     private static boolean hasRoom(Judged best) {
         return best.fit().hypothesis().causes().size() < MOST_CAUSES;
     }
@@ -182,7 +195,7 @@ final class Selection {
     private List<Screen.Start> more(Judged best) {
         Hypothesis of = best.fit().hypothesis();
         List<Cause> others = library.stream().filter(c -> !c.isAmong(of.causes())).toList();
-        return Screening.promising(screening.beside(of, others)).stream().limit(FORWARD).toList();
+        return Screening.promisingOfEachLevel(screening.beside(of, others), FORWARD);
     }
 
     /** Whether noise alone would gain as much, among all causes together, too often. */
@@ -210,8 +223,26 @@ final class Selection {
         Screen screen = screening.of(causes);
         Judged best = whole(tried.tournament(screen.starts(1, isNew), none, 0.3, 0.5));
         if (!best.isWhite() && course.goesOn()) {
-            Judged pair = tried.tournament(screen.starts(2, isNew), best, 0.5, 0.7);
-            best = tried.pruned(whole(pair));
+            Judged pair = tried.tournament(screen.starts(2, isNew), best, 0.5, 0.6);
+            best = several(causes, isNew, tried.pruned(whole(pair)));
+        }
+        return best;
+    }
+
+    /**
+     * The best set of more causes, all of them common ones: of those that begin at many places,
+     * moments or frequencies a few together imitate most of what there is.
+     */
+    private Judged several(List<Cause> causes, Predicate<Cause> isNew, Judged found) {
+        List<Cause> common = causes.stream().filter(c -> !screening.hasManyGuesses(c)).toList();
+        if (found.isWhite() || common.stream().noneMatch(isNew) || !course.goesOn()) {
+            return found;
+        }
+        Screen screen = screening.of(common);
+        Judged best = found;
+        for (int size = SEVERAL; size <= MOST_CAUSES && !best.isWhite(); size++) {
+            Judged more = tried.tournament(screen.starts(size, isNew), best, 0.6, 0.7);
+            best = more.equals(best) ? best : tried.pruned(whole(more));
         }
         return best;
     }

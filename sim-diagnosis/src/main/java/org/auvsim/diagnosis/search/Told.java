@@ -9,10 +9,13 @@ import java.util.List;
 
 /**
  * The numbers of a cause as a fit leaves them. It moves each of which the data tells anything,
- * however little; one that stands at exactly 0, and could have gone to either side, is not
+ * however little; one that stands at 0 but for rounding, and could have gone to either side, is not
  * determined: a current along an axis along which a mount holds the body.
  */
 public final class Told {
+    /** Of a parameter's scale. */
+    private static final double ROUNDING = 1e-12;
+
     private Told() {}
 
     /** As people know them, NaN of those that are not determined. */
@@ -29,6 +32,7 @@ public final class Told {
 
     private static boolean isLeft(Parameter parameter, double theta, Quantity told) {
         boolean isItself = parameter.name().equals(told.name());
-        return isItself && theta == 0 && parameter.lowest() < 0 && parameter.highest() > 0;
+        boolean isAt0 = Math.abs(theta) <= ROUNDING * parameter.scale();
+        return isItself && isAt0 && parameter.lowest() < 0 && parameter.highest() > 0;
     }
 }

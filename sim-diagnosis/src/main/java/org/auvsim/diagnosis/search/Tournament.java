@@ -3,9 +3,12 @@ package org.auvsim.diagnosis.search;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.fit.Course;
 import org.auvsim.diagnosis.fit.Descent;
+import org.auvsim.diagnosis.fit.Fit;
+import org.auvsim.diagnosis.fit.Following;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.fit.Refinement;
 import org.auvsim.diagnosis.fit.Refinement.Near;
+import org.auvsim.diagnosis.residual.Noise;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -41,6 +44,7 @@ public final class Tournament {
     private static final double HOPELESS_OF_FEW = 100;
 
     private final Judged otherwise;
+    private final Noise noise;
     private final Course course;
     private final double from;
     private final double to;
@@ -53,8 +57,9 @@ public final class Tournament {
      * @param from share of the whole search when it begins
      * @param to when it ends
      */
-    Tournament(Judged otherwise, Course course, double from, double to) {
+    Tournament(Judged otherwise, Noise noise, Course course, double from, double to) {
         this.otherwise = otherwise;
+        this.noise = noise;
         this.course = course;
         this.from = from;
         this.to = to;
@@ -64,7 +69,9 @@ public final class Tournament {
     List<Judged> last(List<Screen.Start> starts) {
         double hopeless = hopeless(otherwise);
         List<Screen.Start> first = Double.isFinite(hopeless) ? List.of() : favourites(starts);
-        List<Near> near = new ArrayList<>(near(first, starts.size(), hopeless));
+        List<Near> near =
+                new ArrayList<>(
+                        near(first, starts.size(), hopeless).stream().map(this::found).toList());
         for (Near favourite : near) {
             hopeless = Math.min(hopeless, hopeless(favourite.judged()));
         }
@@ -93,6 +100,27 @@ public final class Tournament {
                 .filter(_ -> course.at("fitting sets of causes", share(ofAll)))
                 .map(s -> Refinement.approach(s.fit(), s.perBlock(), hopeless, course))
                 .toList();
+    }
+
+    /**
+     * What got lost on its way begins anew in windows that follow the runs under it: those that
+     * follow them by the model as it is believed hide what it lacks in their starts.
+     */
+    private Near found(Near favourite) {
+        if (favourite.judged().score() < otherwise.score() || !course.goesOn()) {
+            return favourite;
+        }
+        Fit lost = favourite.judged().fit();
+        Fit anew = Following.of(lost.stepping(), lost.hypothesis(), lost.data(), noise, course);
+        return Stream.of(1, Math.min(2, anew.longest()))
+                .distinct()
+                .map(
+                        perBlock ->
+                                Refinement.approach(
+                                        anew, perBlock, Double.POSITIVE_INFINITY, course))
+                .min(Comparator.comparingDouble(near -> near.judged().score()))
+                .filter(near -> near.judged().score() < favourite.judged().score())
+                .orElse(favourite);
     }
 
     private double share(int ofAll) {

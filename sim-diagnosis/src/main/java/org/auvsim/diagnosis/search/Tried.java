@@ -47,7 +47,7 @@ public final class Tried {
         if (starts.isEmpty()) {
             return List.of();
         }
-        List<Judged> last = new Tournament(otherwise, course, from, to).last(starts);
+        List<Judged> last = new Tournament(otherwise, noise, course, from, to).last(starts);
         judged.addAll(last);
         return last;
     }

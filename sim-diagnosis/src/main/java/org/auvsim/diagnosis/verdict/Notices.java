@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.verdict;
 
 import org.auvsim.core.entity.Behavior;
+import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.residual.HeavyTails;
@@ -8,6 +9,7 @@ import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.residual.StatedStarts;
 import org.auvsim.diagnosis.result.Axis;
+import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -17,6 +19,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.StringJoiner;
 
 /** What is to be known of runs, and limits what they say. */
@@ -71,6 +74,7 @@ final class Notices {
             notices.add(TOO_FEW + few);
         }
         all.forEach(run -> notices.addAll(stuck(run, found.noise())));
+        assumedSpeed().ifPresent(notices::add);
         if (verdict != Verdict.EXPLAINED) {
             all.forEach(run -> StatedStarts.notice(run, found.noise()).ifPresent(notices::add));
         }
@@ -80,6 +84,31 @@ final class Notices {
             HeavyTails.notice(of.run(), of.rows(), found.noise()).ifPresent(notices::add);
         }
         return notices;
+    }
+
+    /** That a body which is under way in the scenario is taken to be so where nothing tells. */
+    private Optional<String> assumedSpeed() {
+        List<String> names =
+                all.stream().filter(run -> assumed(run) > 0).map(MeasuredRun::name).toList();
+        return names.isEmpty()
+                ? Optional.empty()
+                : Optional.of(
+                        "nothing that is measured tells how fast %s begin%s: at the scenario's %s m/s; what began otherwise may look like a current: state its start"
+                                .formatted(
+                                        String.join(", ", names),
+                                        names.size() == 1 ? "s" : "",
+                                        Numbers.rounded(model.start().velocity().norm())));
+    }
+
+    /** The speed (m/s) at which a run begins by the scenario alone. */
+    private double assumed(MeasuredRun run) {
+        if (run.start().isPresent() || run.measures(Channel.VELOCITY)) {
+            return 0;
+        }
+        Vec3 v = model.start().velocity();
+        return Math.hypot(
+                run.measures(Channel.POSITION, 0) ? 0 : v.x(),
+                run.measures(Channel.POSITION, 1) ? 0 : v.y());
     }
 
     /** Behaviors of the scenario that do not act, in all runs or in some. */

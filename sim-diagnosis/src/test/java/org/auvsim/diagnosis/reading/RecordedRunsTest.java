@@ -122,6 +122,25 @@ class RecordedRunsTest {
         assertThat(commands()).containsExactly("main", "rudder");
     }
 
+    /** The scenario may be that of several runs, each with a schedule of its own. */
+    @Test
+    void whatTheRecordedScenarioAloneDirectsIsDoubtful() throws Exception {
+        steps(20);
+        String recorded = text.toString().replace(Rov.SCENARIO, Rov.with(PLAN));
+        Path file = Rov.write(folder.resolve("dive.auvsml"), recorded);
+
+        RunFile read = Rov.reader(ColumnMapping.USUAL).read(file);
+
+        assertThat(read.notices())
+                .contains(
+                        file
+                                + ": a schedule or another behavior of the recorded scenario"
+                                + " directed 'main', and none of the scenario given does: it holds"
+                                + " what that states; add what directed it to the scenario");
+        assertThat(read.doubt()).isEqualTo(Doubt.LASTING);
+        assertThat(Rov.reader(Rov.with(PLAN)).read(file).doubt()).isEqualTo(Doubt.NONE);
+    }
+
     private List<String> commands() throws IOException, DocumentException {
         Path file = Rov.write(folder.resolve("dive.auvsml"), text.toString());
         MeasuredRun run = Rov.reader(Rov.with(PLAN)).read(file).runs().getFirst();

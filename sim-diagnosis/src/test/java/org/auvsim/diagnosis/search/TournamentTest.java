@@ -7,6 +7,8 @@ import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.fit.Course;
 import org.auvsim.diagnosis.fit.Hypothesis;
 import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.subject.Cart;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -65,7 +67,8 @@ class TournamentTest {
     }
 
     private static List<Judged> last(Judged otherwise, List<Screen.Start> starts) {
-        return new Tournament(otherwise, Course.UNHEARD, 0, 1).last(starts);
+        MeasuredRun run = otherwise.fit().data().getFirst().run();
+        return new Tournament(otherwise, Noise.of(List.of(run)), Course.UNHEARD, 0, 1).last(starts);
     }
 
     private static Judged of(Screen.Start start, List<Judged> all) {

@@ -3,9 +3,6 @@ package org.auvsim.diagnosis.verdict;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
-
-import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.Investigation;
 import org.auvsim.diagnosis.cause.Library;
@@ -17,6 +14,7 @@ import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.diagnosis.subject.Believed;
 import org.auvsim.diagnosis.subject.MeasuredVehicle;
 import org.junit.jupiter.api.Test;
 
@@ -35,31 +33,7 @@ class UnseenStartTest {
 
     @Test
     void aBallOfWhichOnlyTheHeightIsMeasuredFallsStraight() throws Exception {
-        BelievedModel model =
-                new BelievedModel(
-                        ScenarioLoader.load(getClass().getClassLoader())
-                                .parse(
-                                        """
-                                        <scenario><time-step delta="0.02"/>
-                                          <world-object name="Ball" mass="0.3">
-                                            <sphere radius="0.1"/><gravity/>
-                                          </world-object>
-                                        </scenario>
-                                        """
-                                                .getBytes(UTF_8)),
-                        "Ball");
-        List<MeasuredRun> fit = List.of(drop("one", 1, 1), drop("two", -2, 2));
-        Diagnosis diagnosis =
-                new Investigation(
-                                model,
-                                fit,
-                                List.of(drop("three", 0, 3)),
-                                Library.of(model, fit).stream()
-                                        .filter(cause -> cause.id().endsWith("_drag"))
-                                        .toList(),
-                                1,
-                                Progress.SILENT)
-                        .diagnose();
+        Diagnosis diagnosis = diagnosis("");
 
         assertThat(diagnosis.selected()).hasSize(1);
         assertThat(diagnosis.selected().getFirst().cause()).isEqualTo("linear_drag");
@@ -72,6 +46,42 @@ class UnseenStartTest {
                             assertThat(motion.position().x()).isCloseTo(0, within(1e-4));
                             assertThat(motion.velocity().y()).isCloseTo(0, within(1e-4));
                         });
+    }
+
+    /** By its height, a ball that is thrown by the scenario may just as well have been dropped. */
+    @Test
+    void thatNothingTellsHowFastItBeginsIsSaid() throws Exception {
+        assertThat(diagnosis("<velocity x='2' y='0' z='0'/>").notices())
+                .contains(
+                        "nothing that is measured tells how fast one, two, three begin: at the"
+                                + " scenario's 2.0 m/s; what began otherwise may look like a current:"
+                                + " state its start");
+        assertThat(diagnosis("").notices()).noneMatch(notice -> notice.contains("how fast"));
+    }
+
+    private static Diagnosis diagnosis(String velocity) throws Exception {
+        BelievedModel model =
+                Believed.model(
+                        """
+                        <scenario><time-step delta="0.02"/>
+                          <world-object name="Ball" mass="0.3">
+                            <sphere radius="0.1"/>%s<gravity/>
+                          </world-object>
+                        </scenario>
+                        """
+                                .formatted(velocity),
+                        "Ball");
+        List<MeasuredRun> fit = List.of(drop("one", 1, 1), drop("two", -2, 2));
+        return new Investigation(
+                        model,
+                        fit,
+                        List.of(drop("three", 0, 3)),
+                        Library.of(model, fit).stream()
+                                .filter(cause -> cause.id().endsWith("_drag"))
+                                .toList(),
+                        1,
+                        Progress.SILENT)
+                .diagnose();
     }
 
     /** Roll and pitch would tilt its thrust, and do for a drag that the model lacks. */

@@ -12,8 +12,8 @@ import java.util.Optional;
 import java.util.function.Predicate;
 
 /**
- * Selects the causes that explain what a model misses of measured runs: one or two at once, more
- * one by one, as few as are worth it.
+ * Selects the causes that explain what a model misses of measured runs: one or two at once, or
+ * several common ones, others one by one, as few as are worth it.
  */
 final class Selection {
     private static final int MOST_CAUSES = 5;
@@ -79,7 +79,7 @@ final class Selection {
             best = generic.score() < best.score() ? generic : best;
         }
         if (contest.isEmpty()) {
-            best = extended(best);
+            best = withMore(best, specific);
         }
         if (!best.isWhite() && contest.isEmpty() && course.goesOn()) {
             best = rescued(best, specific);
@@ -184,11 +184,15 @@ final class Selection {
     }
 
     private static boolean areSeveral(Judged best) {
-        return best.fit().hypothesis().causes().size() >= SEVERAL;
+        return count(best) >= SEVERAL;
     }
 
     private static boolean hasRoom(Judged best) {
-        return best.fit().hypothesis().causes().size() < MOST_CAUSES;
+        return count(best) < MOST_CAUSES;
+    }
+
+    private static int count(Judged of) {
+        return of.fit().hypothesis().causes().size();
     }
 
     /** With one more cause each, the most promising ones. */
@@ -224,7 +228,7 @@ final class Selection {
         Judged best = whole(tried.tournament(screen.starts(1, isNew), none, 0.3, 0.5));
         if (!best.isWhite() && course.goesOn()) {
             Judged pair = tried.tournament(screen.starts(2, isNew), best, 0.5, 0.6);
-            best = several(causes, isNew, tried.pruned(whole(pair)));
+            best = tried.pruned(whole(pair));
         }
         return best;
     }
@@ -233,18 +237,32 @@ final class Selection {
      * The best set of more causes, all of them common ones: of those that begin at many places,
      * moments or frequencies a few together imitate most of what there is.
      */
-    private Judged several(List<Cause> causes, Predicate<Cause> isNew, Judged found) {
-        List<Cause> common = causes.stream().filter(c -> !screening.hasManyGuesses(c)).toList();
-        if (found.isWhite() || common.stream().noneMatch(isNew) || !course.goesOn()) {
+    private Judged several(List<Cause> causes, Judged found) {
+        if (found.isWhite() || !course.goesOn()) {
             return found;
         }
-        Screen screen = screening.of(common);
+        Screen screen =
+                screening.of(causes.stream().filter(c -> !screening.hasManyGuesses(c)).toList());
         Judged best = found;
         for (int size = SEVERAL; size <= MOST_CAUSES && !best.isWhite(); size++) {
-            Judged more = tried.tournament(screen.starts(size, isNew), best, 0.6, 0.7);
+            Judged more = tried.tournament(screen.starts(size, cause -> true), best, 0.75, 0.8);
             best = more.equals(best) ? best : tried.pruned(whole(more));
         }
         return best;
+    }
+
+    /**
+     * With more causes, where something is missed: a few one by one, or else several common ones at
+     * once, or else more beside those few.
+     */
+    private Judged withMore(Judged found, List<Cause> specific) {
+        Judged few = extended(found, SEVERAL);
+        Judged several = several(specific, few);
+        if (several.isWhite()) {
+            return several;
+        }
+        Judged more = extended(few, MOST_CAUSES);
+        return more.score() < several.score() ? more : several;
     }
 
     /** With all that these causes can do. */
@@ -252,11 +270,11 @@ final class Selection {
         return tried.freed(tried.begunAnew(best));
     }
 
-    /** With more causes, one by one, while something is missed. */
-    private Judged extended(Judged found) {
+    /** With more causes, one by one, so many at most, while something is missed. */
+    private Judged extended(Judged found, int most) {
         Judged best = found;
-        while (hasRoom(best) && !best.isWhite() && course.goesOn()) {
-            Judged more = tried.pruned(tried.freed(tried.tournament(more(best), best, 0.7, 0.8)));
+        while (count(best) < most && !best.isWhite() && course.goesOn()) {
+            Judged more = tried.pruned(tried.freed(tried.tournament(more(best), best, 0.7, 0.75)));
             if (more.score() >= best.score()) {
                 break;
             }

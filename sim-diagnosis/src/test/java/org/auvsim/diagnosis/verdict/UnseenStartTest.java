@@ -54,8 +54,8 @@ class UnseenStartTest {
         assertThat(diagnosis("<velocity x='2' y='0' z='0'/>").notices())
                 .contains(
                         "nothing that is measured tells how fast one, two, three begin: at the"
-                                + " scenario's 2.0 m/s; what began otherwise may look like a current:"
-                                + " state its start");
+                            + " scenario's 2.0 m/s; what began otherwise may look like a current:"
+                            + " state its start");
         assertThat(diagnosis("").notices()).noneMatch(notice -> notice.contains("how fast"));
     }
 

@@ -43,6 +43,9 @@ public final class Tournament {
     /** The same of few numbers. */
     private static final double HOPELESS_OF_FEW = 100;
 
+    /** Windows of a block that is short, though not as short as it may be. */
+    private static final int SHORT = 2;
+
     private final Judged otherwise;
     private final Noise noise;
     private final Course course;
@@ -71,7 +74,9 @@ public final class Tournament {
         List<Screen.Start> first = Double.isFinite(hopeless) ? List.of() : favourites(starts);
         List<Near> near =
                 new ArrayList<>(
-                        near(first, starts.size(), hopeless).stream().map(this::found).toList());
+                        near(first, starts.size(), hopeless).stream()
+                                .map(this::foundAgain)
+                                .toList());
         for (Near favourite : near) {
             hopeless = Math.min(hopeless, hopeless(favourite.judged()));
         }
@@ -106,21 +111,24 @@ public final class Tournament {
      * What got lost on its way begins anew in windows that follow the runs under it: those that
      * follow them by the model as it is believed hide what it lacks in their starts.
      */
-    private Near found(Near favourite) {
+    private Near foundAgain(Near favourite) {
         if (favourite.judged().score() < otherwise.score() || !course.goesOn()) {
             return favourite;
         }
         Fit lost = favourite.judged().fit();
         Fit anew = Following.of(lost.stepping(), lost.hypothesis(), lost.data(), noise, course);
-        return Stream.of(1, Math.min(2, anew.longest()))
+        return Stream.of(1, Math.min(SHORT, anew.longest()))
                 .distinct()
-                .map(
-                        perBlock ->
-                                Refinement.approach(
-                                        anew, perBlock, Double.POSITIVE_INFINITY, course))
-                .min(Comparator.comparingDouble(near -> near.judged().score()))
-                .filter(near -> near.judged().score() < favourite.judged().score())
+                .map(perBlock -> near(anew, perBlock))
+                .filter(near -> near.score() < favourite.judged().score())
+                .min(Comparator.comparingDouble(Judged::score))
+                .map(near -> new Near(near, false))
                 .orElse(favourite);
+    }
+
+    private Judged near(Fit start, int perBlock) {
+        Near near = Refinement.approach(start, perBlock, Double.POSITIVE_INFINITY, course);
+        return Descent.of(near.judged()).steps(SECOND_STEPS, Double.POSITIVE_INFINITY, course);
     }
 
     private double share(int ofAll) {

@@ -17,7 +17,7 @@ import java.util.Optional;
  * @param notices what was done to the data, and what looks wrong with it
  * @param doubt whether some of them doubt that the numbers are what they are taken for
  * @param settled what is left of some of them where a model explains the run
- * @param axes why its axes may be others; all files have the same ones
+ * @param looksTurned whether the model moves as it tells if it is in other axes
  */
 public record RunFile(
         Path file,
@@ -27,7 +27,7 @@ public record RunFile(
         List<String> notices,
         Doubt doubt,
         Map<String, String> settled,
-        Optional<Suspicion> axes) {
+        boolean looksTurned) {
     /** The lists and the map cannot be changed. */
     public RunFile {
         runs = List.copyOf(runs);

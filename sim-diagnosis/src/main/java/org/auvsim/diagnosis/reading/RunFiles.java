@@ -91,20 +91,18 @@ public record RunFiles(
         Doubt doubt = read.stream().map(RunFile::doubt).reduce(Doubt.NONE, Doubt::and);
         Map<String, String> settled = new LinkedHashMap<>();
         read.forEach(file -> settled.putAll(file.settled()));
-        List<Suspicion> axes = read.stream().flatMap(file -> file.axes().stream()).toList();
-        axes.forEach(each -> settled.put(each.notice(), each.settled()));
         RunFiles files =
-                new RunFiles(
-                        toFit, toJudge, sound, notices, doubt.and(ofAxes(axes, read)), settled);
+                new RunFiles(toFit, toJudge, sound, notices, doubt.and(ofAxes(read)), settled);
         return files.told(all.subList(0, asked));
     }
 
     /** Axes are those of all files; a few may look otherwise by what the model lacks in them. */
-    private static Doubt ofAxes(List<Suspicion> suspicions, List<RunFile> of) {
-        if (suspicions.isEmpty()) {
+    private static Doubt ofAxes(List<RunFile> files) {
+        long turned = files.stream().filter(RunFile::looksTurned).count();
+        if (turned == 0) {
             return Doubt.NONE;
         }
-        return 2 * suspicions.size() > of.size() ? Doubt.LASTING : Doubt.UNTIL_EXPLAINED;
+        return 2 * turned > files.size() ? Doubt.LASTING : Doubt.UNTIL_EXPLAINED;
     }
 
     /**

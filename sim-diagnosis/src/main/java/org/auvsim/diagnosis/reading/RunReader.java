@@ -187,6 +187,9 @@ public final class RunReader {
             Optional<Suspicion> ofAngles,
             Doubt before)
             throws DocumentException {
+        List<Suspicion> suspicions = new ArrayList<>();
+        ofAngles.ifPresent(suspicions::add);
+        axes.ifPresent(suspicions::add);
         axes.map(Suspicion::notice).ifPresent(notices::add);
         List<String> doubts = new ArrayList<>();
         List<MeasuredRun> sound = new ArrayList<>();
@@ -204,9 +207,9 @@ public final class RunReader {
         notices.addAll(doubts);
         turns.forEach(each -> notices.add(each.notice()));
         Doubt ofTurns = turns.isEmpty() ? Doubt.NONE : Doubt.UNTIL_EXPLAINED;
-        ofAngles.ifPresent(turns::add);
+        suspicions.addAll(turns);
         Map<String, String> settled = new LinkedHashMap<>();
-        turns.forEach(each -> settled.put(each.notice(), each.settled()));
+        suspicions.forEach(each -> settled.put(each.notice(), each.settled()));
         Doubt ofData = doubts.isEmpty() ? Doubt.NONE : Doubt.LASTING;
         return new RunFile(
                 file,
@@ -216,7 +219,7 @@ public final class RunReader {
                 notices,
                 before.and(ofTurns).and(ofData),
                 settled,
-                axes);
+                axes.isPresent());
     }
 
     private RunFile recorded(Path file, String name) throws DocumentException {

@@ -88,27 +88,26 @@ final class Notices {
 
     /** That a body which is under way in the scenario is taken to be so where nothing tells. */
     private Optional<String> assumedSpeed() {
+        Vec3 start = model.start().velocity();
+        double speed = Math.hypot(start.x(), start.y());
         List<String> names =
-                all.stream().filter(run -> assumed(run) > 0).map(MeasuredRun::name).toList();
-        return names.isEmpty()
+                all.stream().filter(Notices::hidesItsSpeed).map(MeasuredRun::name).toList();
+        return names.isEmpty() || speed == 0
                 ? Optional.empty()
                 : Optional.of(
                         "nothing that is measured tells how fast %s begin%s: at the scenario's %s m/s; what began otherwise may look like a current: state its start"
                                 .formatted(
                                         String.join(", ", names),
                                         names.size() == 1 ? "s" : "",
-                                        Numbers.rounded(model.start().velocity().norm())));
+                                        Numbers.rounded(speed)));
     }
 
-    /** The speed (m/s) at which a run begins by the scenario alone. */
-    private double assumed(MeasuredRun run) {
-        if (run.start().isPresent() || run.measures(Channel.VELOCITY)) {
-            return 0;
-        }
-        Vec3 v = model.start().velocity();
-        return Math.hypot(
-                run.measures(Channel.POSITION, 0) ? 0 : v.x(),
-                run.measures(Channel.POSITION, 1) ? 0 : v.y());
+    /** Whether neither a statement nor anything measured tells how fast it goes horizontally. */
+    private static boolean hidesItsSpeed(MeasuredRun run) {
+        return run.start().isEmpty()
+                && !run.measures(Channel.VELOCITY)
+                && !run.measures(Channel.POSITION, 0)
+                && !run.measures(Channel.POSITION, 1);
     }
 
     /** Behaviors of the scenario that do not act, in all runs or in some. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.auvsim.core.effect.Damping;
 import org.auvsim.core.effect.Kick;
 import org.auvsim.core.entity.Effect;
+import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Guess;
@@ -14,6 +15,8 @@ import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.Command;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.shooting.Shooting;
@@ -36,6 +39,9 @@ class StepLengthTest {
     private static final double SHARE_OF_MOMENT = 0.15;
 
     private static final double SMALL = 1e-4;
+
+    /** Of turns (rad). */
+    private static final double NOISE = 1.5e-4;
 
     private static Fit following(BelievedModel model, MeasuredRun run) {
         Noise noise = Noise.of(List.of(run));
@@ -102,6 +108,47 @@ class StepLengthTest {
         Stepping stepping = StepLength.converged(following(coarse, tumbling));
 
         assertThat(step(stepping.model())).isBetween(0.003, 0.026);
+    }
+
+    /** Each number by less than a tenth of the noise, but a thousand of them together by more. */
+    @Test
+    void stepsAreHalvedWhereAllNumbersTogetherTell() throws Exception {
+        BelievedModel coarse = MeasuredVehicle.model(0.05);
+        BelievedModel fine = MeasuredVehicle.model(0.005);
+        MeasuredRun run = MeasuredVehicle.run(fine, new Vec3(1.62, -0.36, 2.52));
+        Fit turning = following(coarse, noisier(run));
+
+        Stepping stepping = StepLength.converged(turning);
+
+        assertThat(step(stepping.fine())).isLessThan(0.026);
+        assertThat(StepLength.areFine(turning)).isFalse();
+        assertThat(StepLength.areFine(turning.in(stepping))).isTrue();
+        assertThat(step(StepLength.finer(turning))).isEqualTo(0.025);
+    }
+
+    /** Its turns, by so much that no number tells of steps any more. */
+    private static MeasuredRun noisier(MeasuredRun run) {
+        Random random = new Random(4);
+        MeasuredRunBuilder noisier = MeasuredRun.named("noisier");
+        noisier.commands(run.commands().stream().map(Command::name).toList());
+        for (int k = 0; k < run.size(); k++) {
+            Vec3 p = run.vector(Channel.POSITION, k).orElseThrow();
+            Quat turn =
+                    Quat.ofAxisAngle(new Vec3(1, 0, 0), NOISE * random.nextGaussian())
+                            .times(
+                                    Quat.ofAxisAngle(
+                                            new Vec3(0, 1, 0), NOISE * random.nextGaussian()))
+                            .times(
+                                    Quat.ofAxisAngle(
+                                            new Vec3(0, 0, 1), NOISE * random.nextGaussian()));
+            noisier.at(run.time(k))
+                    .position(p.x(), p.y(), p.z())
+                    .orientation(run.orientation(k).orElseThrow().times(turn));
+            for (int c = 0; c < run.commands().size(); c++) {
+                noisier.command(c, run.commands().get(c).level(k));
+            }
+        }
+        return noisier.build();
     }
 
     /** An extended model may have a force that begins during the run. */

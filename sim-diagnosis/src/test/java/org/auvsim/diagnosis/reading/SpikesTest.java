@@ -53,6 +53,17 @@ class SpikesTest {
         assertThat(file.doubt()).isEqualTo(Doubt.NONE);
     }
 
+    @Test
+    void oneOfAVelocityAlongTheBodyNamesItsOwnColumn() throws Exception {
+        String rows = Rov.rows("u,v,w", 60, i -> "1," + (i == 12 ? 1e6 : way(i)) + ",0.5");
+
+        assertThat(Rov.read(folder, ColumnMapping.USUAL, rows).notices())
+                .filteredOn(notice -> notice.contains("no possible motion"))
+                .singleElement()
+                .asString()
+                .startsWith(folder.resolve("run.csv") + ":14: column 'v': ");
+    }
+
     /** Where it is far from where it mostly is, and at either end, as well as in between. */
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 3, 15, 199})

@@ -245,6 +245,25 @@ class SentenceTest {
                                 + " thrusters is wrong; it could be mass 1.20, or gain 0.83");
     }
 
+    /** What both have is not in question. */
+    @Test
+    void whatAlternativesShareIsLeftOut() {
+        Finding drag =
+                found("quadratic_drag", List.of(new Quantity("k", "kg/m", 12.4)), List.of(0.3));
+        Alternative drift =
+                new Alternative(List.of("position_drift", "quadratic_drag"), true, "", "");
+        Alternative fewer = new Alternative(List.of("quadratic_drag"), true, "", "");
+        List<Finding> both = List.of(drag, CURRENT);
+        assertThat(sentences.explained(both, 0.9, List.of(drift)).text())
+                .endsWith(
+                        "; this data cannot tell apart: a constant current is missing, or the"
+                                + " measured position drifts");
+        assertThat(sentences.explained(both, 0.9, List.of(fewer)).text())
+                .endsWith(
+                        "; this data cannot tell apart: quadratic drag is missing and a constant"
+                                + " current is missing, or quadratic drag is missing");
+    }
+
     /** The page lists them all. */
     @Test
     void ofManyThatCannotBeToldApartTheMostProbableIsNamed() {

@@ -61,6 +61,15 @@ public interface Cause {
         return List.of(new Guess(zeros, IntStream.range(0, zeros.size()).boxed().toList(), steps));
     }
 
+    /**
+     * Where else to begin, once it was found with some numbers: those that look alike to each run
+     * by itself, as frequencies do that runs far apart in time tell by their phases alone. Usually
+     * none.
+     */
+    default List<Guess> aliases(double[] theta) {
+        return List.of();
+    }
+
     /** Its numbers as people know them: amplitude and phase rather than sine and cosine. */
     default List<Quantity> quantities(double[] theta) {
         return Quantity.of(parameters(), theta);

@@ -25,6 +25,7 @@ final class Change implements Cause {
     private final Optional<Cause> freer;
     private final Law law;
     private final Function<double[], List<Quantity>> telling;
+    private final Function<double[], List<Guess>> aliases;
 
     /** How numbers, of which one strength at least is not 0, change a model. */
     interface Law {
@@ -40,7 +41,8 @@ final class Change implements Cause {
             boolean generic,
             Optional<Cause> freer,
             Law law,
-            Function<double[], List<Quantity>> telling) {
+            Function<double[], List<Quantity>> telling,
+            Function<double[], List<Guess>> aliases) {
         this.id = id;
         this.subject = subject;
         this.aspect = aspect;
@@ -55,6 +57,7 @@ final class Change implements Cause {
         this.freer = freer;
         this.law = law;
         this.telling = telling;
+        this.aliases = aliases;
     }
 
     /** One all of whose parameters are strengths, to begin at 0, and told as they are. */
@@ -69,7 +72,8 @@ final class Change implements Cause {
                 false,
                 Optional.empty(),
                 law,
-                theta -> Quantity.of(parameters, theta));
+                theta -> Quantity.of(parameters, theta),
+                _ -> List.of());
     }
 
     /** A guess whose columns are moved by small steps. */
@@ -91,12 +95,12 @@ final class Change implements Cause {
 
     /** The same about a part of the body. */
     Change about(String part) {
-        return with(Optional.of(part), aspect, guesses, generic, telling);
+        return with(Optional.of(part), aspect, guesses, generic, freer, telling, aliases);
     }
 
     /** The same, one of several that share a name. */
     Change by(String one) {
-        return with(subject, Optional.of(one), guesses, generic, telling);
+        return with(subject, Optional.of(one), guesses, generic, freer, telling, aliases);
     }
 
     private Change with(
@@ -104,37 +108,35 @@ final class Change implements Cause {
             Optional<String> one,
             List<Guess> begun,
             boolean isGeneric,
-            Function<double[], List<Quantity>> told) {
-        return new Change(id, part, one, parameters, begun, isGeneric, freer, law, told);
+            Optional<Cause> freed,
+            Function<double[], List<Quantity>> told,
+            Function<double[], List<Guess>> alike) {
+        return new Change(id, part, one, parameters, begun, isGeneric, freed, law, told, alike);
     }
 
     /** The same with other places to begin. */
     Change from(List<Guess> others) {
-        return with(subject, aspect, others, generic, telling);
+        return with(subject, aspect, others, generic, freer, telling, aliases);
     }
 
     /** The same that counts only where nothing specific passes. */
     Change asGeneric() {
-        return with(subject, aspect, guesses, true, telling);
+        return with(subject, aspect, guesses, true, freer, telling, aliases);
     }
 
     /** The same, which where it leaves something may have the numbers of another one. */
     Change freedAs(Cause other) {
-        return new Change(
-                id,
-                subject,
-                aspect,
-                parameters,
-                guesses,
-                generic,
-                Optional.of(other),
-                law,
-                telling);
+        return with(subject, aspect, guesses, generic, Optional.of(other), telling, aliases);
+    }
+
+    /** The same, to begin elsewhere too, once some numbers were found. */
+    Change withAliases(Function<double[], List<Guess>> alike) {
+        return with(subject, aspect, guesses, generic, freer, telling, alike);
     }
 
     /** The same, its numbers told otherwise. */
     Change told(Function<double[], List<Quantity>> otherwise) {
-        return with(subject, aspect, guesses, generic, otherwise);
+        return with(subject, aspect, guesses, generic, freer, otherwise, aliases);
     }
 
     /** The same, its numbers told as factors: 1 more. */
@@ -183,6 +185,11 @@ final class Change implements Cause {
     @Override
     public List<Guess> guesses(List<MeasuredRun> runs) {
         return guesses;
+    }
+
+    @Override
+    public List<Guess> aliases(double[] theta) {
+        return aliases.apply(theta);
     }
 
     @Override

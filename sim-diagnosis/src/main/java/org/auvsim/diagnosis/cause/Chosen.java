@@ -53,6 +53,11 @@ record Chosen(Cause cause, double less) implements Cause {
     }
 
     @Override
+    public List<Guess> aliases(double[] theta) {
+        return cause.aliases(theta);
+    }
+
+    @Override
     public List<Quantity> quantities(double[] theta) {
         return cause.quantities(theta);
     }

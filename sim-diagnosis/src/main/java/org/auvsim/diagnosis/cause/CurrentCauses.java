@@ -55,8 +55,7 @@ final class CurrentCauses {
 
     /** Of a sine and a cosine, as both are linear. */
     private static Cause oscillating(Setting s, double scale) {
-        Oscillation oscillation =
-                new Oscillation(s, "u", "m/s", scale, new Frequencies(s).told(FEWEST_OSCILLATIONS));
+        Oscillation oscillation = new Oscillation(s, "u", "m/s", scale);
         return Change.of(
                         "current_oscillating",
                         oscillation.parameters(),
@@ -68,7 +67,8 @@ final class CurrentCauses {
                                         oscillation.cosine(t),
                                         t[Oscillation.OMEGA],
                                         Math.PI / 2))
-                .from(oscillation.guesses())
+                .from(oscillation.guesses(new Frequencies(s).told(FEWEST_OSCILLATIONS)))
+                .withAliases(oscillation::aliases)
                 .told(oscillation::quantities);
     }
 

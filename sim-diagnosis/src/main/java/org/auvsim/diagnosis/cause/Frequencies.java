@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.cause;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * Angular frequencies (rad/s) to begin with: as far apart as runs of this length can tell, or as
@@ -12,10 +13,17 @@ final class Frequencies {
     private static final int FEWEST = 40;
     private static final int MOST = 60;
 
+    /** Steps in which the phase between the first and the last run turns once. */
+    private static final int PER_TURN = 4;
+
+    private static final int MOST_ALIASES = 80;
+
     private final double duration;
+    private final double span;
 
     Frequencies(Setting s) {
         duration = s.path().duration();
+        span = s.path().end() - s.path().begin();
     }
 
     Parameter parameter() {
@@ -31,6 +39,22 @@ final class Frequencies {
     double[] told(int fewest) {
         double asFarAsTold = (HIGHEST - LOWEST) * duration / 6;
         return spread((int) Math.max(fewest, Math.min(MOST, asFarAsTold)));
+    }
+
+    /**
+     * Those that no run by itself tells from one, so far apart as all of them together can; none if
+     * the runs are not far apart.
+     */
+    double[] aliases(double omega) {
+        if (span < 2 * duration) {
+            return new double[0];
+        }
+        double apart = 2 * Math.PI / (PER_TURN * span);
+        int most = (int) Math.min(MOST_ALIASES, Math.ceil(PER_TURN * span / duration));
+        return IntStream.rangeClosed(-most, most)
+                .mapToDouble(i -> omega + i * apart)
+                .filter(alias -> alias > 0)
+                .toArray();
     }
 
     double[] spread(int count) {

@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.cause;
 import org.auvsim.core.math.Vec3;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -18,33 +19,35 @@ final class Oscillation {
     private final String name;
     private final String unit;
     private final List<Parameter> parameters;
-    private final double[] frequencies;
+    private final Frequencies frequencies;
     private final double begin;
 
-    /** With this name for people; {@code scale} in its unit, begun at these frequencies (rad/s). */
-    Oscillation(Setting s, String name, String unit, double scale, double[] frequencies) {
+    /** With this name for people; {@code scale} in its unit. */
+    Oscillation(Setting s, String name, String unit, double scale) {
         this.name = name;
         this.unit = unit;
-        this.frequencies = frequencies;
+        frequencies = new Frequencies(s);
         begin = s.path().begin();
         parameters = new ArrayList<>(Parameter.vector("sine", unit, scale));
         parameters.addAll(Parameter.vector("cosine", unit, scale));
-        parameters.add(new Frequencies(s).parameter());
+        parameters.add(frequencies.parameter());
     }
 
     List<Parameter> parameters() {
         return parameters;
     }
 
-    /** One for each frequency of the grid. */
-    List<Guess> guesses() {
-        List<Guess> guesses = new ArrayList<>();
-        for (double omega : frequencies) {
-            guesses.add(
-                    Change.guess(
-                            parameters, new double[] {0, 0, 0, 0, 0, 0, omega}, 0, 1, 2, 3, 4, 5));
-        }
-        return guesses;
+    /** One for each of some angular frequencies (rad/s). */
+    List<Guess> guesses(double[] frequencies) {
+        return Arrays.stream(frequencies)
+                .mapToObj(omega -> new double[] {0, 0, 0, 0, 0, 0, omega})
+                .map(theta -> Change.guess(parameters, theta, 0, 1, 2, 3, 4, 5))
+                .toList();
+    }
+
+    /** At frequencies that no run by itself tells from that of some numbers. */
+    List<Guess> aliases(double[] theta) {
+        return guesses(frequencies.aliases(theta[OMEGA]));
     }
 
     /** What stands before sin(omega t), t being the world's time. */

@@ -5,6 +5,7 @@ import org.auvsim.core.effect.WaveForce;
 import org.auvsim.core.math.Vec3;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /** Forces that come again and again. */
@@ -28,8 +29,7 @@ final class PeriodicCauses {
     }
 
     private static Cause force(Setting s) {
-        Oscillation oscillation =
-                new Oscillation(s, "force", "N", s.force(), new Frequencies(s).all());
+        Oscillation oscillation = new Oscillation(s, "force", "N", s.force());
         return Change.of(
                         "periodic_force",
                         oscillation.parameters(),
@@ -41,7 +41,8 @@ final class PeriodicCauses {
                                                                 oscillation.sine(t),
                                                                 oscillation.cosine(t),
                                                                 t[Oscillation.OMEGA]))))
-                .from(oscillation.guesses())
+                .from(oscillation.guesses(new Frequencies(s).all()))
+                .withAliases(oscillation::aliases)
                 .told(oscillation::quantities)
                 .asGeneric();
     }
@@ -79,6 +80,12 @@ final class PeriodicCauses {
                         parameters,
                         (v, t) -> v.with(b -> b.effect(force(t, begin))))
                 .from(guesses)
+                .withAliases(
+                        theta ->
+                                Arrays.stream(frequencies.aliases(theta[3]))
+                                        .mapToObj(w -> new double[] {0, 0, theta[2], w, theta[4]})
+                                        .map(t -> Change.guess(parameters, t, 0, 1))
+                                        .toList())
                 .told(t -> quantities(t, begin));
     }
 
@@ -108,6 +115,12 @@ final class PeriodicCauses {
                         parameters,
                         (v, t) -> v.with(b -> b.effect(forceAlong(direction, t, begin))))
                 .from(guesses)
+                .withAliases(
+                        theta ->
+                                Arrays.stream(frequencies.aliases(theta[2]))
+                                        .mapToObj(w -> new double[] {0, 0, w, theta[3]})
+                                        .map(t -> Change.guess(parameters, t, 0, 1))
+                                        .toList())
                 .told(
                         t ->
                                 List.of(

@@ -25,6 +25,9 @@ public final class Uncertainty {
     /** A quantity that changes by less than this share of itself does so by rounding alone. */
     private static final double UNCHANGED = 1e-6;
 
+    /** Of its scale, a number that does not show at so much is not told. */
+    private static final double SLIGHTEST = 1e6;
+
     /** By so much (rad) at most a phase is turned to see how it changes. */
     private static final double SLIGHT_TURN = 0.1;
 
@@ -42,10 +45,24 @@ public final class Uncertainty {
         tangents = Tangents.of(Simulated.of(fit));
         Gram gram = Gram.of(fit.blocks(tangents.derivatives(), 1), size);
         information = gram.information(all);
+        forgetRounding(fit.hypothesis().parameters());
         excess = Math.max(1, fitted.cost() / fitted.outcome().count());
         for (double[] row : information) {
             for (int i = 0; i < row.length; i++) {
                 row[i] /= excess;
+            }
+        }
+    }
+
+    /** What hardly shows at a million times its scale leaves no trace but of rounding. */
+    private void forgetRounding(List<Parameter> parameters) {
+        for (int i = 0; i < information.length; i++) {
+            double shown = SLIGHTEST * parameters.get(i).scale();
+            if (information[i][i] * shown * shown < 1) {
+                for (int j = 0; j < information.length; j++) {
+                    information[i][j] = 0;
+                    information[j][i] = 0;
+                }
             }
         }
     }

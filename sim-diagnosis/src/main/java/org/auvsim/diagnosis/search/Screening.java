@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.search;
 
 import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Guess;
 import org.auvsim.diagnosis.fit.Course;
 import org.auvsim.diagnosis.fit.Fit;
 import org.auvsim.diagnosis.fit.Following;
@@ -54,6 +55,12 @@ final class Screening {
     /** Beside those of a hypothesis. */
     Screen beside(Hypothesis hypothesis, List<Cause> causes) {
         return new Screen(following(hypothesis), causes, guesses, asBelieved);
+    }
+
+    /** Of one cause beside others, begun as these guesses have it. */
+    Screen beside(Hypothesis others, Cause cause, List<Guess> from) {
+        List<Seed.Guesses> begun = List.of(new Seed.Guesses(cause, from));
+        return new Screen(following(others), List.of(cause), begun, asBelieved);
     }
 
     /** Along the motion of what was found, if that is sure: it tells how the body moved. */

@@ -67,7 +67,8 @@ final class Selection {
         this.contest = contest;
         this.course = course;
         this.screening = new Screening(base, noise, library, none.outcome(), course);
-        this.tried = new Tried(none, noise, course);
+        Aliasing aliasing = new Aliasing(screening, noise, course);
+        this.tried = new Tried(none, noise, course, aliasing::undone);
     }
 
     /** Specific causes first; those that can imitate others only where none of those passes. */

@@ -17,18 +17,30 @@ import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 
 /** Sets of causes that were fitted and judged, and what lets more of them compete. */
 public final class Tried {
     private final List<Judged> judged = new ArrayList<>();
     private final Noise noise;
     private final Course course;
+    private final UnaryOperator<Judged> unaliased;
 
     /** Nothing yet but the model as it is believed. */
     public Tried(Judged none, Noise noise, Course course) {
+        this(none, noise, course, UnaryOperator.identity());
+    }
+
+    /**
+     * Nothing yet but the model as it is believed.
+     *
+     * @param unaliased what is better than a set, or the set, at aliases of its frequencies
+     */
+    Tried(Judged none, Noise noise, Course course, UnaryOperator<Judged> unaliased) {
         judged.add(none);
         this.noise = noise;
         this.course = course;
+        this.unaliased = unaliased;
     }
 
     /** The best of all, if it is better than what was found otherwise. */
@@ -47,7 +59,9 @@ public final class Tried {
         if (starts.isEmpty()) {
             return List.of();
         }
-        List<Judged> last = new Tournament(otherwise, noise, course, from, to).last(starts);
+        List<Judged> last =
+                new Tournament(otherwise, noise, course, from, to)
+                        .last(starts).stream().map(unaliased).toList();
         judged.addAll(last);
         return last;
     }

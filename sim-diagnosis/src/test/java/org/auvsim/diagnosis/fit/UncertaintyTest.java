@@ -55,8 +55,13 @@ class UncertaintyTest {
 
     private static List<Double> deviations(
             BelievedModel model, MeasuredRun run, String id, double... of) {
+        return deviations(model, run, Quat.IDENTITY, id, of);
+    }
+
+    private static List<Double> deviations(
+            BelievedModel model, MeasuredRun run, Quat orientation, String id, double... of) {
         Cause cause = cause(model, run, id);
-        RigidMotion still = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
+        RigidMotion still = new RigidMotion(Vec3.ZERO, orientation, Vec3.ZERO, Vec3.ZERO);
         Fit fit =
                 new Fit(
                         Stepping.exact(model),
@@ -65,6 +70,19 @@ class UncertaintyTest {
                         List.of(List.of(new Window(0, run.size() - 1, still))),
                         Knowledge.NONE);
         return new Uncertainty(Judged.of(fit)).deviations().getFirst();
+    }
+
+    private static BelievedModel inAPlane() throws Exception {
+        return Believed.model(
+                """
+                <scenario><time-step delta="0.1"/>
+                  <world-object name="sledge" mass="1"><box><size x="2" y="1" z="1"/></box>
+                    <held z="1" turn-x="1" turn-y="1"/>
+                    <damping><linear x="1" y="2" z="3"/></damping>
+                  </world-object>
+                </scenario>
+                """,
+                "sledge");
     }
 
     private static BelievedModel heldToX() throws Exception {
@@ -102,6 +120,21 @@ class UncertaintyTest {
                 .satisfiesExactly(
                         x -> assertThat(x).isBetween(1e-3, 10.0),
                         y -> assertThat(y).isNaN(),
+                        z -> assertThat(z).isNaN(),
+                        omega -> assertThat(omega).isBetween(1e-3, 10.0),
+                        phase -> assertThat(phase).isBetween(1e-3, 10.0));
+    }
+
+    /** Water that rises past a sledge would move it, were it not level but for rounding. */
+    @Test
+    void whatLeavesNoTraceButOfRoundingMakesNothingElseUncertain() throws Exception {
+        Quat level = new Quat(1, 0, 1e-12, 0);
+        double[] u = {0.2, 0, 1e-8, 0.1, 0, 2e-8, 0.6};
+
+        assertThat(deviations(inAPlane(), run(0), level, "current_oscillating", u))
+                .satisfiesExactly(
+                        x -> assertThat(x).isBetween(1e-3, 10.0),
+                        y -> assertThat(y).isBetween(1e-3, 10.0),
                         z -> assertThat(z).isNaN(),
                         omega -> assertThat(omega).isBetween(1e-3, 10.0),
                         phase -> assertThat(phase).isBetween(1e-3, 10.0));

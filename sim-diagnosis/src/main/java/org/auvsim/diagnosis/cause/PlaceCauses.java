@@ -12,6 +12,9 @@ final class PlaceCauses {
     /** Distances of magnets to begin with from the path's middle, in its radii. */
     private static final double[] DISTANCES = {0.7, 1.4};
 
+    /** From further away than so many ranges of the path it would pull alike everywhere. */
+    private static final double FAR = 3;
+
     /** Paths are in a plane that leave it by less than this share of their range. */
     private static final double FLAT = 1e-3;
 
@@ -36,7 +39,11 @@ final class PlaceCauses {
         Path path = s.path();
         double r = path.radius();
         List<Parameter> parameters =
-                new ArrayList<>(Parameter.vector("source", "m", 0.05 * path.range()));
+                new ArrayList<>(
+                        List.of(
+                                source(path, "source.x", path.centre().x()),
+                                source(path, "source.y", path.centre().y()),
+                                source(path, "source.z", path.centre().z())));
         parameters.add(Parameter.signed("pull", "N", s.force()));
         List<Guess> guesses = new ArrayList<>();
         for (double distance : DISTANCES) {
@@ -66,6 +73,12 @@ final class PlaceCauses {
                                         new Quantity("source.z", "m", t[2]),
                                         new Quantity(
                                                 "strength", "N m^4", strength(path, t, closest))));
+    }
+
+    private static Parameter source(Path path, String name, double middle) {
+        double range = path.range();
+        return new Parameter(
+                name, "m", 0.05 * range, middle - FAR * range, middle + FAR * range);
     }
 
     private static Vec3 place(double[] theta) {

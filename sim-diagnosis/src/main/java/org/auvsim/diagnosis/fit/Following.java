@@ -55,8 +55,10 @@ public final class Following {
     /** A window misses far more than noise if chi squared a number is above this. */
     private static final double FAR_OFF = 4;
 
-    /** A share of the cost that is not worth a step. */
+    /** A share of the cost that is not worth a step, and what is not of any: noise does more. */
     private static final double ENOUGH = 1e-4;
+
+    private static final double LITTLE = 0.3;
 
     /** A step that leads on takes away this share of the cost. */
     private static final double ON_ITS_WAY = 0.25;
@@ -339,7 +341,7 @@ public final class Following {
         for (int i = 0; isOnItsWay && i < MOST_ITERATIONS && course.goesOn(); i++) {
             Fitted next = better(best, known);
             double worth = i + 1 < iterations ? ENOUGH : ON_ITS_WAY;
-            isOnItsWay = next.cost < best.cost * (1 - worth);
+            isOnItsWay = best.cost - next.cost > Math.max(LITTLE, best.cost * worth);
             best = next;
         }
         return best;

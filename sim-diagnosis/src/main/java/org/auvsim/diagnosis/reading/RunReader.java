@@ -195,7 +195,9 @@ public final class RunReader {
         List<MeasuredRun> sound = new ArrayList<>();
         List<Suspicion> turns = new ArrayList<>();
         for (int i = 0; i < runs.size(); i++) {
-            Spikes spikes = new Spikes(sources.get(i), runs.get(i));
+            Held held = new Held(sources.get(i), runs.get(i));
+            notices.addAll(held.notices());
+            Spikes spikes = new Spikes(sources.get(i), held.without());
             notices.addAll(spikes.notices());
             sound.add(spikes.without());
             Plausibility plausibility =

@@ -335,11 +335,16 @@ final class Diagnose implements Callable<Integer> {
 
     private BelievedModel model(Scenario scenario) {
         String name = body.orElseGet(() -> theOnlyOneThatMoves(scenario));
+        BelievedModel model;
         try {
-            return new BelievedModel(scenario, name);
+            model = new BelievedModel(scenario, name);
         } catch (IllegalArgumentException e) {
             throw new UserError("%s: %s".formatted(scenarioFile, e.getMessage()), e);
         }
+        if (model.tie().isPresent()) {
+            throw new UserError("%s: %s".formatted(scenarioFile, model.tie().get()));
+        }
+        return model;
     }
 
     private String theOnlyOneThatMoves(Scenario scenario) {

@@ -87,7 +87,7 @@ class AuvsimTest {
                             throw new IllegalStateException("the world is flat");
                         },
                         "act");
-        assertThat(code).isEqualTo(1);
+        assertThat(code).isEqualTo(70);
         List<Path> files;
         try (var found = Files.list(reports)) {
             files = found.toList();

@@ -236,6 +236,28 @@ class DiagnoseRefusalsTest extends DiagnosedFalls {
     }
 
     @Test
+    void aBodyThatIsTiedToAnotherOneIsNotMovedAlone() throws IOException {
+        String towed =
+                """
+                <scenario>
+                  <world-object name="Barge" mass="300"><sphere radius="0.5"/>
+                    <tether to="7" length="4" stiffness="60"/></world-object>
+                  <world-object id="7" name="Tug" mass="200"><sphere radius="0.4"/>
+                    <position x="5" y="0" z="0"/></world-object>
+                </scenario>
+                """;
+
+        assertThat(diagnose(towed, "--body", "Barge", "--fit", fall("run.csv", 0))).isEqualTo(2);
+        assertThat(auvsim.err())
+                .isEqualTo(
+                        folder.resolve("model.xml")
+                                + ": 'Barge' is tied to 'Tug', which moves, too; a diagnosis moves"
+                                + " the measured body alone: fix 'Tug' (fixed=\"1\") if it hardly"
+                                + " moves, or take the tie out and give what it does as a force of"
+                                + " 'Barge', by columns or by a document beside each run\n");
+    }
+
+    @Test
     void aFolderIsNoRun() throws IOException {
         assertThat(diagnose(BALL, "--fit", folder)).isEqualTo(2);
         assertThat(auvsim.err()).contains(folder + " is a folder; expected a file, name one in it");

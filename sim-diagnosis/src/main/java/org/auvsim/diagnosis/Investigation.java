@@ -78,9 +78,14 @@ public record Investigation(
      * What the runs say of the model.
      *
      * @throws IllegalArgumentException if nothing is held out and there is only one run, which is
-     *     too short to be split
+     *     too short to be split, or if something that moves is tied to the body
      */
     public Diagnosis diagnose() {
+        model.tie()
+                .ifPresent(
+                        why -> {
+                            throw new IllegalArgumentException(why);
+                        });
         if (heldOut.isEmpty()) {
             Split split = Split.of(fit);
             return new Investigation(

@@ -16,6 +16,9 @@ import java.nio.file.Path;
 
 /** Says in one sentence why a command failed; the trace of a fault of our own goes to a file. */
 public final class FaultReport implements IExecutionExceptionHandler {
+    /** A fault of the software, as BSD's {@code sysexits.h} has it: 1 may be what a command says. */
+    private static final int FAULT = 70;
+
     private final Path folder;
 
     /** Writes its reports to {@code folder}. */
@@ -38,7 +41,7 @@ public final class FaultReport implements IExecutionExceptionHandler {
         }
         err.printf("auvsim failed by a fault of its own; please report %s%n", report);
         err.flush();
-        return CommandLine.ExitCode.SOFTWARE;
+        return FAULT;
     }
 
     private static boolean isTheUsers(Exception e) {

@@ -51,6 +51,28 @@ public record BelievedModel(Scenario scenario, String body) {
                         Names.meant(Names.near(body, names)).map("; "::concat).orElse(""));
     }
 
+    /** Others that move and may run into the body: a diagnosis leaves them out. */
+    public List<String> leftOut() {
+        return company().movers().stream().map(WorldObjectDefinition::name).toList();
+    }
+
+    /**
+     * Why a diagnosis cannot do without another body: it moves, too, and is tied to this one. Empty
+     * if there is none.
+     */
+    public Optional<String> tie() {
+        return company()
+                .tied()
+                .map(
+                        other ->
+                                "'%s' is tied to '%s', which moves, too; a diagnosis moves the measured body alone: fix '%s' (fixed=\"1\") if it hardly moves, or take the tie out and give what it does as a force of '%s', by columns or by a document beside each run"
+                                        .formatted(body, other.name(), other.name(), body));
+    }
+
+    private Company company() {
+        return new Company(scenario, definition(scenario, body));
+    }
+
     /** Whether nothing in the scenario is in the body's way. */
     public boolean touchesNothing() {
         return Ground.under(this).objects().isEmpty();

@@ -17,7 +17,7 @@ import org.auvsim.server.feedback.RigidMotion;
 import java.util.List;
 
 /**
- * The fixed objects of a scenario that the body may touch. Variants of it are in a layer of
+ * The fixed objects of a scenario that the body may touch, or is tied to. Variants of it are in a layer of
  * collisions of their own, which they ignore: they meet those objects, but not each other.
  *
  * @param layer of the variants
@@ -31,16 +31,13 @@ record Ground(Scenario scenario, List<WorldObjectDefinition> objects, int layer)
 
     static Ground under(BelievedModel model) {
         WorldObjectDefinition body = model.variant().body();
+        List<WorldObjectDefinition> fixed = new Company(model.scenario(), body).fixed();
+        int layer = freeLayer(fixed);
         List<WorldObjectDefinition> objects =
-                model.scenario().worldObject().stream()
-                        .filter(WorldObjectDefinition::fixed)
-                        .filter(object -> meet(object, body) && meet(body, object))
+                fixed.stream()
+                        .map(o -> Company.meet(o, body) ? o : o.toBuilder().ignores(layer).build())
                         .toList();
-        return new Ground(model.scenario(), objects, freeLayer(objects));
-    }
-
-    private static boolean meet(WorldObjectDefinition a, WorldObjectDefinition b) {
-        return a.ignores().stream().noneMatch(ignored -> ignored.layer() == b.layer());
+        return new Ground(model.scenario(), objects, layer);
     }
 
     /** One that none of the objects is in or ignores; the first if there is none. */

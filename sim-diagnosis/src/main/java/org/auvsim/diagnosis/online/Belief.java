@@ -54,7 +54,7 @@ record Belief(
         others.removeAll(behaviors);
         Scenario now = Scenario.of(world);
         List<WorldObjectDefinition> kept = new ArrayList<>(now.worldObject());
-        kept.removeIf(other -> !other.fixed());
+        kept.removeIf(other -> other.name().equals(object.name()));
         kept.add(object.toBuilder().components(others).build());
         return new Belief(
                 new BelievedModel(now.with(now.field(), kept), object.name()),

@@ -124,6 +124,11 @@ final class Learner implements Companion {
     }
 
     private void run() {
+        Optional<String> tie = extension.belief().first().tie();
+        if (tie.isPresent()) {
+            LOG.warn("nothing is learned of '{}': {}", body(), tie.get());
+            return;
+        }
         try {
             while (!closed) {
                 logbook.add(heard.take());

@@ -53,6 +53,7 @@ final class Notices {
      */
     List<String> of(Search.Found found, Judged heldOut, Verdict verdict, Foretold foretold) {
         List<String> notices = new ArrayList<>(overruled());
+        leftOut().ifPresent(notices::add);
         boolean isTested = !foretold.gains().isEmpty();
         if (verdict == Verdict.EXPLAINED && isTested && !foretold.isBetter()) {
             notices.add(NO_GAIN);
@@ -108,6 +109,16 @@ final class Notices {
                 && !run.measures(Channel.VELOCITY)
                 && !run.measures(Channel.POSITION, 0)
                 && !run.measures(Channel.POSITION, 1);
+    }
+
+    /** Others that move: nobody measured how. */
+    private Optional<String> leftOut() {
+        List<String> names = model.leftOut();
+        return names.isEmpty()
+                ? Optional.empty()
+                : Optional.of(
+                        "left out, as they move and were not measured: '%s'; what they do to '%s' when they meet is no part of the model here"
+                                .formatted(String.join("', '", names), model.body()));
     }
 
     /** Behaviors of the scenario that do not act, in all runs or in some. */

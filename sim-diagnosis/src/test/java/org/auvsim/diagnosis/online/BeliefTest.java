@@ -9,6 +9,7 @@ import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.behavior.GoToPoint;
 import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.effect.IsotropicDrag;
+import org.auvsim.core.effect.Tether;
 import org.auvsim.core.entity.Current;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -192,14 +193,28 @@ class BeliefTest {
 
         BelievedModel model = Belief.of(yard, 2).under(List.of());
 
-        assertThat(model.scenario().worldObject())
-                .extracting(WorldObjectDefinition::name)
-                .containsExactly("floor", "rover");
+        assertThat(model.leftOut()).containsExactly("other");
         RigidMotion[] motion =
                 Ensemble.simulate(
                         model, run(), 0, 39, List.of(new Entrant(model.variant(), model.start())))[
                         0];
         assertThat(motion[39].position().z()).isCloseTo(0.2, within(1e-3));
+    }
+
+    @Test
+    void ofABodyThatIsTowedNothingCanBeLearned() {
+        World towing =
+                World.builder()
+                        .add(ball("tug", 0))
+                        .add(
+                                ball("barge", 1).toBuilder()
+                                        .effect(new Tether(1, Vec3.ZERO, Vec3.ZERO, 1, 5, 0))
+                                        .build())
+                        .build();
+
+        assertThat(Belief.of(towing, 1).first().tie()).isPresent();
+        assertThat(Belief.of(towing, 2).first().tie()).isPresent();
+        assertThat(belief.first().tie()).isEmpty();
     }
 
     private static WorldObjectDefinition ball(String name, double x) {

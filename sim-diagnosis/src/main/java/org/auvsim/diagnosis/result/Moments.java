@@ -17,7 +17,12 @@ public record Moments(List<MeasuredRun> runs) {
     /** All is told as it is. */
     public static final Moments PLAIN = new Moments(List.of());
 
-    private static final Set<String> NAMES = Set.of("from", "at");
+    /** When something set in. */
+    private static final String BEGUN = "from";
+
+    private static final Set<String> NAMES = Set.of(BEGUN, "at");
+
+    private static final String FROM_THE_BEGINNING = " or from the beginning on";
 
     /** What swings has a phase at the world's time 0. */
     private static final String FREQUENCY = "omega";
@@ -50,6 +55,17 @@ public record Moments(List<MeasuredRun> runs) {
 
     /** A number with its deviation and unit. */
     public String text(QuantityGroup of) {
+        return toldFrom(of) + (mayBeAtTheBeginning(of) ? FROM_THE_BEGINNING : "");
+    }
+
+    private boolean mayBeAtTheBeginning(QuantityGroup of) {
+        return of.name().equals(BEGUN)
+                && !runs.isEmpty()
+                && !of.deviations().isEmpty()
+                && of.values().getFirst() - begin() <= Phrases.LIKELY * of.deviations().getFirst();
+    }
+
+    private String toldFrom(QuantityGroup of) {
         double time = of.values().getFirst();
         if (!areFar() || !isMoment(new Quantity(of.name(), of.unit(), time))) {
             return of.text();

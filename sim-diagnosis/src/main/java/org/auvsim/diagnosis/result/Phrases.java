@@ -22,7 +22,7 @@ public final class Phrases {
     private static final List<String> ASPECTS = List.of("angle", "tilt");
 
     /** Numbers are within so many of their standard deviations, in 95 of 100 measurements. */
-    private static final double LIKELY = 2;
+    static final double LIKELY = 2;
 
     private Phrases() {}
 

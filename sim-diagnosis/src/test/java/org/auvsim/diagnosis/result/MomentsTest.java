@@ -39,6 +39,16 @@ class MomentsTest {
     }
 
     @Test
+    void whatMayHaveBeenThereFromTheBeginningIsToldSo() {
+        assertThat(of(5).text(seconds("from", 5.03)))
+                .isEqualTo("5.03 +- 0.02 s or from the beginning on");
+        assertThat(of(5).text(seconds("from", 5.05))).isEqualTo("5.05 +- 0.02 s");
+        assertThat(of(5).text(seconds("at", 5.03))).isEqualTo("5.03 +- 0.02 s");
+        assertThat(of(UNIX).text(seconds("from", UNIX)))
+                .isEqualTo("0.00 +- 0.02 s after the start of a or from the beginning on");
+    }
+
+    @Test
     void near0AndOfDurationsAllIsToldAsItIs() {
         assertThat(of(0).text(seconds("from", 430.05))).isEqualTo("430.05 +- 0.02 s");
         assertThat(of(0).text(403.21, "b")).isEqualTo("403 s of b");

@@ -54,6 +54,9 @@ final class SensorCauses {
                         .asGeneric());
         if (s.measures(Channel.POSITION)) {
             causes.addAll(ofPositions(s));
+            if (s.measures(Channel.ORIENTATION) && turns(s.model())) {
+                causes.add(leverArm(s));
+            }
         }
         int[] placed = placedAxes(s);
         if (placed.length > 0) {
@@ -97,6 +100,21 @@ final class SensorCauses {
             all[axes[i]] = along[i];
         }
         return new Vec3(all[0], all[1], all[2]);
+    }
+
+    /** Of a body that does not turn it cannot be told from where the body is. */
+    private static Cause leverArm(Setting s) {
+        return Change.of(
+                        "sensor_lever_arm",
+                        Parameter.vector("arm", "m", 0.02 * s.path().range()),
+                        (v, t) -> v.sensed(sensing -> sensing.armed(new Vec3(t[0], t[1], t[2]))))
+                .asGeneric();
+    }
+
+    private static boolean turns(BelievedModel model) {
+        double[] turn = new double[RigidMotion.SIZE];
+        Arrays.fill(turn, 3, 6, 1);
+        return Arrays.stream(model.free(turn), 3, 6).anyMatch(about -> about != 0);
     }
 
     /** A heading that cannot change tells nothing of its sensor. */

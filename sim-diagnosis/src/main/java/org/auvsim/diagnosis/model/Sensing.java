@@ -12,6 +12,7 @@ import org.auvsim.server.feedback.RigidMotion;
  * the order of the components.
  *
  * @param delay by which what is told is old (s)
+ * @param arm from the body's origin to the point whose position is told (m, body)
  * @param scale of coordinates, less 1
  * @param turn by which the sensors' axes are off the world's (rotation vector, rad)
  * @param yaw by which orientations are off about the vertical (rad)
@@ -21,39 +22,51 @@ import org.auvsim.server.feedback.RigidMotion;
  *     what it was there
  */
 public record Sensing(
-        double delay, Vec3 scale, Vec3 turn, double yaw, double yawRate, Vec3 offset, Vec3 drift) {
+        double delay,
+        Vec3 arm,
+        Vec3 scale,
+        Vec3 turn,
+        double yaw,
+        double yawRate,
+        Vec3 offset,
+        Vec3 drift) {
     /** What is told is what is. */
     public static final Sensing EXACT =
-            new Sensing(0, Vec3.ZERO, Vec3.ZERO, 0, 0, Vec3.ZERO, Vec3.ZERO);
+            new Sensing(0, Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, 0, 0, Vec3.ZERO, Vec3.ZERO);
 
     /** The same, older by a time (s). */
     public Sensing delayed(double more) {
-        return new Sensing(delay + more, scale, turn, yaw, yawRate, offset, drift);
+        return new Sensing(delay + more, arm, scale, turn, yaw, yawRate, offset, drift);
+    }
+
+    /** The same, of a point that is further from the body's origin (m, body). */
+    public Sensing armed(Vec3 more) {
+        return new Sensing(delay, arm.plus(more), scale, turn, yaw, yawRate, offset, drift);
     }
 
     /** The same, its coordinates larger by shares. */
     public Sensing scaled(Vec3 more) {
-        return new Sensing(delay, scale.plus(more), turn, yaw, yawRate, offset, drift);
+        return new Sensing(delay, arm, scale.plus(more), turn, yaw, yawRate, offset, drift);
     }
 
     /** The same, its axes turned on (rotation vector, rad). */
     public Sensing turned(Vec3 more) {
-        return new Sensing(delay, scale, turn.plus(more), yaw, yawRate, offset, drift);
+        return new Sensing(delay, arm, scale, turn.plus(more), yaw, yawRate, offset, drift);
     }
 
     /** The same, its orientations off by more (rad, rad/s) about the vertical. */
     public Sensing yawed(double more, double moreRate) {
-        return new Sensing(delay, scale, turn, yaw + more, yawRate + moreRate, offset, drift);
+        return new Sensing(delay, arm, scale, turn, yaw + more, yawRate + moreRate, offset, drift);
     }
 
     /** The same, its positions off by more (m). */
     public Sensing shifted(Vec3 more) {
-        return new Sensing(delay, scale, turn, yaw, yawRate, offset.plus(more), drift);
+        return new Sensing(delay, arm, scale, turn, yaw, yawRate, offset.plus(more), drift);
     }
 
     /** The same, its positions running away faster (m/s). */
     public Sensing drifting(Vec3 more) {
-        return new Sensing(delay, scale, turn, yaw, yawRate, offset, drift.plus(more));
+        return new Sensing(delay, arm, scale, turn, yaw, yawRate, offset, drift.plus(more));
     }
 
     /**
@@ -84,7 +97,7 @@ public record Sensing(
     private RigidMotion of(RigidMotion then, double since, MeasuredRun run) {
         Quat axes = rotation(turn);
         Quat heading = rotation(new Vec3(0, 0, yaw + yawRate * since)).times(axes);
-        Vec3 p = then.position();
+        Vec3 p = then.position().plus(then.orientation().rotate(arm));
         Vec3 v = then.velocity();
         return new RigidMotion(
                 axes.rotate(inScale(p)).plus(offset).plus(drift.times(since)),

@@ -73,6 +73,7 @@ class LibraryTest {
                         "impulse",
                         "sensor_bias",
                         "sensor_drift",
+                        "sensor_lever_arm",
                         "sensor_scale",
                         "sensor_delay",
                         "clock_offset",

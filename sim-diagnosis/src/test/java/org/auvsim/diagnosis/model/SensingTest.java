@@ -118,6 +118,27 @@ class SensingTest {
         assertNear(told, expected, 1e-12);
     }
 
+    /** An antenna goes round the body's origin as that turns; what it is told of is scaled. */
+    @Test
+    void aLeverArmTurnsWithTheBody() {
+        Sensing sensing =
+                Sensing.EXACT.armed(new Vec3(0.5, -0.2, 0.3)).scaled(new Vec3(0.1, 0, 0));
+
+        RigidMotion told = told(sensing, 20)[5];
+
+        RigidMotion moved = motion(2.5);
+        double angle = 0.3 * 2.5 + 0.1 * 2.5 * 2.5;
+        double ahead = 0.5 * Math.cos(angle) + 0.2 * Math.sin(angle);
+        double aside = 0.5 * Math.sin(angle) - 0.2 * Math.cos(angle);
+        Vec3 expected =
+                new Vec3(
+                        1.1 * (moved.position().x() + ahead),
+                        moved.position().y() + aside,
+                        moved.position().z() + 0.3);
+        assertThat(told.position()).satisfies(near(expected));
+        assertThat(told.orientation()).isEqualTo(moved.orientation());
+    }
+
     /** Sensors know nothing of where a run is cut. */
     @Test
     void inAPartDriftsGoOnAsInTheWholeRun() {

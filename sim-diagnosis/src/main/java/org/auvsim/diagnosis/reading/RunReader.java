@@ -197,7 +197,9 @@ public final class RunReader {
         for (int i = 0; i < runs.size(); i++) {
             Held held = new Held(sources.get(i), runs.get(i));
             notices.addAll(held.notices());
-            Spikes spikes = new Spikes(sources.get(i), held.without());
+            Clipped clipped = new Clipped(sources.get(i), held.without());
+            notices.addAll(clipped.notices());
+            Spikes spikes = new Spikes(sources.get(i), clipped.without());
             notices.addAll(spikes.notices());
             sound.add(spikes.without());
             Plausibility plausibility =

@@ -207,7 +207,7 @@ public final class Examination {
                 extended(
                         isExplained ? best.fit().variant() : model.variant(),
                         conclusion.selected()),
-                new Notices(model, fit, heldOut).of(found, after, verdict, foretold),
+                new Notices(model, fit, heldOut, course).of(found, after, verdict, foretold),
                 seed,
                 course.goesOn());
     }

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.verdict;
 
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.fit.Course;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.residual.HeavyTails;
@@ -37,10 +38,13 @@ final class Notices {
     private final BelievedModel model;
     private final List<MeasuredRun> fit;
     private final List<MeasuredRun> all;
+    private final Course course;
 
     /** Of a model, the runs it was searched with, and those that judge. */
-    Notices(BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
+    Notices(
+            BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut, Course course) {
         this.model = model;
+        this.course = course;
         this.fit = fit;
         this.all = new ArrayList<>(fit);
         all.addAll(heldOut);
@@ -78,6 +82,11 @@ final class Notices {
         assumedSpeed().ifPresent(notices::add);
         if (verdict != Verdict.EXPLAINED) {
             all.forEach(run -> StatedStarts.notice(run, found.noise()).ifPresent(notices::add));
+        }
+        if (verdict == Verdict.UNEXPLAINED) {
+            new SureStarts(found.stepping(), all, found.noise(), course)
+                    .notice()
+                    .ifPresent(notices::add);
         }
         found.noise().notice().ifPresent(notices::add);
         notices.addAll(new NoisierRuns(found.best(), heldOut).notices());

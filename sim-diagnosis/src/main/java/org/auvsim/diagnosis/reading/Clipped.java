@@ -1,0 +1,159 @@
+package org.auvsim.diagnosis.reading;
+
+import org.apache.commons.math3.stat.StatUtils;
+import org.auvsim.core.entity.Frame;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.Reading;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.IntStream;
+
+/**
+ * Numbers at the end of a sensor's range: while the body is beyond it they stay at the largest or
+ * the smallest that there is, to the last digit, though all others have noise. That it is beyond is
+ * all that they tell.
+ */
+final class Clipped {
+    /** Fewer numbers tell nothing. */
+    private static final int FEWEST = 20;
+
+    /** By chance noise repeats no number, and no extreme one so many times in a row. */
+    private static final int IN_A_ROW = 4;
+
+    /** What differs from row to row by noise does so in this share of rows, but for those. */
+    private static final double MOST = 0.98;
+
+    /** Third differences are noise if they are as large as this share of the first ones. */
+    private static final double NOISY = 0.2;
+
+    /** A body comes to the end by so many usual changes at most. */
+    private static final double NEAR = 10;
+
+    private static final int AXES = 3;
+
+    private final Source source;
+    private final MeasuredRun run;
+    private final Set<Reading> beyond = new HashSet<>();
+    private final List<String> notices = new ArrayList<>();
+
+    Clipped(Source source, MeasuredRun run) {
+        this.source = source;
+        this.run = run;
+        for (Channel channel :
+                List.of(Channel.POSITION, Channel.VELOCITY, Channel.ANGULAR_VELOCITY)) {
+            for (int axis = 0; axis < AXES; axis++) {
+                find(channel, axis);
+            }
+        }
+    }
+
+    /** The run without them; itself, if there are none. */
+    MeasuredRun without() {
+        return beyond.isEmpty() ? run : run.without(beyond);
+    }
+
+    /** What is told of them. */
+    List<String> notices() {
+        return notices;
+    }
+
+    private void find(Channel channel, int axis) {
+        int[] samples =
+                IntStream.range(0, run.size())
+                        .filter(k -> !Double.isNaN(run.value(channel, k, axis)))
+                        .toArray();
+        double[] values =
+                Arrays.stream(samples).mapToDouble(k -> run.value(channel, k, axis)).toArray();
+        if (values.length < FEWEST) {
+            return;
+        }
+        double[] ends = {StatUtils.max(values), StatUtils.min(values)};
+        boolean[] stays = atEnds(values, ends);
+        double usual = usualChange(values, stays);
+        if (Double.isNaN(usual) || !isReached(values, stays, NEAR * usual)) {
+            return;
+        }
+        for (double end : ends) {
+            int[] at =
+                    IntStream.range(0, values.length)
+                            .filter(i -> stays[i] && values[i] == end)
+                            .toArray();
+            if (at.length > 0) {
+                Arrays.stream(at)
+                        .forEach(i -> beyond.add(new Reading(channel, samples[i], axis)));
+                tell(channel, axis, end, at.length);
+            }
+        }
+    }
+
+    /** Which of them are at an end where several in a row are. */
+    private static boolean[] atEnds(double[] values, double[] ends) {
+        boolean[] at = new boolean[values.length];
+        for (double end : ends) {
+            if (longest(values, end) >= IN_A_ROW) {
+                for (int i = 0; i < values.length; i++) {
+                    at[i] |= values[i] == end;
+                }
+            }
+        }
+        return at;
+    }
+
+    /** How many in a row at most are some number. */
+    private static int longest(double[] values, double number) {
+        int longest = 0;
+        int now = 0;
+        for (double value : values) {
+            now = value == number ? now + 1 : 0;
+            longest = Math.max(longest, now);
+        }
+        return longest;
+    }
+
+    /** By how much all others differ from row to row; NaN if they do not, or not by noise. */
+    private static double usualChange(double[] values, boolean[] stays) {
+        List<Double> first = new ArrayList<>();
+        List<Double> third = new ArrayList<>();
+        for (int i = 3; i < values.length; i++) {
+            if (!stays[i] && !stays[i - 1] && !stays[i - 2] && !stays[i - 3]) {
+                first.add(Math.abs(values[i] - values[i - 1]));
+                third.add(
+                        Math.abs(
+                                values[i] - 3 * values[i - 1] + 3 * values[i - 2] - values[i - 3]));
+            }
+        }
+        long changes = first.stream().filter(change -> change > 0).count();
+        boolean areNoise =
+                first.size() >= FEWEST
+                        && changes >= MOST * first.size()
+                        && median(third) > NOISY * median(first);
+        return areNoise ? median(first) : Double.NaN;
+    }
+
+    /** Whether what is beside those that stay is near them: the body went there, and came back. */
+    private static boolean isReached(double[] values, boolean[] stays, double near) {
+        return IntStream.range(1, values.length)
+                .filter(i -> stays[i] != stays[i - 1])
+                .allMatch(i -> Math.abs(values[i] - values[i - 1]) <= near);
+    }
+
+    private static double median(List<Double> of) {
+        return StatUtils.percentile(of.stream().mapToDouble(Double::doubleValue).toArray(), 50);
+    }
+
+    private void tell(Channel channel, int axis, double end, int count) {
+        boolean isOfBody = channel != Channel.POSITION && run.frame(channel) == Frame.BODY;
+        String column =
+                isOfBody ? source.bodyColumn(channel, axis) : source.column(channel, axis);
+        notices.add(
+                source.says(
+                        List.of(column),
+                        "%d readings are %s exactly, several in a row, where its sensor seems to end; treated as not measured; if that is right, leave such cells empty"
+                                .formatted(count, Figures.shown(end))));
+    }
+}

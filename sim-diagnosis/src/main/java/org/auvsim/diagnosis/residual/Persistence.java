@@ -16,7 +16,8 @@ import java.util.stream.Collectors;
  * Errors of measurements that last from one row to the next few, as those of a filtered sensor do,
  * found by the rows alone: third differences of numbers that are h rows apart hold all of an error
  * that is new in each row, whatever h is; of one that lasts the more, the larger h is, until it is
- * forgotten; and of motion by far more still, its variance by h to the sixth.
+ * forgotten; and of motion by far more still, its variance by h to the sixth. What a sensor leaves
+ * out that counts in steps lasts from one step to the next.
  *
  * @param errors by channel and axis, of those that nothing is stated of
  */
@@ -33,6 +34,12 @@ record Persistence(List<Lasting> errors) {
 
     /** Five standard deviations of a ratio of two variances are this over the root of how many. */
     private static final double CHANCE = 20;
+
+    /** The square of a step over the variance of what it leaves out. */
+    private static final double STEPS = 12;
+
+    /** What a sensor that counts leaves out lasts if a number stays for so many rows on average. */
+    private static final double MANY_ROWS = 2;
 
     /** Of errors no more is in differences of four rows apart than this many times those of two. */
     private static final double MOST_OF_ERRORS = 2;
@@ -55,11 +62,15 @@ record Persistence(List<Lasting> errors) {
      *
      * @param axis 0 to 2
      * @param anew standard deviation of what is new in each row
+     * @param step in which the sensor counts, if it is of that; else 0
      */
-    record Lasting(Channel channel, int axis, LastingError error, double anew) {
+    record Lasting(Channel channel, int axis, LastingError error, double anew, double step) {
         private String words() {
-            return "those of the %s about %s s"
-                    .formatted(channel.words(), Numbers.rounded(error.time()));
+            return step > 0
+                    ? "those of the %s, which is told in steps of %s %s, from step to step"
+                            .formatted(channel.words(), Numbers.rounded(step), channel.unit())
+                    : "those of the %s about %s s"
+                            .formatted(channel.words(), Numbers.rounded(error.time()));
         }
     }
 
@@ -97,16 +108,18 @@ record Persistence(List<Lasting> errors) {
     /** Axes of a channel that are measured as often forget alike. */
     private static List<Lasting> of(List<MeasuredRun> runs, Channel channel) {
         List<OfAxis> axes = new ArrayList<>();
+        List<Lasting> errors = new ArrayList<>();
         for (int axis = 0; axis < 3; axis++) {
             List<Series> telling = telling(runs, channel, axis);
             if (!telling.isEmpty()) {
                 OfAxis of = new OfAxis(axis, telling);
                 if (of.isNoise()) {
                     axes.add(of);
+                } else if (of.lasts()) {
+                    errors.add(of.ofSteps(channel));
                 }
             }
         }
-        List<Lasting> errors = new ArrayList<>();
         while (!axes.isEmpty()) {
             OfAxis first = axes.getFirst();
             List<OfAxis> alike = axes.stream().filter(first::isAsOften).toList();
@@ -123,6 +136,7 @@ record Persistence(List<Lasting> errors) {
         private final List<ResizableDoubleArray> differences;
         private final double deviation;
         private final double rounding;
+        private final double rowsPerStep;
 
         OfAxis(int axis, List<Series> all) {
             this.axis = axis;
@@ -130,6 +144,24 @@ record Persistence(List<Lasting> errors) {
             differences = differences(all);
             deviation = Math.sqrt(variance(differences.getFirst()));
             rounding = all.stream().mapToDouble(Series::rounding).max().orElse(0);
+            double rows = all.stream().mapToInt(Series::size).sum();
+            rowsPerStep = rows / Math.max(1, all.stream().mapToInt(Series::steps).sum());
+        }
+
+        /** Whether what a sensor that counts in steps leaves out is all, and stays for rows. */
+        boolean lasts() {
+            return rounding > deviation && rowsPerStep > MANY_ROWS;
+        }
+
+        /** What it leaves out goes all the way from one side to the other from step to step. */
+        Lasting ofSteps(Channel channel) {
+            double time = rowsPerStep * interval() / 2;
+            return new Lasting(
+                    channel,
+                    axis,
+                    new LastingError(Math.sqrt(1 - LEAST_ANEW) * rounding, time),
+                    Math.sqrt(LEAST_ANEW) * rounding,
+                    Math.sqrt(STEPS) * rounding);
         }
 
         /** Whether it has noise, and more than a sensor that counts in steps leaves out. */
@@ -173,7 +205,8 @@ record Persistence(List<Lasting> errors) {
                                         channel,
                                         of.axis,
                                         new LastingError(Math.sqrt(lasting) * of.deviation, time),
-                                        Math.sqrt(anew) * of.deviation))
+                                        Math.sqrt(anew) * of.deviation,
+                                        0))
                 .toList();
     }
 

@@ -186,6 +186,11 @@ final class Series {
         return Resolution.deviation(IntStream.range(1, size()).mapToDouble(this::change).toArray());
     }
 
+    /** How often a number differs from the one before. */
+    int steps() {
+        return (int) IntStream.range(1, size()).filter(i -> change(i) != 0).count();
+    }
+
     /** When a number was measured (s). */
     double time(int i) {
         return run.time(samples[i]);

@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.verdict;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.residual.MedianAbsoluteDeviation;
 import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.result.Axis;
 import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -24,6 +25,9 @@ final class NoisierRuns {
     /** So many times the noise of the others is worth a word. */
     private static final double MUCH = 2;
 
+    /** What has less than this share of the noise that is taken for all has not too much of it. */
+    private static final double MOST = 0.8;
+
     /** Such a share of the standard deviation may be chance: four standard errors. */
     private static final double CERTAIN = 4;
 
@@ -40,8 +44,11 @@ final class NoisierRuns {
     /** By row: of each run that states no deviations the sizes of differences, in its unit. */
     private final Map<Misses.Row, Map<MeasuredRun, double[]>> differences = new LinkedHashMap<>();
 
-    /** Of fitted runs, held-out ones beside them. */
-    NoisierRuns(Judged... fits) {
+    private final Noise noise;
+
+    /** Of fitted runs, held-out ones beside them, for all of which one noise was taken. */
+    NoisierRuns(Noise noise, Judged... fits) {
+        this.noise = noise;
         for (Judged of : fits) {
             List<RigidMotion[]> motions = of.fit().motions();
             for (int r = 0; r < motions.size(); r++) {
@@ -101,7 +108,7 @@ final class NoisierRuns {
                                                     .flatMapToDouble(
                                                             e -> Arrays.stream(e.getValue()))
                                                     .toArray();
-                                    if (isNoisier(own, others)) {
+                                    if (isNoisier(own, others) && counts(row, own)) {
                                         notices.add(notice(run, row, own, others));
                                     }
                                 }));
@@ -114,6 +121,11 @@ final class NoisierRuns {
         return ratio >= MUCH
                 && ratio < Double.POSITIVE_INFINITY
                 && StrictMath.log(ratio) > CERTAIN * chance;
+    }
+
+    /** What counts in coarse steps has hardly any differences: its noise is that of the steps. */
+    private boolean counts(Misses.Row row, double[] own) {
+        return deviation(own) > MOST * noise.of(row.channel(), row.axis());
     }
 
     private static double deviation(double[] sizes) {

@@ -89,7 +89,7 @@ final class Notices {
                     .ifPresent(notices::add);
         }
         found.noise().notice().ifPresent(notices::add);
-        notices.addAll(new NoisierRuns(found.best(), heldOut).notices());
+        notices.addAll(new NoisierRuns(found.noise(), found.best(), heldOut).notices());
         for (Misses of : Misses.of(all, found.noise())) {
             HeavyTails.notice(of.run(), of.rows(), found.noise()).ifPresent(notices::add);
         }

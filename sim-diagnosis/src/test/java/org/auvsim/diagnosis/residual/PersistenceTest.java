@@ -52,6 +52,26 @@ class PersistenceTest {
         return run.build();
     }
 
+    private static IntToDoubleFunction counted(double step, double perRow) {
+        return k -> step * Math.rint(3 * Math.sin(perRow * k) / step);
+    }
+
+    @Test
+    void whatIsCountedInStepsIsOffFromOneToTheNext() {
+        Persistence found =
+                Persistence.of(List.of(run(k -> 0, counted(0.5, 0.02), counted(0.5, 0.6))));
+
+        Persistence.Lasting lasting = found.of(Channel.POSITION, 0).orElseThrow();
+        assertThat(Math.hypot(lasting.error().deviation(), lasting.anew()))
+                .isCloseTo(0.5 / Math.sqrt(12), within(1e-9));
+        double rowsPerStep = 0.5 / (3 * 0.02 * 2 / Math.PI);
+        assertThat(lasting.error().time())
+                .isCloseTo(rowsPerStep * INTERVAL / 2, within(0.1 * rowsPerStep * INTERVAL));
+        assertThat(found.of(Channel.POSITION, 1)).isEmpty();
+        assertThat(found.notice().orElseThrow())
+                .contains(": those of the position, which is told in steps of 0.50 m, from step");
+    }
+
     @ParameterizedTest
     @ValueSource(doubles = {0.4, 0.5, 0.6, 0.7, 0.8})
     void errorsThatLastAreFound(double kept) {

@@ -16,7 +16,9 @@ import java.nio.file.Path;
 
 /** Says in one sentence why a command failed; the trace of a fault of our own goes to a file. */
 public final class FaultReport implements IExecutionExceptionHandler {
-    /** A fault of the software, as BSD's {@code sysexits.h} has it: 1 may be what a command says. */
+    /**
+     * A fault of the software, as BSD's {@code sysexits.h} has it: 1 may be what a command says.
+     */
     private static final int FAULT = 70;
 
     private final Path folder;

@@ -77,8 +77,7 @@ final class PlaceCauses {
 
     private static Parameter source(Path path, String name, double middle) {
         double range = path.range();
-        return new Parameter(
-                name, "m", 0.05 * range, middle - FAR * range, middle + FAR * range);
+        return new Parameter(name, "m", 0.05 * range, middle - FAR * range, middle + FAR * range);
     }
 
     private static Vec3 place(double[] theta) {

@@ -20,16 +20,14 @@ record Company(Scenario scenario, WorldObjectDefinition body) {
 
     /** Fixed ones that the body may touch, or is tied to. */
     List<WorldObjectDefinition> fixed() {
-        return others()
-                .filter(WorldObjectDefinition::fixed)
+        return others().filter(WorldObjectDefinition::fixed)
                 .filter(other -> meet(other, body) || isTied(body, other))
                 .toList();
     }
 
     /** One that moves, too, and is tied to the body, without which that would move otherwise. */
     Optional<WorldObjectDefinition> tied() {
-        return others()
-                .filter(other -> !other.fixed())
+        return others().filter(other -> !other.fixed())
                 .filter(other -> isTied(body, other) || isTied(other, body))
                 .findFirst();
     }
@@ -40,8 +38,11 @@ record Company(Scenario scenario, WorldObjectDefinition body) {
 
     private static boolean isTied(WorldObjectDefinition one, WorldObjectDefinition to) {
         return one.effect().stream()
-                .flatMap(effect -> effect instanceof CoupledEffect tie ? Stream.of(tie) : Stream.of())
-                .anyMatch(tie -> to.id().isPresent() && tie.partners().contains(to.id().getAsLong()));
+                .flatMap(
+                        effect ->
+                                effect instanceof CoupledEffect tie ? Stream.of(tie) : Stream.of())
+                .anyMatch(
+                        tie -> to.id().isPresent() && tie.partners().contains(to.id().getAsLong()));
     }
 
     /** Whether neither ignores the other. */

@@ -17,8 +17,8 @@ import org.auvsim.server.feedback.RigidMotion;
 import java.util.List;
 
 /**
- * The fixed objects of a scenario that the body may touch, or is tied to. Variants of it are in a layer of
- * collisions of their own, which they ignore: they meet those objects, but not each other.
+ * The fixed objects of a scenario that the body may touch, or is tied to. Variants of it are in a
+ * layer of collisions of their own, which they ignore: they meet those objects, but not each other.
  *
  * @param layer of the variants
  */

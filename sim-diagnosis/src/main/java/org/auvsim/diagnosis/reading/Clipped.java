@@ -84,8 +84,7 @@ final class Clipped {
                             .filter(i -> stays[i] && values[i] == end)
                             .toArray();
             if (at.length > 0) {
-                Arrays.stream(at)
-                        .forEach(i -> beyond.add(new Reading(channel, samples[i], axis)));
+                Arrays.stream(at).forEach(i -> beyond.add(new Reading(channel, samples[i], axis)));
                 tell(channel, axis, end, at.length);
             }
         }
@@ -148,8 +147,7 @@ final class Clipped {
 
     private void tell(Channel channel, int axis, double end, int count) {
         boolean isOfBody = channel != Channel.POSITION && run.frame(channel) == Frame.BODY;
-        String column =
-                isOfBody ? source.bodyColumn(channel, axis) : source.column(channel, axis);
+        String column = isOfBody ? source.bodyColumn(channel, axis) : source.column(channel, axis);
         notices.add(
                 source.says(
                         List.of(column),

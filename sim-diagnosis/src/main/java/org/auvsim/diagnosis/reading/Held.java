@@ -78,7 +78,8 @@ final class Held {
                 IntStream.range(0, run.size())
                         .filter(k -> !Double.isNaN(run.value(channel, k, axis)))
                         .toArray();
-        double[] values = Arrays.stream(samples).mapToDouble(k -> value(channel, k, axis)).toArray();
+        double[] values =
+                Arrays.stream(samples).mapToDouble(k -> value(channel, k, axis)).toArray();
         int[] firsts =
                 IntStream.range(0, values.length)
                         .filter(i -> i == 0 || Math.abs(values[i] - values[i - 1]) > ROUNDING)
@@ -133,8 +134,7 @@ final class Held {
     }
 
     private String column(Channel channel, int axis) {
-        boolean isOfBody =
-                channel == Channel.ORIENTATION || run.frame(channel) == Frame.BODY;
+        boolean isOfBody = channel == Channel.ORIENTATION || run.frame(channel) == Frame.BODY;
         return channel != Channel.POSITION && isOfBody
                 ? source.bodyColumn(channel, axis)
                 : source.column(channel, axis);

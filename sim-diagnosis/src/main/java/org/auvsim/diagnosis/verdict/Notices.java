@@ -41,8 +41,7 @@ final class Notices {
     private final Course course;
 
     /** Of a model, the runs it was searched with, and those that judge. */
-    Notices(
-            BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut, Course course) {
+    Notices(BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut, Course course) {
         this.model = model;
         this.course = course;
         this.fit = fit;

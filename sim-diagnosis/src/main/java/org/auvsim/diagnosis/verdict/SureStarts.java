@@ -69,7 +69,9 @@ final class SureStarts {
     }
 
     private static boolean isStated(MeasuredRun run) {
-        return run.start().filter(at -> at.deviations().stream().anyMatch(Double::isFinite)).isPresent();
+        return run.start()
+                .filter(at -> at.deviations().stream().anyMatch(Double::isFinite))
+                .isPresent();
     }
 
     private Judged begunFreely() {

@@ -50,11 +50,14 @@ class CompanyTest {
         assertThat(boat(TETHER, "fixed=\"1\"").tie()).isEmpty();
         assertThat(boat(TETHER, "mass=\"1\"").tie())
                 .hasValueSatisfying(
-                        why -> assertThat(why).startsWith("'boat' is tied to 'other', which moves"));
+                        why ->
+                                assertThat(why)
+                                        .startsWith("'boat' is tied to 'other', which moves"));
         BelievedModel towed = boat("", "mass=\"1\"" + TETHER.replace('7', '3'));
         assertThat(towed.tie()).isPresent();
         Investigation investigation =
-                new Investigation(towed, List.of(run()), List.of(run()), List.of(), 1, Progress.SILENT);
+                new Investigation(
+                        towed, List.of(run()), List.of(run()), List.of(), 1, Progress.SILENT);
         assertThatIllegalArgumentException()
                 .isThrownBy(investigation::diagnose)
                 .withMessageStartingWith("'boat' is tied to 'other'");
@@ -71,10 +74,8 @@ class CompanyTest {
     /** By a line of 9 N/m that is 1 m too long, to a post that it would not run into. */
     @Test
     void whatItIsTiedToIsThereThoughItIgnoresIt() throws Exception {
-        BelievedModel moored =
-                boat(TETHER + "<ignores layer=\"4\"/>", "fixed=\"1\" layer=\"4\"");
-        RigidMotion still =
-                new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
+        BelievedModel moored = boat(TETHER + "<ignores layer=\"4\"/>", "fixed=\"1\" layer=\"4\"");
+        RigidMotion still = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
 
         RigidMotion[] motion =
                 Ensemble.simulate(

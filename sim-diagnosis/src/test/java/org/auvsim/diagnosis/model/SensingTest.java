@@ -121,8 +121,7 @@ class SensingTest {
     /** An antenna goes round the body's origin as that turns; what it is told of is scaled. */
     @Test
     void aLeverArmTurnsWithTheBody() {
-        Sensing sensing =
-                Sensing.EXACT.armed(new Vec3(0.5, -0.2, 0.3)).scaled(new Vec3(0.1, 0, 0));
+        Sensing sensing = Sensing.EXACT.armed(new Vec3(0.5, -0.2, 0.3)).scaled(new Vec3(0.1, 0, 0));
 
         RigidMotion told = told(sensing, 20)[5];
 

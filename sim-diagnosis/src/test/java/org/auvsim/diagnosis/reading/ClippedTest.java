@@ -62,8 +62,7 @@ class ClippedTest {
                 .satisfiesExactly(
                         high ->
                                 assertThat(high)
-                                        .startsWith(
-                                                folder.resolve("run.csv") + ":2: column 'x': ")
+                                        .startsWith(folder.resolve("run.csv") + ":2: column 'x': ")
                                         .contains(" readings are 4 exactly, "),
                         low -> assertThat(low).contains(" readings are -4 exactly, "));
         assertThat(file.doubt()).isEqualTo(Doubt.NONE);

@@ -50,7 +50,9 @@ class HeldTest {
     @Test
     void aFixOfEveryFifthRowIsOne() throws Exception {
         RunFile file =
-                read("x,y,z", i -> text(noisy(i / 5 * 5)) + "," + text(i / 5) + "," + text(noisy(i)));
+                read(
+                        "x,y,z",
+                        i -> text(noisy(i / 5 * 5)) + "," + text(i / 5) + "," + text(noisy(i)));
 
         assertThat(measured(file, Channel.POSITION, 0))
                 .containsExactlyElementsOf(IntStream.range(0, 40).map(i -> 5 * i).boxed().toList());

@@ -44,8 +44,7 @@ class CoarseStepsTest {
         List<MeasuredRun> heldOut = List.of(run("run 3", new Vec3(0.47, 0.58, -0.71)));
 
         Diagnosis diagnosis =
-                new Investigation(
-                                model, fit, heldOut, Library.of(model, fit), 1, Progress.SILENT)
+                new Investigation(model, fit, heldOut, Library.of(model, fit), 1, Progress.SILENT)
                         .diagnose();
 
         assertThat(diagnosis.verdict()).as(diagnosis.sentence()).isEqualTo(Verdict.NONE);

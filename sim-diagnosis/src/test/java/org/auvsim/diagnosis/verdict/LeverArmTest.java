@@ -32,8 +32,7 @@ class LeverArmTest {
                 MeasuredRun.named(of.name()).commands(List.of("port", "starboard", "vertical"));
         for (int k = 0; k < of.size(); k++) {
             Quat heading = of.orientation(k).orElseThrow();
-            Vec3 antenna =
-                    of.vector(Channel.POSITION, k).orElseThrow().plus(heading.rotate(ARM));
+            Vec3 antenna = of.vector(Channel.POSITION, k).orElseThrow().plus(heading.rotate(ARM));
             told.at(of.time(k))
                     .position(antenna.x(), antenna.y(), antenna.z())
                     .orientation(heading, false, false, true);

@@ -1,7 +1,6 @@
 package org.auvsim.diagnosis.reading;
 
 import org.apache.commons.math3.stat.StatUtils;
-import org.auvsim.core.entity.Frame;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.Reading;
@@ -63,10 +62,7 @@ final class Clipped {
     }
 
     private void find(Channel channel, int axis) {
-        int[] samples =
-                IntStream.range(0, run.size())
-                        .filter(k -> !Double.isNaN(run.value(channel, k, axis)))
-                        .toArray();
+        int[] samples = run.samples(channel, axis);
         double[] values =
                 Arrays.stream(samples).mapToDouble(k -> run.value(channel, k, axis)).toArray();
         if (values.length < FEWEST) {
@@ -146,11 +142,9 @@ final class Clipped {
     }
 
     private void tell(Channel channel, int axis, double end, int count) {
-        boolean isOfBody = channel != Channel.POSITION && run.frame(channel) == Frame.BODY;
-        String column = isOfBody ? source.bodyColumn(channel, axis) : source.column(channel, axis);
         notices.add(
                 source.says(
-                        List.of(column),
+                        List.of(source.column(run, channel, axis)),
                         "%d readings are %s exactly, several in a row, where its sensor seems to end; treated as not measured; if that is right, leave such cells empty"
                                 .formatted(count, Figures.shown(end))));
     }

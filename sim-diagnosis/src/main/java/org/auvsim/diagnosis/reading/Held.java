@@ -1,7 +1,6 @@
 package org.auvsim.diagnosis.reading;
 
 import org.apache.commons.math3.stat.StatUtils;
-import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.EulerAngles;
@@ -74,10 +73,7 @@ final class Held {
     }
 
     private void find(Channel channel, int axis) {
-        int[] samples =
-                IntStream.range(0, run.size())
-                        .filter(k -> !Double.isNaN(run.value(channel, k, axis)))
-                        .toArray();
+        int[] samples = run.samples(channel, axis);
         double[] values =
                 Arrays.stream(samples).mapToDouble(k -> value(channel, k, axis)).toArray();
         int[] firsts =
@@ -93,7 +89,8 @@ final class Held {
                     again.add(new Reading(channel, samples[i], axis));
                 }
             }
-            columns.computeIfAbsent(rows, _ -> new ArrayList<>()).add(column(channel, axis));
+            columns.computeIfAbsent(rows, _ -> new ArrayList<>())
+                    .add(source.column(run, channel, axis));
         }
     }
 
@@ -131,12 +128,5 @@ final class Held {
                         .mapToDouble(i -> Math.abs(values[firsts[i]] - values[firsts[i - 1]]))
                         .toArray();
         return StatUtils.percentile(changes, 50) > STEPS * StatUtils.min(changes);
-    }
-
-    private String column(Channel channel, int axis) {
-        boolean isOfBody = channel == Channel.ORIENTATION || run.frame(channel) == Frame.BODY;
-        return channel != Channel.POSITION && isOfBody
-                ? source.bodyColumn(channel, axis)
-                : source.column(channel, axis);
     }
 }

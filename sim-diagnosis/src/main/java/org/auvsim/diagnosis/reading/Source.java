@@ -1,6 +1,8 @@
 package org.auvsim.diagnosis.reading;
 
+import org.auvsim.core.entity.Frame;
 import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.nio.file.Path;
 import java.util.List;
@@ -123,6 +125,14 @@ public final class Source {
     /** That of a channel along an axis of the body. */
     String bodyColumn(Channel channel, int axis) {
         return columns.getOrDefault(Slots.measuredBy(channel) + axis, "");
+    }
+
+    /** That of a number of a run, in the axes in which the run has it. */
+    String column(MeasuredRun run, Channel channel, int axis) {
+        boolean isAlongBody =
+                channel == Channel.ORIENTATION
+                        || (channel != Channel.POSITION && run.frame(channel) == Frame.BODY);
+        return isAlongBody ? bodyColumn(channel, axis) : column(channel, axis);
     }
 
     /** Those of a channel. */

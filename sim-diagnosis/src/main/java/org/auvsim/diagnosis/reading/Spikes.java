@@ -1,6 +1,5 @@
 package org.auvsim.diagnosis.reading;
 
-import org.auvsim.core.entity.Frame;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.Reading;
@@ -11,7 +10,6 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.stream.IntStream;
 
 /**
  * Numbers that are no possible motion: for a row or a few they are far from the one before, and the
@@ -62,10 +60,7 @@ final class Spikes {
     }
 
     private void find(Channel channel, int axis) {
-        int[] samples =
-                IntStream.range(0, run.size())
-                        .filter(k -> !Double.isNaN(run.value(channel, k, axis)))
-                        .toArray();
+        int[] samples = run.samples(channel, axis);
         if (samples.length < FEWEST) {
             return;
         }
@@ -147,12 +142,6 @@ final class Spikes {
         return value < low - by || value > high + by;
     }
 
-    private String column(Channel channel, int axis) {
-        return channel != Channel.POSITION && run.frame(channel) == Frame.BODY
-                ? source.bodyColumn(channel, axis)
-                : source.column(channel, axis);
-    }
-
     private void tell(Channel channel, int axis, List<Integer> found, List<Double> others) {
         int first = found.getFirst();
         String value = Figures.shown(run.value(channel, first, axis));
@@ -165,7 +154,7 @@ final class Spikes {
         notices.add(
                 source.says(
                         row(first),
-                        List.of(column(channel, axis)),
+                        List.of(source.column(run, channel, axis)),
                         "%s, which is no possible motion: all others lie between %s and %s; treated as not measured; if that is right, leave such cells empty"
                                 .formatted(
                                         what,

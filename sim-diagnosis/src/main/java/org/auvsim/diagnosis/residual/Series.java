@@ -35,11 +35,7 @@ final class Series {
 
     /** Those along or about an axis (0 to 2). */
     static Series of(MeasuredRun run, Channel channel, int axis) {
-        int[] samples =
-                IntStream.range(0, run.size())
-                        .filter(k -> !Double.isNaN(run.value(channel, k, axis)))
-                        .toArray();
-        return new Series(run, channel, axis, samples);
+        return new Series(run, channel, axis, run.samples(channel, axis));
     }
 
     /** How many there are. */

@@ -143,6 +143,13 @@ public final class MeasuredRun {
         return values == null ? Double.NaN : values[AXES * sample + axis];
     }
 
+    /** The samples at which a channel was measured along or about an axis (0 to 2), in order. */
+    public int[] samples(Channel channel, int axis) {
+        return IntStream.range(0, size())
+                .filter(k -> !Double.isNaN(value(channel, k, axis)))
+                .toArray();
+    }
+
     /** Largest less smallest number along an axis (0 to 2); 0 if there is none. */
     public double range(Channel channel, int axis) {
         double least = Double.POSITIVE_INFINITY;

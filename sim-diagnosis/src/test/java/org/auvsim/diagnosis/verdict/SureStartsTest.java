@@ -1,0 +1,76 @@
+package org.auvsim.diagnosis.verdict;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.Investigation;
+import org.auvsim.diagnosis.cause.Library;
+import org.auvsim.diagnosis.fit.Progress;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.run.KnownStart;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.subject.Surveyor;
+import org.auvsim.server.feedback.RigidMotion;
+import org.junit.jupiter.api.Test;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+
+/** The model is right, but runs are said to begin somewhere else. */
+class SureStartsTest {
+    private static final double STATED_TO = 0.002;
+
+    private static MeasuredRun run(int seed, double quadratic, double east, BelievedModel model) {
+        MeasuredRun run =
+                new Surveyor(quadratic, Vec3.ZERO, 1, 0).run("run " + seed, new Random(seed));
+        List<Double> deviations =
+                new ArrayList<>(Collections.nCopies(RigidMotion.SIZE, Double.POSITIVE_INFINITY));
+        deviations.set(0, STATED_TO);
+        RigidMotion start = model.start();
+        return run.startingAt(
+                new KnownStart(
+                        new RigidMotion(
+                                new Vec3(east, 0, -5),
+                                start.orientation(),
+                                start.velocity(),
+                                start.angularVelocity()),
+                        deviations));
+    }
+
+    private static List<String> told(double quadratic, double... east) throws Exception {
+        BelievedModel model = Surveyor.believed();
+        List<MeasuredRun> fit =
+                List.of(run(1, quadratic, east[0], model), run(2, quadratic, east[1], model));
+        Diagnosis diagnosis =
+                new Investigation(
+                                model,
+                                fit,
+                                List.of(run(3, quadratic, east[2], model)),
+                                Library.named(
+                                        List.of("linear_drag", "sensor_delay"),
+                                        Library.of(model, fit)),
+                                1,
+                                Progress.SILENT)
+                        .diagnose();
+        return diagnosis.notices().stream().filter(n -> n.contains("as stated")).toList();
+    }
+
+    @Test
+    void areToldWhereNothingElseExplainsTheRuns() throws Exception {
+        assertThat(told(0, 0.04, -0.03, 0.05))
+                .singleElement()
+                .asString()
+                .startsWith(
+                        "the model as it is explains all runs, if their starts need not be as"
+                                + " stated: the position x of run 1 is off by 0.0")
+                .contains(", the position x of run 2 is off by ", " m, and was stated to 0.0020 m");
+    }
+
+    @Test
+    void areNotBlamedForWhatAModelLacks() throws Exception {
+        assertThat(told(12, 0, 0, 0)).isEmpty();
+    }
+}

@@ -61,6 +61,12 @@ public record Fit(
         return with(Hypothesis.NONE, windows);
     }
 
+    /** The same of one of its runs alone. */
+    public Fit ofRun(int run) {
+        return new Fit(
+                stepping, List.of(data.get(run)), hypothesis, List.of(windows.get(run)), knowledge);
+    }
+
     /** The same in steps of other lengths. */
     public Fit in(Stepping other) {
         return new Fit(other, data, hypothesis, windows, knowledge);

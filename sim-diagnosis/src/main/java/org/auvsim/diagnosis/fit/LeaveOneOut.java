@@ -42,7 +42,7 @@ public final class LeaveOneOut {
     public List<Judged> predictions() {
         List<Judged> predictions = new ArrayList<>();
         for (int r = 0; r < runs(); r++) {
-            Fit alone = only(judged.fit(), r);
+            Fit alone = judged.fit().ofRun(r);
             predictions.add(converged(alone.with(ofOthers(r).settled(), alone.windows())));
         }
         return predictions;
@@ -57,7 +57,7 @@ public final class LeaveOneOut {
         for (int r = 0; r < runs(); r++) {
             Hypothesis hypothesis = others(r).fit().hypothesis();
             Knowledge known = new Uncertainty(others(r)).knowledge();
-            Fit alone = only(judged.fit(), r);
+            Fit alone = judged.fit().ofRun(r);
             predictions.add(converged(alone.with(hypothesis, alone.windows()).knowing(known)));
         }
         return predictions;
@@ -90,14 +90,5 @@ public final class LeaveOneOut {
         data.remove(run);
         windows.remove(run);
         return new Fit(fit.stepping(), data, fit.hypothesis(), windows, fit.knowledge());
-    }
-
-    private static Fit only(Fit fit, int run) {
-        return new Fit(
-                fit.stepping(),
-                List.of(fit.data().get(run)),
-                fit.hypothesis(),
-                List.of(fit.windows().get(run)),
-                fit.knowledge());
     }
 }

@@ -85,6 +85,7 @@ final class Notices {
         if (verdict == Verdict.UNEXPLAINED) {
             new SureStarts(found.stepping(), all, found.noise(), course)
                     .notice()
+                    .or(() -> new RunByRun(found, heldOut, course).notice())
                     .ifPresent(notices::add);
         }
         found.noise().notice().ifPresent(notices::add);

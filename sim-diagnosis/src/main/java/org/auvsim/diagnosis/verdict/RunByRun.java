@@ -1,0 +1,137 @@
+package org.auvsim.diagnosis.verdict;
+
+import org.auvsim.diagnosis.cause.Quantity;
+import org.auvsim.diagnosis.fit.Course;
+import org.auvsim.diagnosis.fit.Descent;
+import org.auvsim.diagnosis.fit.Fit;
+import org.auvsim.diagnosis.fit.Following;
+import org.auvsim.diagnosis.fit.Hypothesis;
+import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.fit.Refinement;
+import org.auvsim.diagnosis.fit.Uncertainty;
+import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.result.Numbers;
+import org.auvsim.diagnosis.search.Search;
+import org.auvsim.diagnosis.search.Tournament;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.StringJoiner;
+import java.util.stream.Stream;
+
+/**
+ * Whether runs that nothing explains together are explained by one cause each by itself, of other
+ * numbers: then something changed between them, as a vehicle that was loaded or fouled.
+ */
+final class RunByRun {
+    /** So many of the best single causes are tried. */
+    private static final int MOST = 6;
+
+    /** Numbers of two runs differ for sure by so many of their standard deviations. */
+    private static final double SURELY = 5;
+
+    private final Search.Found found;
+    private final List<Misses> data;
+    private final Course course;
+
+    /**
+     * Of all runs.
+     *
+     * @param heldOut what was found, on the runs that judge
+     */
+    RunByRun(Search.Found found, Judged heldOut, Course course) {
+        this.found = found;
+        this.data =
+                Stream.of(found.none(), heldOut).flatMap(of -> of.fit().data().stream()).toList();
+        this.course = course;
+    }
+
+    /** What a run says of a cause's numbers. */
+    private record Told(String run, List<Quantity> numbers, List<Double> deviations) {
+        /** By how many deviations a number differs from another run's. */
+        double apart(Told other, int number) {
+            double deviation =
+                    StrictMath.hypot(deviations.get(number), other.deviations.get(number));
+            double apart = numbers.get(number).value() - other.numbers.get(number).value();
+            return Double.isFinite(deviation) ? Math.abs(apart) / deviation : 0;
+        }
+
+        String text(int number) {
+            return "%s in %s"
+                    .formatted(
+                            Numbers.uncertain(
+                                    numbers.get(number).value(), deviations.get(number)),
+                            run);
+        }
+    }
+
+    /** What is told of the best cause that does. */
+    Optional<String> notice() {
+        return found.judged().stream()
+                .map(judged -> judged.fit().hypothesis())
+                .filter(of -> of.causes().size() == 1 && !of.isGeneric())
+                .limit(MOST)
+                .flatMap(of -> notice(of).stream())
+                .findFirst();
+    }
+
+    private Optional<String> notice(Hypothesis cause) {
+        List<Told> all = new ArrayList<>();
+        for (Misses run : data) {
+            if (!course.goesOn()) {
+                return Optional.empty();
+            }
+            Judged alone = alone(cause, run);
+            if (!alone.isWhite()) {
+                return Optional.empty();
+            }
+            all.add(
+                    new Told(
+                            run.run().name(),
+                            cause.causes().getFirst().quantities(numbers(alone)),
+                            new Uncertainty(alone).deviations().getFirst()));
+        }
+        return furthestApart(all).map(number -> words(cause, all, number));
+    }
+
+    private static double[] numbers(Judged of) {
+        return of.fit().hypothesis().theta().getFirst();
+    }
+
+    private Judged alone(Hypothesis cause, Misses run) {
+        Fit followed =
+                Following.of(found.stepping(), cause, List.of(run), found.noise(), course);
+        return Descent.of(Refinement.approach(followed, 1))
+                .steps(Tournament.TO_THE_END, Double.POSITIVE_INFINITY, course);
+    }
+
+    /** The number of which two runs tell most differently; empty if none do for sure. */
+    private static Optional<Integer> furthestApart(List<Told> all) {
+        double furthest = SURELY;
+        Optional<Integer> number = Optional.empty();
+        for (int i = 0; i < all.getFirst().numbers().size(); i++) {
+            for (Told one : all) {
+                for (Told other : all) {
+                    if (one.apart(other, i) > furthest) {
+                        furthest = one.apart(other, i);
+                        number = Optional.of(i);
+                    }
+                }
+            }
+        }
+        return number;
+    }
+
+    private static String words(Hypothesis cause, List<Told> all, int number) {
+        Quantity of = all.getFirst().numbers().get(number);
+        StringJoiner runs = new StringJoiner(", ");
+        all.forEach(told -> runs.add(told.text(number)));
+        return "each run by itself is explained by %s, but not by the same: %s%s is %s; something changed between the runs, so diagnose those together that agree"
+                .formatted(
+                        cause.causes().getFirst().label(),
+                        of.name(),
+                        of.unit().equals("1") ? "" : " (" + of.unit() + ")",
+                        runs);
+    }
+}

@@ -19,6 +19,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Function;
+import java.util.function.Predicate;
 
 /** Screens causes along the measured motion, as closely as a model can follow it. */
 final class Screening {
@@ -50,6 +52,23 @@ final class Screening {
     /** Of the model as it is believed. */
     Screen of(List<Cause> causes) {
         return new Screen(base, causes, guesses, asBelieved);
+    }
+
+    /** Common causes that promise to explain one of the runs alone, the most promising first. */
+    List<Hypothesis> ofRun(int run, List<Cause> library) {
+        Fit alone = base.ofRun(run);
+        List<Cause> common =
+                library.stream().filter(c -> !c.isGeneric() && !hasManyGuesses(c)).toList();
+        Screen screen = new Screen(alone, common, guesses, Judged.of(alone.whole()).outcome());
+        return promising(screen).stream()
+                .map(start -> start.fit().hypothesis())
+                .filter(distinctly(Hypothesis::causes))
+                .toList();
+    }
+
+    private static <T, K> Predicate<T> distinctly(Function<T, K> key) {
+        Set<K> seen = new HashSet<>();
+        return each -> seen.add(key.apply(each));
     }
 
     /** Beside those of a hypothesis. */

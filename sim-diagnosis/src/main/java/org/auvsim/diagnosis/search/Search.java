@@ -77,6 +77,8 @@ public final class Search {
      * @param judged all sets, the best first
      * @param competitors sets that explain the runs about as well as the best
      * @param traces what causes leave in the data beside those of the best
+     * @param byRun causes of which one explains each run by itself, but of other numbers; usually
+     *     none
      */
     public record Found(
             Judged none,
@@ -84,7 +86,8 @@ public final class Search {
             List<Judged> judged,
             List<Judged> competitors,
             Traces traces,
-            Noise noise) {
+            Noise noise,
+            List<Hypothesis> byRun) {
         /** The model, in steps that are short enough. */
         public Stepping stepping() {
             return none.fit().stepping();
@@ -92,7 +95,7 @@ public final class Search {
 
         /** The same, if none of what was found is true. */
         public Found nothing() {
-            return new Found(none, none, judged, List.of(), traces, noise);
+            return new Found(none, none, judged, List.of(), traces, noise, byRun);
         }
 
         /** The best, one of its causes left out. */

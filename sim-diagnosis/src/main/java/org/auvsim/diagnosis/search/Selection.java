@@ -6,10 +6,13 @@ import org.auvsim.diagnosis.fit.Fit;
 import org.auvsim.diagnosis.fit.Hypothesis;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.residual.Outcome;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.stream.IntStream;
 
 /**
  * Selects the causes that explain what a model misses of measured runs: one or two at once, or
@@ -23,6 +26,9 @@ final class Selection {
 
     /** Of each level, so many causes are tried beside others. */
     private static final int FORWARD = 2;
+
+    /** So many causes are tried for each run by itself. */
+    private static final int OF_ONE_RUN = 4;
 
     /** A gain below this may be one of noise, among so many causes. */
     static final double DOUBTFUL = 30;
@@ -79,10 +85,14 @@ final class Selection {
             Judged generic = searched(library, Cause::isGeneric);
             best = generic.score() < best.score() ? generic : best;
         }
-        if (contest.isEmpty()) {
+        if (contest.isEmpty() && !best.isWhite() && haveChanged()) {
+            return asItIs(best.isNone() ? best : tried.settled(best));
+        }
+        boolean isOpen = contest.isEmpty() && !best.isWhite();
+        if (isOpen) {
             best = withMore(best, specific);
         }
-        if (!best.isWhite() && contest.isEmpty() && course.goesOn()) {
+        if (isOpen && !best.isWhite() && course.goesOn()) {
             best = rescued(best, specific);
         }
         best = contest.isEmpty() ? plainer(best) : best;
@@ -116,7 +126,45 @@ final class Selection {
                 choice.judged(),
                 choice.competitors(chosen),
                 chosen.hasCausesOf(found) ? traces : screening.traces(chosen),
-                noise);
+                noise,
+                List.of());
+    }
+
+    /** Of runs between which something changed: no set is to explain all of them. */
+    private Search.Found asItIs(Judged best) {
+        Choice choice = choice(best);
+        return new Search.Found(
+                none,
+                best,
+                choice.judged(),
+                choice.competitors(best),
+                screening.traces(best),
+                noise,
+                ofOneRun());
+    }
+
+    /**
+     * Whether one cause explains each run, but of other numbers: more causes would imitate that.
+     */
+    private boolean haveChanged() {
+        return none.fit().data().size() > 1
+                && new RunByRun(base.stepping(), none.fit().data(), noise, course)
+                        .notice(ofOneRun())
+                        .isPresent();
+    }
+
+    /** What promises most to explain the run that the model misses most. */
+    private List<Hypothesis> ofOneRun() {
+        int worst =
+                IntStream.range(0, none.fit().data().size())
+                        .boxed()
+                        .max(Comparator.comparingDouble(this::missed))
+                        .orElseThrow();
+        return screening.ofRun(worst, library).stream().limit(OF_ONE_RUN).toList();
+    }
+
+    private double missed(int run) {
+        return Outcome.squares(none.outcome().misses().get(run));
     }
 
     private Choice choice(Judged best) {

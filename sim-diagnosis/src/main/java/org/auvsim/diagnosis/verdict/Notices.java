@@ -14,6 +14,7 @@ import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.search.RunByRun;
 import org.auvsim.diagnosis.search.Search;
 
 import java.util.ArrayList;
@@ -85,7 +86,7 @@ final class Notices {
         if (verdict == Verdict.UNEXPLAINED) {
             new SureStarts(found.stepping(), all, found.noise(), course)
                     .notice()
-                    .or(() -> new RunByRun(found, heldOut, course).notice())
+                    .or(() -> changed(found, heldOut))
                     .ifPresent(notices::add);
         }
         found.noise().notice().ifPresent(notices::add);
@@ -118,6 +119,12 @@ final class Notices {
                 && !run.measures(Channel.VELOCITY)
                 && !run.measures(Channel.POSITION, 0)
                 && !run.measures(Channel.POSITION, 1);
+    }
+
+    private Optional<String> changed(Search.Found found, Judged heldOut) {
+        List<Misses> data = new ArrayList<>(found.none().fit().data());
+        data.addAll(heldOut.fit().data());
+        return new RunByRun(found.stepping(), data, found.noise(), course).notice(found.byRun());
     }
 
     /** Others that move: nobody measured how. */

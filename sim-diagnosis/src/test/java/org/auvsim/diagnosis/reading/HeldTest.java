@@ -52,7 +52,12 @@ class HeldTest {
         RunFile file =
                 read(
                         "x,y,z",
-                        i -> text(noisy(i / 5 * 5)) + "," + text(i / 5) + "," + text(noisy(i)));
+                        i ->
+                                text(noisy(i / 5 * 5))
+                                        + ","
+                                        + text(Math.floorDiv(i, 5))
+                                        + ","
+                                        + text(noisy(i)));
 
         assertThat(measured(file, Channel.POSITION, 0))
                 .containsExactlyElementsOf(IntStream.range(0, 40).map(i -> 5 * i).boxed().toList());
@@ -88,7 +93,7 @@ class HeldTest {
 
     @Test
     void whatIsRoundedIsNotHeld() throws Exception {
-        RunFile file = read("x,y,z", i -> text(0.1 * (i / 5)) + ",0,0");
+        RunFile file = read("x,y,z", i -> text(0.1 * Math.floorDiv(i, 5)) + ",0,0");
 
         assertThat(measured(file, Channel.POSITION, 0)).hasSize(ROWS);
         assertThat(told(file)).isEmpty();

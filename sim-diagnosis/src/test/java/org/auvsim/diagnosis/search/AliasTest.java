@@ -112,7 +112,8 @@ class AliasTest {
                         turned,
                         found.competitors(),
                         found.traces(),
-                        found.noise());
+                        found.noise(),
+                        found.byRun());
         List<Ranked> ranked = Ranking.of(other, true);
 
         assertThat(ranked).hasSameSizeAs(Ranking.of(found, true));

@@ -19,8 +19,7 @@ import java.util.Random;
 /** A vehicle that fouls between its runs has no drag that explains all of them. */
 class RunByRunTest {
     private static MeasuredRun run(int seed, double quadratic, double turning) {
-        return new Surveyor(quadratic, Vec3.ZERO, 1, turning)
-                .run("run" + seed, new Random(seed));
+        return new Surveyor(quadratic, Vec3.ZERO, 1, turning).run("run" + seed, new Random(seed));
     }
 
     private static Diagnosis diagnosis(MeasuredRun... runs) throws Exception {

@@ -1,4 +1,4 @@
-package org.auvsim.diagnosis.verdict;
+package org.auvsim.diagnosis.search;
 
 import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.fit.Course;
@@ -10,40 +10,33 @@ import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.fit.Refinement;
 import org.auvsim.diagnosis.fit.Uncertainty;
 import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.result.Numbers;
-import org.auvsim.diagnosis.search.Search;
-import org.auvsim.diagnosis.search.Tournament;
+import org.auvsim.diagnosis.shooting.Stepping;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.StringJoiner;
-import java.util.stream.Stream;
 
 /**
  * Whether runs that nothing explains together are explained by one cause each by itself, of other
  * numbers: then something changed between them, as a vehicle that was loaded or fouled.
  */
-final class RunByRun {
-    /** So many of the best single causes are tried. */
-    private static final int MOST = 6;
-
+public final class RunByRun {
     /** Numbers of two runs differ for sure by so many of their standard deviations. */
     private static final double SURELY = 5;
 
-    private final Search.Found found;
+    private final Stepping stepping;
     private final List<Misses> data;
+    private final Noise noise;
     private final Course course;
 
-    /**
-     * Of all runs.
-     *
-     * @param heldOut what was found, on the runs that judge
-     */
-    RunByRun(Search.Found found, Judged heldOut, Course course) {
-        this.found = found;
-        this.data =
-                Stream.of(found.none(), heldOut).flatMap(of -> of.fit().data().stream()).toList();
+    /** Of some runs. */
+    public RunByRun(Stepping stepping, List<Misses> data, Noise noise, Course course) {
+        this.stepping = stepping;
+        this.data = List.copyOf(data);
+        this.noise = noise;
         this.course = course;
     }
 
@@ -60,20 +53,18 @@ final class RunByRun {
         String text(int number) {
             return "%s in %s"
                     .formatted(
-                            Numbers.uncertain(
-                                    numbers.get(number).value(), deviations.get(number)),
+                            Numbers.uncertain(numbers.get(number).value(), deviations.get(number)),
                             run);
         }
     }
 
-    /** What is told of the best cause that does. */
-    Optional<String> notice() {
-        return found.judged().stream()
-                .map(judged -> judged.fit().hypothesis())
-                .filter(of -> of.causes().size() == 1 && !of.isGeneric())
-                .limit(MOST)
-                .flatMap(of -> notice(of).stream())
-                .findFirst();
+    /**
+     * What is told of the best cause that does; empty if none does.
+     *
+     * @param causes single ones, with numbers to begin at
+     */
+    public Optional<String> notice(List<Hypothesis> causes) {
+        return causes.stream().flatMap(cause -> notice(cause).stream()).findFirst();
     }
 
     private Optional<String> notice(Hypothesis cause) {
@@ -100,8 +91,7 @@ final class RunByRun {
     }
 
     private Judged alone(Hypothesis cause, Misses run) {
-        Fit followed =
-                Following.of(found.stepping(), cause, List.of(run), found.noise(), course);
+        Fit followed = Following.of(stepping, cause, List.of(run), noise, course);
         return Descent.of(Refinement.approach(followed, 1))
                 .steps(Tournament.TO_THE_END, Double.POSITIVE_INFINITY, course);
     }

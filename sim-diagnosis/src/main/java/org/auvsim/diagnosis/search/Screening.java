@@ -19,8 +19,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.function.Function;
-import java.util.function.Predicate;
 
 /** Screens causes along the measured motion, as closely as a model can follow it. */
 final class Screening {
@@ -60,15 +58,11 @@ final class Screening {
         List<Cause> common =
                 library.stream().filter(c -> !c.isGeneric() && !hasManyGuesses(c)).toList();
         Screen screen = new Screen(alone, common, guesses, Judged.of(alone.whole()).outcome());
+        Set<List<Cause>> sets = new HashSet<>();
         return promising(screen).stream()
+                .filter(start -> sets.add(start.causes()))
                 .map(start -> start.fit().hypothesis())
-                .filter(distinctly(Hypothesis::causes))
                 .toList();
-    }
-
-    private static <T, K> Predicate<T> distinctly(Function<T, K> key) {
-        Set<K> seen = new HashSet<>();
-        return each -> seen.add(key.apply(each));
     }
 
     /** Beside those of a hypothesis. */

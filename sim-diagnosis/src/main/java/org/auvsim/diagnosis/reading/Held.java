@@ -1,7 +1,6 @@
 package org.auvsim.diagnosis.reading;
 
 import org.apache.commons.math3.stat.StatUtils;
-import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.EulerAngles;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -95,15 +94,9 @@ final class Held {
     }
 
     private double value(Channel channel, int sample, int axis) {
-        if (channel != Channel.ORIENTATION) {
-            return run.value(channel, sample, axis);
-        }
-        Vec3 angles = EulerAngles.of(run.orientation(sample).orElseThrow());
-        return switch (axis) {
-            case 0 -> angles.x();
-            case 1 -> angles.y();
-            default -> angles.z();
-        };
+        return channel == Channel.ORIENTATION
+                ? EulerAngles.of(run.orientation(sample).orElseThrow()).component(axis)
+                : run.value(channel, sample, axis);
     }
 
     /** For how many rows a number stays, as nearly all do; 1 if they do not. */

@@ -7,7 +7,6 @@ import org.auvsim.diagnosis.fit.Hypothesis;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.residual.Noise;
 
-import java.util.Comparator;
 import java.util.List;
 
 /**
@@ -34,10 +33,7 @@ record Aliasing(Screening screening, Noise noise, Course course) {
     }
 
     private Judged better(Screen screen, Judged found) {
-        return new Tournament(found, noise, course, FROM, TO)
-                .last(screen.starts(1, _ -> true)).stream()
-                        .filter(other -> other.score() < found.score())
-                        .min(Comparator.comparingDouble(Judged::score))
-                        .orElse(found);
+        Tournament tournament = new Tournament(found, noise, course, FROM, TO);
+        return Tried.best(tournament.last(screen.starts(1, _ -> true)), found);
     }
 }

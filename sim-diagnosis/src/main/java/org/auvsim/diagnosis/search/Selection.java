@@ -85,10 +85,11 @@ final class Selection {
             Judged generic = searched(library, Cause::isGeneric);
             best = generic.score() < best.score() ? generic : best;
         }
-        if (contest.isEmpty() && !best.isWhite() && haveChanged()) {
-            return asItIs(best.isNone() ? best : tried.settled(best));
-        }
         boolean isOpen = contest.isEmpty() && !best.isWhite();
+        List<Hypothesis> byRun = isOpen ? ofOneRun() : List.of();
+        if (haveChanged(byRun)) {
+            return asItIs(best.isNone() ? best : tried.settled(best), byRun);
+        }
         if (isOpen) {
             best = withMore(best, specific);
         }
@@ -131,7 +132,7 @@ final class Selection {
     }
 
     /** Of runs between which something changed: no set is to explain all of them. */
-    private Search.Found asItIs(Judged best) {
+    private Search.Found asItIs(Judged best, List<Hypothesis> byRun) {
         Choice choice = choice(best);
         return new Search.Found(
                 none,
@@ -140,23 +141,26 @@ final class Selection {
                 choice.competitors(best),
                 screening.traces(best),
                 noise,
-                ofOneRun());
+                byRun);
     }
 
     /**
      * Whether one cause explains each run, but of other numbers: more causes would imitate that.
      */
-    private boolean haveChanged() {
-        return none.fit().data().size() > 1
-                && new RunByRun(base.stepping(), none.fit().data(), noise, course)
-                        .notice(ofOneRun())
-                        .isPresent();
+    private boolean haveChanged(List<Hypothesis> byRun) {
+        return new RunByRun(base.stepping(), none.fit().data(), noise, course)
+                .notice(byRun)
+                .isPresent();
     }
 
-    /** What promises most to explain the run that the model misses most. */
+    /** What promises most to explain the run that the model misses most; nothing of only one. */
     private List<Hypothesis> ofOneRun() {
+        int runs = none.fit().data().size();
+        if (runs == 1 || !course.goesOn()) {
+            return List.of();
+        }
         int worst =
-                IntStream.range(0, none.fit().data().size())
+                IntStream.range(0, runs)
                         .boxed()
                         .max(Comparator.comparingDouble(this::missed))
                         .orElseThrow();

@@ -66,7 +66,8 @@ public final class Tried {
         return last;
     }
 
-    private static Judged best(List<Judged> of, Judged otherwise) {
+    /** The best of some, if it is better than what was found otherwise. */
+    static Judged best(List<Judged> of, Judged otherwise) {
         return of.stream()
                 .filter(j -> j.score() < otherwise.score())
                 .min(Comparator.comparingDouble(Judged::score))

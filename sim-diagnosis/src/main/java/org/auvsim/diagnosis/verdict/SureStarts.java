@@ -12,8 +12,10 @@ import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.shooting.Stepping;
+import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -53,7 +55,7 @@ final class SureStarts {
 
     /** What is told of them, if they are. */
     Optional<String> notice() {
-        if (runs.stream().noneMatch(SureStarts::isStated) || !course.goesOn()) {
+        if (runs.stream().allMatch(run -> stated(run).isEmpty()) || !course.goesOn()) {
             return Optional.empty();
         }
         Judged begun = begunFreely();
@@ -68,10 +70,11 @@ final class SureStarts {
                         .formatted(String.join(", ", off.subList(0, told)), more));
     }
 
-    private static boolean isStated(MeasuredRun run) {
+    /** What is known of a run that begins midway nobody has stated. */
+    private static Optional<KnownStart> stated(MeasuredRun run) {
         return run.start()
-                .filter(at -> at.deviations().stream().anyMatch(Double::isFinite))
-                .isPresent();
+                .filter(at -> !run.beginsMidway())
+                .filter(at -> at.deviations().stream().anyMatch(Double::isFinite));
     }
 
     private Judged begunFreely() {
@@ -84,7 +87,7 @@ final class SureStarts {
     }
 
     private static MeasuredRun loosened(MeasuredRun run) {
-        return run.start()
+        return stated(run)
                 .map(
                         at ->
                                 new KnownStart(
@@ -99,22 +102,18 @@ final class SureStarts {
         List<String> off = new ArrayList<>();
         for (int r = 0; r < runs.size(); r++) {
             MeasuredRun run = runs.get(r);
-            if (run.start().isPresent()) {
-                KnownStart stated = run.start().get();
-                double[] change =
-                        begun.fit().windows().get(r).getFirst().start().minus(stated.motion());
-                IntStream.range(0, change.length)
-                        .filter(i -> deviations(stated, change, i) > SURELY)
-                        .boxed()
-                        .max(
-                                (a, b) ->
-                                        Double.compare(
-                                                deviations(stated, change, a),
-                                                deviations(stated, change, b)))
-                        .ifPresent(i -> off.add(told(run, stated, i, change[i])));
-            }
+            RigidMotion start = begun.fit().windows().get(r).getFirst().start();
+            stated(run).flatMap(at -> off(run, at, start.minus(at.motion()))).ifPresent(off::add);
         }
         return off;
+    }
+
+    private static Optional<String> off(MeasuredRun run, KnownStart stated, double[] change) {
+        return IntStream.range(0, change.length)
+                .boxed()
+                .filter(i -> deviations(stated, change, i) > SURELY)
+                .max(Comparator.comparingDouble(i -> deviations(stated, change, i)))
+                .map(i -> told(run, stated, i, change[i]));
     }
 
     private static double deviations(KnownStart stated, double[] change, int number) {

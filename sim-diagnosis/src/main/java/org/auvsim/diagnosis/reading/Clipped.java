@@ -3,13 +3,10 @@ package org.auvsim.diagnosis.reading;
 import org.apache.commons.math3.stat.StatUtils;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
-import org.auvsim.diagnosis.run.Reading;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
 import java.util.stream.IntStream;
 
 /**
@@ -33,32 +30,22 @@ final class Clipped {
     /** A body comes to the end by so many usual changes at most. */
     private static final double NEAR = 10;
 
-    private static final int AXES = 3;
-
     private final Source source;
     private final MeasuredRun run;
-    private final Set<Reading> beyond = new HashSet<>();
-    private final List<String> notices = new ArrayList<>();
+    private final LeftOut beyond;
 
-    Clipped(Source source, MeasuredRun run) {
+    private Clipped(Source source, MeasuredRun run) {
         this.source = source;
         this.run = run;
-        for (Channel channel :
-                List.of(Channel.POSITION, Channel.VELOCITY, Channel.ANGULAR_VELOCITY)) {
-            for (int axis = 0; axis < AXES; axis++) {
-                find(channel, axis);
-            }
-        }
+        this.beyond = new LeftOut(run);
     }
 
-    /** The run without them; itself, if there are none. */
-    MeasuredRun without() {
-        return beyond.isEmpty() ? run : run.without(beyond);
-    }
-
-    /** What is told of them. */
-    List<String> notices() {
-        return notices;
+    /** Those of a run. */
+    static LeftOut of(Source source, MeasuredRun run) {
+        Clipped clipped = new Clipped(source, run);
+        return clipped.beyond.lookingAt(
+                List.of(Channel.POSITION, Channel.VELOCITY, Channel.ANGULAR_VELOCITY),
+                clipped::find);
     }
 
     private void find(Channel channel, int axis) {
@@ -80,7 +67,7 @@ final class Clipped {
                             .filter(i -> stays[i] && values[i] == end)
                             .toArray();
             if (at.length > 0) {
-                Arrays.stream(at).forEach(i -> beyond.add(new Reading(channel, samples[i], axis)));
+                Arrays.stream(at).forEach(i -> beyond.add(channel, samples[i], axis));
                 tell(channel, axis, end, at.length);
             }
         }
@@ -142,7 +129,7 @@ final class Clipped {
     }
 
     private void tell(Channel channel, int axis, double end, int count) {
-        notices.add(
+        beyond.tell(
                 source.says(
                         List.of(source.column(run, channel, axis)),
                         "%d readings are %s exactly, several in a row, where its sensor seems to end; treated as not measured; if that is right, leave such cells empty"

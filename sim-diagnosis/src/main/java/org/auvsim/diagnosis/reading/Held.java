@@ -4,7 +4,6 @@ import org.apache.commons.math3.stat.StatUtils;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.EulerAngles;
 import org.auvsim.diagnosis.run.MeasuredRun;
-import org.auvsim.diagnosis.run.Reading;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -36,39 +35,31 @@ final class Held {
     /** Angles are the same if they differ by less (rad). */
     private static final double ROUNDING = 1e-9;
 
-    private static final int AXES = 3;
-
     private final Source source;
     private final MeasuredRun run;
-    private final Set<Reading> again = new HashSet<>();
+    private final LeftOut again;
     private final Map<Integer, List<String>> columns = new TreeMap<>();
 
-    Held(Source source, MeasuredRun run) {
+    private Held(Source source, MeasuredRun run) {
         this.source = source;
         this.run = run;
-        for (Channel channel : Channel.values()) {
-            for (int axis = 0; axis < AXES; axis++) {
-                find(channel, axis);
-            }
-        }
+        this.again = new LeftOut(run);
     }
 
-    /** The run without what was written again; itself, if nothing was. */
-    MeasuredRun without() {
-        return again.isEmpty() ? run : run.without(again);
+    /** Those of a run. */
+    static LeftOut of(Source source, MeasuredRun run) {
+        Held held = new Held(source, run);
+        held.again.lookingAt(List.of(Channel.values()), held::find);
+        held.columns.forEach(held::tell);
+        return held.again;
     }
 
-    /** What is told of it. */
-    List<String> notices() {
-        List<String> notices = new ArrayList<>();
-        columns.forEach(
-                (rows, names) ->
-                        notices.add(
-                                source.says(
-                                        names,
-                                        "each number stays the same for %d rows, then jumps to the next; taken as measured in the first of them, and not in the others"
-                                                .formatted(rows))));
-        return notices;
+    private void tell(int rows, List<String> names) {
+        again.tell(
+                source.says(
+                        names,
+                        "each number stays the same for %d rows, then jumps to the next; taken as measured in the first of them, and not in the others"
+                                .formatted(rows)));
     }
 
     private void find(Channel channel, int axis) {
@@ -85,7 +76,7 @@ final class Held {
             Arrays.stream(firsts).forEach(fresh::add);
             for (int i = 0; i < samples.length; i++) {
                 if (!fresh.contains(i)) {
-                    again.add(new Reading(channel, samples[i], axis));
+                    again.add(channel, samples[i], axis);
                 }
             }
             columns.computeIfAbsent(rows, _ -> new ArrayList<>())

@@ -22,12 +22,17 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BiFunction;
 
 /**
  * Reads measured runs of one body: CSV with a document beside it, or recordings with feedback. Long
  * files are read row by row; of more rows than a diagnosis needs, some are left out, with a notice.
  */
 public final class RunReader {
+    /** What looks for numbers that count as not measured, each in what the ones before leave. */
+    private static final List<BiFunction<Source, MeasuredRun, LeftOut>> FAULTS =
+            List.of(Held::of, Clipped::of, Spikes::of);
+
     private final BelievedModel model;
     private final ColumnMapping mapping;
     private final AuvsmlMapper mapper;
@@ -195,13 +200,13 @@ public final class RunReader {
         List<MeasuredRun> sound = new ArrayList<>();
         List<Suspicion> turns = new ArrayList<>();
         for (int i = 0; i < runs.size(); i++) {
-            Held held = new Held(sources.get(i), runs.get(i));
-            notices.addAll(held.notices());
-            Clipped clipped = new Clipped(sources.get(i), held.without());
-            notices.addAll(clipped.notices());
-            Spikes spikes = new Spikes(sources.get(i), clipped.without());
-            notices.addAll(spikes.notices());
-            sound.add(spikes.without());
+            MeasuredRun run = runs.get(i);
+            for (BiFunction<Source, MeasuredRun, LeftOut> faults : FAULTS) {
+                LeftOut found = faults.apply(sources.get(i), run);
+                notices.addAll(found.notices());
+                run = found.without();
+            }
+            sound.add(run);
             Plausibility plausibility =
                     new Plausibility(model, sound.get(i), sources.get(i), mapping.degrees());
             doubts.addAll(plausibility.notices());

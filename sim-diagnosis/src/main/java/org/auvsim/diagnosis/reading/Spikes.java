@@ -2,14 +2,11 @@ package org.auvsim.diagnosis.reading;
 
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
-import org.auvsim.diagnosis.run.Reading;
 
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
 
 /**
  * Numbers that are no possible motion: for a row or a few they are far from the one before, and the
@@ -31,32 +28,22 @@ final class Spikes {
     /** They jump by more than so many times what those before and after them go in a row. */
     private static final double QUICK = 10;
 
-    private static final int AXES = 3;
-
     private final Source source;
     private final MeasuredRun run;
-    private final Set<Reading> all = new HashSet<>();
-    private final List<String> notices = new ArrayList<>();
+    private final LeftOut all;
 
-    Spikes(Source source, MeasuredRun run) {
+    private Spikes(Source source, MeasuredRun run) {
         this.source = source;
         this.run = run;
-        for (Channel channel :
-                List.of(Channel.POSITION, Channel.VELOCITY, Channel.ANGULAR_VELOCITY)) {
-            for (int axis = 0; axis < AXES; axis++) {
-                find(channel, axis);
-            }
-        }
+        this.all = new LeftOut(run);
     }
 
-    /** The run without them; itself, if there are none. */
-    MeasuredRun without() {
-        return all.isEmpty() ? run : run.without(all);
-    }
-
-    /** What is told of them. */
-    List<String> notices() {
-        return notices;
+    /** Those of a run. */
+    static LeftOut of(Source source, MeasuredRun run) {
+        Spikes spikes = new Spikes(source, run);
+        return spikes.all.lookingAt(
+                List.of(Channel.POSITION, Channel.VELOCITY, Channel.ANGULAR_VELOCITY),
+                spikes::find);
     }
 
     private void find(Channel channel, int axis) {
@@ -86,7 +73,7 @@ final class Spikes {
             }
         }
         if (!found.isEmpty()) {
-            found.forEach(sample -> all.add(new Reading(channel, sample, axis)));
+            found.forEach(sample -> all.add(channel, sample, axis));
             tell(channel, axis, found, others);
         }
     }
@@ -151,7 +138,7 @@ final class Spikes {
                         ? "at %s s it is %s".formatted(time, value)
                         : "%d readings are like the %s at %s s"
                                 .formatted(found.size(), value, time);
-        notices.add(
+        all.tell(
                 source.says(
                         row(first),
                         List.of(source.column(run, channel, axis)),

@@ -16,6 +16,7 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.search.RunByRun;
 import org.auvsim.diagnosis.search.Search;
+import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -35,6 +36,11 @@ final class Notices {
     private static final String TOO_FEW =
             "too few numbers to tell their noise, so treated as not measured unless their standard"
                     + " deviations are stated (as sd_x): ";
+
+    /** Horizontal velocities (m/s, world) among the numbers of a motion. */
+    private static final int EAST = 6;
+
+    private static final int NORTH = 7;
 
     private final BelievedModel model;
     private final List<MeasuredRun> fit;
@@ -79,7 +85,7 @@ final class Notices {
             notices.add(TOO_FEW + few);
         }
         all.forEach(run -> notices.addAll(stuck(run, found.noise())));
-        assumedSpeed().ifPresent(notices::add);
+        assumedSpeed(verdict).ifPresent(notices::add);
         if (verdict != Verdict.EXPLAINED) {
             all.forEach(run -> StatedStarts.notice(run, found.noise()).ifPresent(notices::add));
         }
@@ -97,20 +103,37 @@ final class Notices {
         return notices;
     }
 
-    /** That a body which is under way in the scenario is taken to be so where nothing tells. */
-    private Optional<String> assumedSpeed() {
+    /**
+     * That a body begins as fast as in the scenario where nothing tells: if it rests there, that is
+     * of interest only where something is wrong.
+     */
+    private Optional<String> assumedSpeed(Verdict verdict) {
         Vec3 start = model.start().velocity();
         double speed = Math.hypot(start.x(), start.y());
         List<String> names =
                 all.stream().filter(Notices::hidesItsSpeed).map(MeasuredRun::name).toList();
-        return names.isEmpty() || speed == 0
+        boolean mayMatter = speed > 0 || (verdict != Verdict.NONE && mayMoveSideways());
+        return names.isEmpty() || !mayMatter
                 ? Optional.empty()
                 : Optional.of(
-                        "nothing that is measured tells how fast %s begin%s: at the scenario's %s m/s; what began otherwise may look like a current: state its start"
+                        "nothing that is measured tells how fast %s begin%s: %s; what began otherwise may look like %s: state its start"
                                 .formatted(
                                         String.join(", ", names),
                                         names.size() == 1 ? "s" : "",
-                                        Numbers.rounded(speed)));
+                                        speed > 0
+                                                ? "at the scenario's %s m/s"
+                                                        .formatted(Numbers.rounded(speed))
+                                                : "at rest, as in the scenario",
+                                        speed > 0 ? "a current" : "a cause"));
+    }
+
+    /** Whether no mount keeps the body where it is, or above it. */
+    private boolean mayMoveSideways() {
+        double[] sideways = new double[RigidMotion.SIZE];
+        sideways[EAST] = 1;
+        sideways[NORTH] = 1;
+        double[] free = model.startable(sideways);
+        return free[EAST] != 0 || free[NORTH] != 0;
     }
 
     /** Whether neither a statement nor anything measured tells how fast it goes horizontally. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -33,5 +34,27 @@ class DragOfOneAxisTest {
                 .containsExactly("anisotropic_drag");
         Finding drag = diagnosis.selected().getFirst();
         assertThat(drag.quantities().getFirst().value()).isCloseTo(DRAG, within(1.0));
+    }
+
+    /** A wrong number among those of a damping, as one and two specific causes do not have it. */
+    @Test
+    void ofALinearDragTheAxisIsFoundToo() {
+        PushedSphere sphere = new PushedSphere((_, v) -> new double[] {-DRAG * v[0], 0, 0});
+
+        Diagnosis diagnosis =
+                sphere.investigation(
+                                1,
+                                Set.of(
+                                        "linear_drag",
+                                        "anisotropic_drag",
+                                        "anisotropic_linear_drag"))
+                        .diagnose();
+
+        assertThat(diagnosis.selected())
+                .extracting(Finding::cause)
+                .containsExactly("anisotropic_linear_drag");
+        Finding drag = diagnosis.selected().getFirst();
+        assertThat(drag.quantities().getFirst().value()).isCloseTo(DRAG, within(0.5));
+        assertThat(drag.quantities().get(1).value()).isCloseTo(0, within(0.5));
     }
 }

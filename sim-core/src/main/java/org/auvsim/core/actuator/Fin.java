@@ -100,6 +100,7 @@ public record Fin(
     public Fin commanded(double angle, double time) {
         return with(
                 area,
+                chord,
                 race,
                 angle,
                 maximumRate.isEmpty()
@@ -109,15 +110,26 @@ public record Fin(
 
     /** The same with another area (m^2): weaker or stronger by that. */
     public Fin sized(double otherArea) {
-        return with(otherArea, race, angle, reached);
+        return with(otherArea, chord, race, angle, reached);
     }
 
     /** The same in a race of another speed (m/s). */
     public Fin inRace(double speed) {
-        return with(area, speed, angle, reached);
+        return with(area, chord, speed, angle, reached);
     }
 
-    private Fin with(double area, double race, double angle, Optional<Reached> reached) {
+    /** The same, built in with its chord turned about its span by an angle (rad). */
+    public Fin trimmed(double by) {
+        Vec3 along = span.times(span.dot(chord) * (1 - StrictMath.cos(by)));
+        Vec3 turned =
+                chord.times(StrictMath.cos(by))
+                        .plus(span.cross(chord).times(StrictMath.sin(by)))
+                        .plus(along);
+        return with(area, turned, race, angle, reached);
+    }
+
+    private Fin with(
+            double area, Vec3 chord, double race, double angle, Optional<Reached> reached) {
         return new Fin(
                 name,
                 area,

@@ -136,6 +136,11 @@ public record WorldObjectDefinition(
         return massProperties(mass, volume, inertia);
     }
 
+    /** Where its mass has its centre (m, body): as stated, or else that of the volume. */
+    public Vec3 centreOfItsMass() {
+        return centreOfMass.orElse(volume.centreOfMass());
+    }
+
     /** Whether a behavior of its own tells an actuator what to do. */
     public boolean directs(Actuator actuator) {
         return component.stream().anyMatch(c -> c instanceof Behavior b && b.directs(actuator));
@@ -143,7 +148,7 @@ public record WorldObjectDefinition(
 
     /** Mass about the origin in full; empty for a plain body, and for a fixed one. */
     Optional<SpatialInertia> spatialInertia() {
-        Vec3 centre = centreOfMass.orElse(volume.centreOfMass());
+        Vec3 centre = centreOfItsMass();
         boolean plain = addedMass.isEmpty() && mount.isEmpty() && centre.norm() == 0;
         if (fixed || plain) {
             return Optional.empty();

@@ -1,8 +1,11 @@
 package org.auvsim.diagnosis.cause;
 
 import org.auvsim.core.effect.AnisotropicDrag;
+import org.auvsim.core.effect.Derivative;
+import org.auvsim.core.effect.HydrodynamicDerivatives;
 import org.auvsim.core.effect.IsotropicDrag;
 import org.auvsim.core.effect.MagnusForce;
+import org.auvsim.core.effect.ReferenceAxes;
 import org.auvsim.core.math.Vec3;
 
 import java.util.ArrayList;
@@ -32,6 +35,7 @@ final class DragCauses {
                         (v, t) -> v.with(b -> b.effect(new IsotropicDrag(0, t[0], 0)))));
         if (s.turnsMatter()) {
             causes.add(anisotropic(s, present));
+            causes.add(anisotropicLinear(s, present));
             causes.add(
                     Change.of(
                             "rotational_drag",
@@ -48,6 +52,33 @@ final class DragCauses {
                             (v, t) -> v.with(b -> b.effect(new MagnusForce(t[0])))));
         }
         return causes;
+    }
+
+    /** By derivatives, as these may take from what there is. */
+    private static Cause anisotropicLinear(Setting s, PresentDrag present) {
+        List<String> names = List.of("Xu", "Yv", "Zw");
+        List<Parameter> parameters = new ArrayList<>();
+        for (int axis = 0; axis < names.size(); axis++) {
+            parameters.add(
+                    Parameter.vector("c", "N s/m", s.linearDrag())
+                            .get(axis)
+                            .atLeast(-present.of(axis, s.path().speed())));
+        }
+        return Change.of(
+                        "anisotropic_linear_drag",
+                        parameters,
+                        (v, t) -> {
+                            List<Derivative> derivatives = new ArrayList<>();
+                            for (int axis = 0; axis < names.size(); axis++) {
+                                derivatives.add(new Derivative(names.get(axis), -t[axis]));
+                            }
+                            return v.with(
+                                    b ->
+                                            b.effect(
+                                                    new HydrodynamicDerivatives(
+                                                            ReferenceAxes.FLU, derivatives)));
+                        })
+                .asGeneric();
     }
 
     private static Cause anisotropic(Setting s, PresentDrag present) {

@@ -13,6 +13,9 @@ import java.util.function.UnaryOperator;
 final class FinCauses {
     private static final double MOST_TAKEN = 0.95;
 
+    /** A fin is not built in by more than this (rad) beside where it belongs. */
+    private static final double MOST_OFF = 0.5;
+
     private FinCauses() {}
 
     static List<Cause> of(Setting s) {
@@ -20,6 +23,7 @@ final class FinCauses {
         for (Fin fin : fins(s.body())) {
             causes.add(gain(fin.name()));
             causes.add(race(s, fin.name()));
+            causes.add(offset(fin.name()));
         }
         return causes;
     }
@@ -50,6 +54,16 @@ final class FinCauses {
                         List.of(new Parameter("speed", "m/s", 0.1 * speed, -speed, 100 * speed)),
                         (v, t) -> with(v, name, fin -> fin.inRace(fin.race() + t[0])))
                 .about(name);
+    }
+
+    /** A linkage or a servo whose zero is not where it is believed to be. */
+    private static Cause offset(String name) {
+        return Change.of(
+                        "fin_offset",
+                        List.of(new Parameter("angle", "rad", 0.02, -MOST_OFF, MOST_OFF)),
+                        (v, t) -> with(v, name, fin -> fin.trimmed(t[0])))
+                .about(name)
+                .asGeneric();
     }
 
     /** The model with a fin changed. */

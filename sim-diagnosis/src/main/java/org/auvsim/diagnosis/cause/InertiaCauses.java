@@ -1,5 +1,6 @@
 package org.auvsim.diagnosis.cause;
 
+import org.auvsim.core.effect.Gravity;
 import org.auvsim.core.entity.AddedMass;
 import org.auvsim.core.entity.Inertia;
 import org.auvsim.core.entity.WorldObjectDefinition;
@@ -25,6 +26,9 @@ final class InertiaCauses {
                         .toldAsFactors());
         if (s.turnsMatter()) {
             causes.add(inertia());
+            if (Setting.has(s.body(), Gravity.class) && s.body().mount().isEmpty()) {
+                causes.add(centre(s));
+            }
         }
         causes.add(addedMass(s));
         return causes;
@@ -42,6 +46,21 @@ final class InertiaCauses {
         double lack =
                 s.runs().stream().mapToDouble(run -> -run.differences().mass()).max().orElse(0);
         return MOST_TAKEN * (1 - Math.max(0, lack) / s.body().mass().orElseThrow());
+    }
+
+    /** What pulls the body down acts there, and it turns about there where nothing holds it. */
+    private static Cause centre(Setting s) {
+        return Change.of(
+                        "cog_offset",
+                        Parameter.vector("offset", "m", s.torque() / (s.mass() * Earth.GRAVITY)),
+                        (v, t) ->
+                                v.with(
+                                        b ->
+                                                b.centreOfMass(
+                                                        v.body()
+                                                                .centreOfItsMass()
+                                                                .plus(new Vec3(t[0], t[1], t[2])))))
+                .asGeneric();
     }
 
     private static Cause inertia() {

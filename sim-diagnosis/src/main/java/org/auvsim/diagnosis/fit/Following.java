@@ -325,11 +325,16 @@ public final class Following {
         return new KnownStart(guess, deviations);
     }
 
-    /** What is not known of a start is near what the model has: a body that is not upside down. */
+    /**
+     * What is not known of a start is near what the model has: a body that is not upside down. What
+     * the run does not show of it either stays.
+     */
     private KnownStart asFarAsKnown(KnownStart start) {
+        boolean[] isShown = data.shown(0);
         List<Double> deviations = new ArrayList<>();
-        for (int i = 0; i < looseness.size(); i++) {
-            deviations.add(Math.min(start.deviations().get(i), looseness.get(i)));
+        for (int i = 0; i < isShown.length; i++) {
+            double loose = isShown[i] || start.isKnown(i) ? looseness.get(i) : WindowBlock.NOTHING;
+            deviations.add(Math.min(start.deviations().get(i), loose));
         }
         return new KnownStart(start.motion(), deviations);
     }

@@ -55,6 +55,7 @@ public final class Phrases {
         put("linear_drag", "Linear drag is missing", "There is too much linear drag");
         put("quadratic_drag", "Quadratic drag is missing", "There is too much quadratic drag");
         put("anisotropic_drag", "Drag along the body's axes is missing");
+        put("anisotropic_linear_drag", "Linear drag along the body's axes is missing");
         put("rotational_drag", "Rotational drag is missing", "There is too much rotational drag");
         put("added_mass", "Added mass is missing");
         put("current_constant", "A constant current is missing");
@@ -63,6 +64,7 @@ public final class Phrases {
         put("current_vortex", "A vortex is missing");
         put("buoyancy_weight", "An upward force is missing", "A downward force is missing");
         put("cob_offset", "The centre of buoyancy is misplaced");
+        put("cog_offset", "The centre of mass is misplaced");
         put("mass_error", "The mass is wrong");
         put("inertia_error", "The moments of inertia are wrong");
         put("thruster_gain", "The thrust of %s is wrong", "%s %3$s backwards");
@@ -72,6 +74,7 @@ public final class Phrases {
         put("thruster_loss", "Thrust of %s is lost");
         put("propeller_imbalance", "A propeller is out of balance");
         put("fin_gain", "The lift of %s is wrong");
+        put("fin_offset", "The zero of %s is off");
         put(
                 "fin_race",
                 "The flow past %s is faster than modelled",

@@ -26,13 +26,18 @@ class FinEquationsTest extends CauseEquationsContract {
 
     /** The lift of that fin, if it stands upright. */
     private static Push lift(double area, double race) {
+        return lift(area, race, 0.2);
+    }
+
+    /** The same at an angle (rad). */
+    private static Push lift(double area, double race, double angle) {
         Vector3D place = new Vector3D(-0.4, 0, 0);
         return n -> {
             Vector3D v =
                     n.toBody(n.velocity())
                             .add(n.turning().crossProduct(place))
                             .add(race, Vector3D.PLUS_I);
-            double attack = 0.2 - Math.atan2(v.getY(), v.getX());
+            double attack = angle - Math.atan2(v.getY(), v.getX());
             double size = 0.5 * 1000 * area * Math.hypot(v.getX(), v.getY()) * 2 * attack;
             Vector3D force = new Vector3D(-v.getY(), v.getX(), 0).scalarMultiply(size);
             return new Load(n.toWorld(force), place.crossProduct(force));
@@ -44,6 +49,9 @@ class FinEquationsTest extends CauseEquationsContract {
         double none = 1e-12;
         return Stream.of(
                 about("rudder", cause("fin_gain", fin(0.01, 0.3, UPRIGHT), lift(0.015, 0.3), 0.5)),
+                about(
+                        "rudder",
+                        cause("fin_offset", fin(0.01, 0, UPRIGHT), lift(0.01, 0, 0.3), 0.1)),
                 about("rudder", cause("fin_race", fin(0.01, 0.3, UPRIGHT), lift(0.01, 1), 0.7)),
                 about(
                         "sway and yaw",

@@ -46,6 +46,7 @@ class LibraryTest {
                         "linear_drag",
                         "quadratic_drag",
                         "anisotropic_drag",
+                        "anisotropic_linear_drag",
                         "rotational_drag",
                         "added_mass",
                         "current_constant",
@@ -54,6 +55,7 @@ class LibraryTest {
                         "current_vortex",
                         "buoyancy_weight",
                         "cob_offset",
+                        "cog_offset",
                         "mass_error",
                         "inertia_error",
                         "thruster_gain",
@@ -103,7 +105,7 @@ class LibraryTest {
     void ofAnUnknownCauseThoseThatMayBeMeantAreTold() {
         assertThatThrownBy(() -> Library.requireKnown(List.of("drag"), VEHICLE))
                 .hasMessage(
-                        "no cause 'drag' is known of '%s'; did you mean 'linear_drag' or 'quadratic_drag' or 'anisotropic_drag' or 'rotational_drag'? docs/causes.md has all, and what each of them needs"
+                        "no cause 'drag' is known of '%s'; did you mean 'linear_drag' or 'quadratic_drag' or 'anisotropic_drag' or 'anisotropic_linear_drag'? docs/causes.md has all, and what each of them needs"
                                 .formatted(VEHICLE.body()));
         assertThatThrownBy(() -> Library.requireKnown(List.of("thruster_gain (prot)"), VEHICLE))
                 .hasMessageContaining("; did you mean 'thruster_gain (port)'? docs/");
@@ -114,7 +116,7 @@ class LibraryTest {
         assertThat(library(PENDULUM).stream().map(Cause::id))
                 .contains("coulomb_torque")
                 .doesNotContain("coulomb_friction", "thruster_gain", "restitution", "cob_offset")
-                .doesNotContain("sensor_bias", "sensor_drift");
+                .doesNotContain("sensor_bias", "sensor_drift", "cog_offset");
         assertThat(library(Tank.bare()).stream().map(Cause::id))
                 .doesNotContain("thruster_lag", "contact_friction");
     }

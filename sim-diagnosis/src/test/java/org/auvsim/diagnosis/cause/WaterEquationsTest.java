@@ -36,6 +36,19 @@ class WaterEquationsTest extends CauseEquationsContract {
                         5,
                         9),
                 cause(
+                        "anisotropic_linear_drag",
+                        "",
+                        force(
+                                n -> {
+                                    Vector3D v = n.toBody(n.velocity());
+                                    return n.toWorld(
+                                            new Vector3D(
+                                                    -2 * v.getX(), -5 * v.getY(), -9 * v.getZ()));
+                                }),
+                        2,
+                        5,
+                        9),
+                cause(
                         "rotational_drag",
                         "",
                         n -> Load.torque(n.turning().scalarMultiply(-0.4)),

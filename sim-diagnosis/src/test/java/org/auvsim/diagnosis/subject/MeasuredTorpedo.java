@@ -83,6 +83,12 @@ public final class MeasuredTorpedo {
 
     /** With a rudder of an area. */
     public static BelievedModel model(double rudder) throws DocumentException, AuvsmlException {
+        return model(rudder, new Vec3(1, 0, 0));
+    }
+
+    /** The same, the rudder's chord along a direction (body). */
+    public static BelievedModel model(double rudder, Vec3 chord)
+            throws DocumentException, AuvsmlException {
         return new BelievedModel(
                 ScenarioLoader.load(MeasuredTorpedo.class.getClassLoader())
                         .parse(
@@ -105,11 +111,12 @@ public final class MeasuredTorpedo {
                                     <fin name="rudder" area="%s" lift-slope="3.2"
                                         drag-coefficient="0.02" induced-drag="0.1">
                                       <position x="-0.75" y="0" z="0"/>
+                                      <chord x="%s" y="%s" z="%s"/>
                                       <span x="0" y="0" z="1"/></fin>
                                   </world-object>
                                 </scenario>
                                 """
-                                        .formatted(rudder)
+                                        .formatted(rudder, chord.x(), chord.y(), chord.z())
                                         .getBytes(UTF_8)),
                 "Torpedo");
     }

@@ -52,6 +52,7 @@ final class CauseFigures {
         position("linear_drag", SPINNER, 1);
         position("quadratic_drag", SPINNER, 2);
         position("anisotropic_drag", SPINNER, 1, 4, 8);
+        position("anisotropic_linear_drag", SPINNER, 0.5, 1, 2);
         turn("rotational_drag", SPINNER, 0.002);
         position("magnus", SPINNER, 0.5);
         position("current_constant", VEHICLE, 0.05, -0.03, 0);
@@ -63,6 +64,7 @@ final class CauseFigures {
     private void ofTheBody() {
         position("buoyancy_weight", VEHICLE, 0.6);
         turn("cob_offset", VEHICLE, 0.002, 0.001, 0);
+        turn("cog_offset", VEHICLE, 0.002, 0.001, 0);
         position("mass_error", VEHICLE, 0.1);
         turn("inertia_error", SPINNER, 0.2, -0.1, 0.1);
         position("added_mass", VEHICLE, 3, 3, 3);
@@ -83,6 +85,7 @@ final class CauseFigures {
     private void ofFins() {
         turn("fin_gain", STEERED, 0.2);
         turn("fin_race", STEERED, 0.3);
+        turn("fin_offset", STEERED, 0.05);
         turn("hull_lift", STEERED, -4, 1, -2, -1);
     }
 

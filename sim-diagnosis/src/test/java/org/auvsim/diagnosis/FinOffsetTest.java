@@ -1,0 +1,59 @@
+package org.auvsim.diagnosis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Library;
+import org.auvsim.diagnosis.fit.Progress;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Finding;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.subject.MeasuredTorpedo;
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+import java.util.Set;
+
+/** A torpedo whose rudder is built in askew: it turns though it is told to go straight. */
+class FinOffsetTest {
+    private static final double ASKEW = 0.04;
+
+    @Test
+    void aRudderWhoseZeroIsOffIsNamed() throws Exception {
+        BelievedModel torpedo = MeasuredTorpedo.model(MeasuredTorpedo.RUDDER);
+        BelievedModel askew = MeasuredTorpedo.model(MeasuredTorpedo.RUDDER, chord());
+        List<MeasuredRun> fit =
+                List.of(
+                        MeasuredTorpedo.run(askew, 1, 0.3, Vec3.ZERO),
+                        MeasuredTorpedo.run(askew, 2, -2.2, Vec3.ZERO));
+        List<Cause> causes =
+                Library.of(torpedo, fit).stream()
+                        .filter(
+                                cause ->
+                                        Set.of("fin_offset", "fin_gain", "thruster_gain")
+                                                .contains(cause.id()))
+                        .toList();
+
+        Diagnosis diagnosis =
+                new Investigation(
+                                torpedo,
+                                fit,
+                                List.of(MeasuredTorpedo.run(askew, 3, 1.9, Vec3.ZERO)),
+                                causes,
+                                1,
+                                Progress.SILENT)
+                        .diagnose();
+
+        assertThat(diagnosis.sentence()).startsWith("The zero of 'rudder' is off: angle 0.0");
+        Finding offset = diagnosis.selected().getFirst();
+        assertThat(offset.quantities().getFirst().value()).isCloseTo(ASKEW, within(0.002));
+    }
+
+    /** Turned about its span, which points up. */
+    private static Vec3 chord() {
+        return new Vec3(Math.cos(ASKEW), Math.sin(ASKEW), 0);
+    }
+}

@@ -79,6 +79,7 @@ public final class Search {
      * @param traces what causes leave in the data beside those of the best
      * @param byRun causes of which one explains each run by itself, but of other numbers; usually
      *     none
+     * @param inParts that one cause explains the runs in parts; usually empty
      */
     public record Found(
             Judged none,
@@ -87,7 +88,8 @@ public final class Search {
             List<Judged> competitors,
             Traces traces,
             Noise noise,
-            List<Hypothesis> byRun) {
+            List<Hypothesis> byRun,
+            Optional<String> inParts) {
         /** The model, in steps that are short enough. */
         public Stepping stepping() {
             return none.fit().stepping();
@@ -95,7 +97,7 @@ public final class Search {
 
         /** The same, if none of what was found is true. */
         public Found nothing() {
-            return new Found(none, none, judged, List.of(), traces, noise, byRun);
+            return new Found(none, none, judged, List.of(), traces, noise, byRun, inParts);
         }
 
         /** The best, one of its causes left out. */
@@ -121,7 +123,7 @@ public final class Search {
     public Found found() {
         Found found = inTheseSteps();
         Fit best = found.best().fit();
-        if (!course.goesOn()) {
+        if (!course.goesOn() || found.inParts().isPresent()) {
             return found;
         }
         if (found.best().isWhite() && !StepLength.areFine(best)) {

@@ -87,8 +87,10 @@ final class Selection {
         }
         boolean isOpen = contest.isEmpty() && !best.isWhite();
         List<Hypothesis> byRun = isOpen ? ofOneRun() : List.of();
-        if (haveChanged(byRun)) {
-            return asItIs(best.isNone() ? best : tried.settled(best), byRun);
+        boolean haveChanged = haveChanged(byRun);
+        Optional<String> inParts = isOpen && !haveChanged ? inParts(specific) : Optional.empty();
+        if (haveChanged || inParts.isPresent()) {
+            return asItIs(best.isNone() ? best : tried.settled(best), byRun, inParts);
         }
         if (isOpen) {
             best = withMore(best, specific);
@@ -128,11 +130,12 @@ final class Selection {
                 choice.competitors(chosen),
                 chosen.hasCausesOf(found) ? traces : screening.traces(chosen),
                 noise,
-                List.of());
+                List.of(),
+                Optional.empty());
     }
 
-    /** Of runs between which something changed: no set is to explain all of them. */
-    private Search.Found asItIs(Judged best, List<Hypothesis> byRun) {
+    /** Of runs that no set is to explain as they are: something changed, or they are too long. */
+    private Search.Found asItIs(Judged best, List<Hypothesis> byRun, Optional<String> inParts) {
         Choice choice = choice(best);
         return new Search.Found(
                 none,
@@ -141,7 +144,8 @@ final class Selection {
                 choice.competitors(best),
                 screening.traces(best),
                 noise,
-                byRun);
+                byRun,
+                inParts);
     }
 
     /**
@@ -151,6 +155,16 @@ final class Selection {
         return new RunByRun(base.stepping(), none.fit().data(), noise, course)
                 .notice(byRun)
                 .isPresent();
+    }
+
+    /** That what promises most explains the runs in parts, if one of it does. */
+    private Optional<String> inParts(List<Cause> specific) {
+        List<Cause> common = specific.stream().filter(c -> !screening.hasManyGuesses(c)).toList();
+        List<Hypothesis> causes =
+                Screening.promisingOfEachLevel(screening.of(common), FORWARD).stream()
+                        .map(start -> start.fit().hypothesis())
+                        .toList();
+        return new PartByPart(base.stepping(), none.fit().data(), noise, course).notice(causes);
     }
 
     /** What promises most to explain the run that the model misses most; nothing of only one. */

@@ -92,6 +92,7 @@ final class Notices {
         if (verdict == Verdict.UNEXPLAINED) {
             new SureStarts(found.stepping(), all, found.noise(), course)
                     .notice()
+                    .or(found::inParts)
                     .or(() -> changed(found, heldOut))
                     .ifPresent(notices::add);
         }

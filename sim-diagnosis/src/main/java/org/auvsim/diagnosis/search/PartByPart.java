@@ -1,0 +1,110 @@
+package org.auvsim.diagnosis.search;
+
+import org.auvsim.diagnosis.fit.Course;
+import org.auvsim.diagnosis.fit.Descent;
+import org.auvsim.diagnosis.fit.Fit;
+import org.auvsim.diagnosis.fit.Following;
+import org.auvsim.diagnosis.fit.Hypothesis;
+import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.fit.Refinement;
+import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.result.Numbers;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.shooting.Stepping;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Whether runs that nothing explains in one go are explained by one cause in parts, each with a
+ * start of its own: what nothing steadies, as a torpedo's heading, goes elsewhere by the slightest
+ * error of a start, and a fit gets lost on the way there.
+ */
+final class PartByPart {
+    /** Runs are cut into so many. */
+    private static final List<Integer> COUNTS = List.of(4, 8);
+
+    /** Samples of the shortest part. */
+    private static final int FEWEST = 16;
+
+    /** Enough for what begins near. */
+    private static final int STEPS = 12;
+
+    /** What misses so much more than noise in parts is not explained in shorter ones either. */
+    private static final double HOPELESS = 2;
+
+    /** By so much a cause must be better than none, in parts. */
+    private static final double SURELY = 100;
+
+    private final Stepping stepping;
+    private final List<Misses> data;
+    private final Noise noise;
+    private final Course course;
+
+    PartByPart(Stepping stepping, List<Misses> data, Noise noise, Course course) {
+        this.stepping = stepping;
+        this.data = List.copyOf(data);
+        this.noise = noise;
+        this.course = course;
+    }
+
+    /**
+     * What is told of the best cause that does, in the longest parts; empty if none does.
+     *
+     * @param causes single ones, with numbers to begin at
+     */
+    Optional<String> notice(List<Hypothesis> causes) {
+        for (int count : COUNTS) {
+            List<Misses> parts = parts(count);
+            if (parts.isEmpty() || causes.isEmpty() || !course.goesOn()) {
+                return Optional.empty();
+            }
+            Fit followed = Following.of(stepping, Hypothesis.NONE, parts, noise, course);
+            Judged best =
+                    causes.stream()
+                            .map(cause -> fitted(followed.with(cause, followed.windows())))
+                            .min(Comparator.comparingDouble(Judged::score))
+                            .orElseThrow();
+            boolean isWorthIt = fitted(followed).score() - best.score() > SURELY;
+            if (best.isWhite() && isWorthIt && course.goesOn()) {
+                return Optional.of(words(best.fit().hypothesis(), parts));
+            }
+            if (!(best.cost() < HOPELESS * best.outcome().count())) {
+                return Optional.empty();
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** All runs in so many parts each; none if these would be too short. */
+    private List<Misses> parts(int count) {
+        List<MeasuredRun> parts = new ArrayList<>();
+        for (Misses of : data) {
+            int last = of.run().size() - 1;
+            if (last / count < FEWEST || of.run().isPart()) {
+                return List.of();
+            }
+            for (int i = 0; i < count; i++) {
+                int from = (int) ((long) i * last / count);
+                int to = (int) ((long) (i + 1) * last / count);
+                parts.add(of.run().part(of.run().name() + "-" + (i + 1), from, to));
+            }
+        }
+        return Misses.of(parts, noise);
+    }
+
+    private Judged fitted(Fit begun) {
+        Judged near = Refinement.approach(begun, 1, Double.POSITIVE_INFINITY, course).judged();
+        return Descent.of(near).steps(STEPS, Double.POSITIVE_INFINITY, course);
+    }
+
+    private static String words(Hypothesis cause, List<Misses> parts) {
+        double longest = parts.stream().mapToDouble(of -> of.run().duration()).max().orElseThrow();
+        String seconds = Numbers.rounded(longest);
+        return "in parts of %s s, each with a start of its own, the runs are explained by %s: over whole runs errors of the start grow too much; cut them into such parts (--parts %s)"
+                .formatted(seconds, cause.causes().getFirst().label(), seconds);
+    }
+}

@@ -29,9 +29,6 @@ public final class Descent {
     /** Steps that gain less of what they should are tried in other ways, too. */
     private static final double POOR = 0.05;
 
-    /** Those that gain less than this are tried once more after two. */
-    private static final double HALF = 0.5;
-
     private static final List<Double> SHARES = List.of(1.0 / 3, 1.0 / 9, 1.0 / 27, 1.0 / 81);
 
     private Place best;
@@ -105,34 +102,14 @@ public final class Descent {
         Damping first = step.hasParameters() ? ofParameters : ofAll;
         Place reached = first.next(best, step, isExact, worth());
         double promise = best.cost() - step.least();
-        double gain = best.cost() - reached.cost();
-        if (!isExact || gain > HALF * promise || !isWorthIt(promise)) {
+        boolean isPoor = best.cost() - reached.cost() < POOR * promise;
+        if (!isExact || !isPoor || !isWorthIt(promise)) {
             return reached;
-        }
-        Place over = over(step);
-        if (gain > POOR * promise || over.cost() < reached.cost()) {
-            return over.cost() < reached.cost() ? over : reached;
         }
         Place held = step.hasParameters() ? ofAll.next(best, step, true, worth()) : reached;
         return Stream.of(reached, held, shorter(step))
                 .min(Comparator.comparingDouble(Place::cost))
                 .orElseThrow();
-    }
-
-    /**
-     * Where two whole steps lead that are worse after the first: over the ridge beside a bent
-     * valley, through which damped ones creep (Chamberlain, Powell, Lemarechal &amp; Pedersen,
-     * Mathematical Programming Study 16, 1982). The same place if that is no better.
-     */
-    private Place over(Step step) {
-        Place beside = Place.of(step.end());
-        if (!Double.isFinite(beside.cost()) || beside.cost() < best.cost()) {
-            return best;
-        }
-        return Step.of(beside.at().fit(), Tangents.of(beside.at()), 1)
-                .map(second -> Place.of(second.end()))
-                .filter(tried -> tried.cost() < best.cost())
-                .orElse(best);
     }
 
     private boolean isWorthIt(double gain) {

@@ -1,18 +1,15 @@
 package org.auvsim.diagnosis.fit;
 
 import org.apache.commons.math3.linear.RealMatrix;
-import org.auvsim.diagnosis.shooting.Window;
 
-import java.util.List;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /**
  * The likelihood's profile along each parameter: how much worse the fit becomes when one number is
- * held away from its best, all others fitted anew (Venzon &amp; Moolgavkar 1988), from where its
- * starts go along with it. Where a model bends, this is the width that the covariance at the
- * optimum only guesses.
+ * held away from its best, all others fitted anew (Venzon &amp; Moolgavkar 1988). Where a model
+ * bends, this is the width that the covariance at the optimum only guesses.
  */
 final class Profile {
     /** So many standard deviations away the number is held. */
@@ -85,11 +82,9 @@ final class Profile {
         if (Math.abs(moved.numbers()[parameter] - there) > GIVE * deviation) {
             return Optional.empty();
         }
-        List<List<Window>> follow =
-                Step.windows(fitted.fit().blocks(tangents.derivatives(), 1), change);
         Fit fit =
                 fitted.fit()
-                        .with(moved, follow)
+                        .with(moved, fitted.fit().windows())
                         .knowing(Knowledge.of(moved.numbers(), parameter, GIVE * deviation));
         return Optional.of(Descent.of(fit).near(tangents).steps(STEPS));
     }

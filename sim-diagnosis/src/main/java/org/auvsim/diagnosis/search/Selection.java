@@ -159,6 +159,9 @@ final class Selection {
 
     /** That what promises most explains the runs in parts, if one of it does. */
     private Optional<String> inParts(List<Cause> specific) {
+        if (!course.goesOn()) {
+            return Optional.empty();
+        }
         List<Cause> common = specific.stream().filter(c -> !screening.hasManyGuesses(c)).toList();
         List<Hypothesis> causes =
                 Screening.promisingOfEachLevel(screening.of(common), FORWARD).stream()

@@ -24,7 +24,7 @@ import java.util.List;
 
 /**
  * A torpedo of which it is stated where it begins and how fast, but not how it is turned; its place
- * and its heading are measured. Its path depends on the start so much that no step is straight.
+ * and its heading are measured.
  */
 class StatedPlaceTest {
     private static final double DEVIATION = 0.02;

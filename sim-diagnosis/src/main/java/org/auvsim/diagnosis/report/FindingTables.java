@@ -34,6 +34,9 @@ final class FindingTables {
     private static final int MOST_RANKED = 20;
     private static final int MOST_SENSORS = 3;
 
+    private static final String SHARE =
+            "The share is what goes of the misfit beyond noise when this cause is added last.";
+
     private final Diagnosis of;
     private final Moments moments;
 
@@ -45,11 +48,7 @@ final class FindingTables {
     List<Block> found() {
         List<Block> blocks = new ArrayList<>();
         if (!of.selected().isEmpty()) {
-            blocks.add(
-                    table(
-                            of.selected(),
-                            "Values with their standard deviations. The share is what goes of the"
-                                    + " misfit beyond noise when this cause is added last."));
+            blocks.add(table(of.selected(), "Values with their standard deviations. " + SHARE));
         }
         if (!of.isUntried()) {
             of.conclusion().discrepancy().map(this::discrepancy).ifPresent(blocks::add);
@@ -65,6 +64,8 @@ final class FindingTables {
                 "An approximation, no finding: the best causes that were tried bring the model much"
                         + " nearer to the runs, but leave more than noise. They stand for something"
                         + " that is not known. "
+                        + SHARE
+                        + " "
                         + Report.APPROXIMATE
                         + " has the model with them.");
     }

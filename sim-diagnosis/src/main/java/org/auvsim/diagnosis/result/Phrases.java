@@ -103,7 +103,10 @@ public final class Phrases {
         put("sensor_lever_arm", "The measured positions are of another point of the body");
         put("sensor_scale", "The scale of the measured positions is wrong");
         put("sensor_delay", "The measurements are delayed");
-        put("clock_offset", "The measurement clock is offset");
+        put(
+                "clock_offset",
+                "The measurement clock is offset",
+                "The measurements are ahead of the commands, which may be stamped late");
         put("axis_misalignment", "The sensor axes are rotated");
     }
 

@@ -430,6 +430,18 @@ class SentenceTest {
         assertThat(Phrases.of(lift.name())).isEqualTo(Phrases.of(lift));
     }
 
+    /** Who reads of a measurement clock looks at sensors, and not at the log of commands. */
+    @Test
+    void measurementsThatAreAheadOfTheCommandsAreCalledSo() {
+        Finding ahead =
+                found("clock_offset", List.of(new Quantity("offset", "s", -0.398)), List.of(0.002));
+
+        assertThat(sentences.explained(List.of(ahead), 0.9, List.of()).text())
+                .startsWith(
+                        "The measurements are ahead of the commands, which may be stamped late:"
+                                + " 0.398 +- 0.002 s; ");
+    }
+
     @Test
     void aThrusterWithAFactorBelow0RunsBackwards() {
         List<Quantity> factor = List.of(new Quantity("factor", "1", -1.02));

@@ -11,12 +11,16 @@ import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.shooting.Growth;
 import org.auvsim.diagnosis.shooting.Stepping;
+import org.auvsim.diagnosis.shooting.WindowDerivatives;
+import org.auvsim.diagnosis.shooting.WindowDerivatives.Moves;
 
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * Whether runs that nothing explains in one go are explained by one cause in parts, each with a
@@ -35,6 +39,9 @@ final class PartByPart {
 
     /** What misses so much more than noise in parts is not explained in shorter ones either. */
     private static final double HOPELESS = 2;
+
+    /** Where errors grow by more over a run, it is no run to be followed in one go. */
+    private static final double FAR = 1000;
 
     /** By so much a cause must be better than none, in parts. */
     private static final double SURELY = 100;
@@ -69,7 +76,7 @@ final class PartByPart {
                             .min(Comparator.comparingDouble(Judged::score))
                             .orElseThrow();
             boolean isWorthIt = fitted(followed).score() - best.score() > SURELY;
-            if (best.isWhite() && isWorthIt && course.goesOn()) {
+            if (best.isWhite() && isWorthIt && course.goesOn() && isUnsteady(best.fit(), count)) {
                 return Optional.of(words(best.fit().hypothesis(), parts));
             }
             if (!(best.cost() < HOPELESS * best.outcome().count())) {
@@ -101,10 +108,19 @@ final class PartByPart {
         return Descent.of(near).steps(STEPS, Double.POSITIVE_INFINITY, course);
     }
 
+    /** Whether errors of a start grow far beyond themselves over a run. */
+    private static boolean isUnsteady(Fit inParts, int count) {
+        List<List<WindowDerivatives>> derivatives = inParts.derivatives(Moves.NONE);
+        return IntStream.range(0, derivatives.size() / count)
+                .mapToObj(run -> derivatives.subList(run * count, (run + 1) * count))
+                .map(parts -> parts.stream().flatMap(List::stream).toList())
+                .anyMatch(windows -> Growth.of(windows) > FAR);
+    }
+
     private static String words(Hypothesis cause, List<Misses> parts) {
         double longest = parts.stream().mapToDouble(of -> of.run().duration()).max().orElseThrow();
         String seconds = Numbers.rounded(longest);
-        return "in parts of %s s, each with a start of its own, the runs are explained by %s: over whole runs errors of the start grow too much; cut them into such parts (--parts %s)"
+        return "in parts of %s s, each with a start of its own, the runs are explained by %s: over whole runs errors of the start grow more than a thousandfold; cut them into such parts (--parts %s)"
                 .formatted(seconds, cause.causes().getFirst().label(), seconds);
     }
 }

@@ -48,17 +48,17 @@ final class CsvRuns {
         Survey survey = survey();
         tell(survey);
         List<MeasuredRun> runs = runs(survey);
-        if (survey.rows() < RunParts.FEWEST) {
+        if (survey.rows() < MeasuredRun.FEWEST) {
             throw new DocumentException(
                     "%s:%d: expected at least %d rows, but found %d; a shorter run tells nothing: give a longer one"
-                            .formatted(file, survey.lastLine(), RunParts.FEWEST, survey.rows()));
+                            .formatted(file, survey.lastLine(), MeasuredRun.FEWEST, survey.rows()));
         }
         if (runs.isEmpty()) {
             throw new DocumentException(
                     longest.says(
                             "no %d rows follow each other without a long gap%s; a shorter run tells nothing: give a longer one"
                                     .formatted(
-                                            RunParts.FEWEST,
+                                            MeasuredRun.FEWEST,
                                             hasLimits()
                                                     ? ", before a column is beyond its limit"
                                                     : "")));

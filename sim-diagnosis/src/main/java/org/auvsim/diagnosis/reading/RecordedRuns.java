@@ -94,10 +94,10 @@ final class RecordedRuns {
     private RecordedRows all(RecordedFeedback feedback, long id) throws DocumentException {
         RecordedRows all = new RecordedRows(id, List.of(), Long.MAX_VALUE);
         feedback.tell(all);
-        if (all.times() < RunParts.FEWEST) {
+        if (all.times() < MeasuredRun.FEWEST) {
             throw new DocumentException(
                     "%s: expected feedback for '%s' at %d instants at least, but found %d"
-                            .formatted(file, body.name(), RunParts.FEWEST, all.times()));
+                            .formatted(file, body.name(), MeasuredRun.FEWEST, all.times()));
         }
         return all;
     }

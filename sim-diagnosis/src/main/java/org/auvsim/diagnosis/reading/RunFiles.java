@@ -121,26 +121,14 @@ public record RunFiles(
         List<MeasuredRun> parts = new ArrayList<>();
         List<String> told = new ArrayList<>(notices);
         for (MeasuredRun run : fit) {
-            long most = Math.max(1, run.size() / RunParts.FEWEST);
+            long most = Math.max(1, run.size() / MeasuredRun.FEWEST);
             int count = (int) Math.clamp(Math.round(run.duration() / seconds), 1, most);
-            for (int i = 0; i < count; i++) {
-                parts.add(part(run, i, count));
-            }
+            parts.addAll(run.parts(count));
             told.add(
                     "%s: fitted in %d parts of %s s, each with a start of its own"
                             .formatted(run.name(), count, Figures.shown(run.duration() / count)));
         }
         return new RunFiles(parts, heldOut, reference, told, doubt, settled);
-    }
-
-    private static MeasuredRun part(MeasuredRun run, int i, int of) {
-        int last = run.size() - 1;
-        return of == 1
-                ? run
-                : run.part(
-                        run.name() + "-" + (i + 1),
-                        (int) ((long) i * last / of),
-                        (int) ((long) (i + 1) * last / of));
     }
 
     /** What is to be said of the data after a verdict: of a doubt that it settles, how. */

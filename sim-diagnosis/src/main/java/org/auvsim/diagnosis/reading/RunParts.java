@@ -17,9 +17,6 @@ final class RunParts {
     /** Samples of what is measured that are kept of a file, about. */
     static final int MOST = 20_000;
 
-    /** Fewer samples tell nothing. */
-    static final int FEWEST = 16;
-
     /** A gap is longer than so many usual intervals, and than a second. */
     private static final double INTERVALS = 10;
 
@@ -189,7 +186,7 @@ final class RunParts {
 
     private void end() {
         Source rows = source.rows(firstLine, lastLine);
-        if (part.isPresent() && inPart >= FEWEST) {
+        if (part.isPresent() && inPart >= MeasuredRun.FEWEST) {
             parts.add(part.get());
             sources.add(rows);
         } else if (part.isPresent()) {
@@ -197,7 +194,7 @@ final class RunParts {
             notices.add(
                     rows.says(
                             "%sbefore a gap or the end has only %d samples, and is left out; expected at least %d"
-                                    .formatted(span, inPart, FEWEST)));
+                                    .formatted(span, inPart, MeasuredRun.FEWEST)));
         }
         if (part.isPresent() && inPart > inLongest) {
             inLongest = inPart;

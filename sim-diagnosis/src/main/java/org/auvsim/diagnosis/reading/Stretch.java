@@ -46,7 +46,7 @@ record Stretch(double from, double until) {
             MeasuredRun run = runs.get(i);
             int first = before(run, from);
             int last = before(run, until + 2 * ROUNDED) - 1;
-            if (last - first + 1 < RunParts.FEWEST) {
+            if (last - first + 1 < MeasuredRun.FEWEST) {
                 throw tooShort(run, sources.get(i), Math.max(0, last - first + 1));
             }
             stretches.add(run.stretch(first, last));
@@ -68,7 +68,7 @@ record Stretch(double from, double until) {
                                         Figures.shown(from),
                                         end,
                                         Figures.shown(run.duration()),
-                                        RunParts.FEWEST)));
+                                        MeasuredRun.FEWEST)));
     }
 
     /** How many rows are before a time (s) after the first. */

@@ -5,6 +5,7 @@ import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
@@ -19,6 +20,9 @@ import java.util.stream.IntStream;
  * was not measured is NaN. Immutable.
  */
 public final class MeasuredRun {
+    /** Fewer samples tell nothing, of a run or of a part of one. */
+    public static final int FEWEST = 16;
+
     /** From here on (s) the digits before the point say nothing to people. */
     private static final double FAR = 1e6;
 
@@ -308,6 +312,25 @@ public final class MeasuredRun {
     /** The part from one sample to another, both included; its known start only if it has it. */
     public MeasuredRun part(String name, int from, int to) {
         return MeasuredRunBuilder.part(this, name, from, to);
+    }
+
+    /**
+     * The run cut into equal parts, each named after it and its number; itself, if in one.
+     *
+     * @param count how many, from 1 to one less than there are samples
+     */
+    public List<MeasuredRun> parts(int count) {
+        if (count == 1) {
+            return List.of(this);
+        }
+        List<MeasuredRun> parts = new ArrayList<>();
+        long last = size() - 1L;
+        for (int i = 0; i < count; i++) {
+            int from = (int) (i * last / count);
+            int to = (int) ((i + 1) * last / count);
+            parts.add(part(name + "-" + (i + 1), from, to));
+        }
+        return List.copyOf(parts);
     }
 
     /** The same samples as the only ones that count, to be predicted like those of any run. */

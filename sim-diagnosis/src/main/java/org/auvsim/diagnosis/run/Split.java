@@ -18,9 +18,6 @@ public record Split(List<MeasuredRun> fit, List<MeasuredRun> heldOut, String not
     /** Blocks of a single run; the last of each three is held out. */
     private static final int BLOCKS = 6;
 
-    /** A block has so many samples at least. */
-    private static final int FEWEST = 16;
-
     /** The lists cannot be changed. */
     public Split {
         fit = List.copyOf(fit);
@@ -66,12 +63,12 @@ public record Split(List<MeasuredRun> fit, List<MeasuredRun> heldOut, String not
      * known: that says most of what follows it.
      */
     private static Split ofOne(MeasuredRun run) {
-        boolean isLong = run.size() >= BLOCKS * FEWEST;
+        boolean isLong = run.size() >= BLOCKS * MeasuredRun.FEWEST;
         int blocks = isLong && run.start().isEmpty() ? BLOCKS : 3;
-        if (run.size() < blocks * FEWEST) {
+        if (run.size() < blocks * MeasuredRun.FEWEST) {
             throw new IllegalArgumentException(
                     "run '%s' has %d samples; expected %d to fit two thirds and hold out one: give a longer run, or another one to hold out"
-                            .formatted(run.name(), run.size(), blocks * FEWEST));
+                            .formatted(run.name(), run.size(), blocks * MeasuredRun.FEWEST));
         }
         List<MeasuredRun> fit = new ArrayList<>();
         List<MeasuredRun> heldOut = new ArrayList<>();

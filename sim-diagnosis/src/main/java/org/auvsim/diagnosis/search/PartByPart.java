@@ -31,9 +31,6 @@ final class PartByPart {
     /** Runs are cut into so many. */
     private static final List<Integer> COUNTS = List.of(4, 8);
 
-    /** Samples of the shortest part. */
-    private static final int FEWEST = 16;
-
     /** Enough for what begins near. */
     private static final int STEPS = 12;
 
@@ -90,15 +87,10 @@ final class PartByPart {
     private List<Misses> parts(int count) {
         List<MeasuredRun> parts = new ArrayList<>();
         for (Misses of : data) {
-            int last = of.run().size() - 1;
-            if (last / count < FEWEST || of.run().isPart()) {
+            if (of.run().size() / count < MeasuredRun.FEWEST || of.run().isPart()) {
                 return List.of();
             }
-            for (int i = 0; i < count; i++) {
-                int from = (int) ((long) i * last / count);
-                int to = (int) ((long) (i + 1) * last / count);
-                parts.add(of.run().part(of.run().name() + "-" + (i + 1), from, to));
-            }
+            parts.addAll(of.run().parts(count));
         }
         return Misses.of(parts, noise);
     }

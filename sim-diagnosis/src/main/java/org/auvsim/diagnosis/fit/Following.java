@@ -170,12 +170,11 @@ public final class Following {
     }
 
     /**
-     * Many short windows, each fitted alone: they follow whatever moves the body. Where it touches
-     * something each step takes long, and they follow less closely.
+     * Many short windows, each fitted alone: they follow whatever moves the body, as closely as few
+     * steps bring them there.
      */
     public List<Window> shortWindows() {
-        int iterations = model.touchesNothing() ? MOST_ITERATIONS : FEW_ITERATIONS;
-        return shortest(iterations).stream().map(Fitted::window).toList();
+        return shortest(FEW_ITERATIONS).stream().map(Fitted::window).toList();
     }
 
     private int mostWindows() {

@@ -15,6 +15,7 @@ import org.auvsim.server.feedback.RigidMotion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
@@ -84,6 +85,10 @@ public final class Ensemble {
 
     private final Commands commands;
     private final Ground ground;
+
+    /** Of differences in long steps: whoever wants them has shorter ones where these get lost. */
+    private final Optional<FewParts> fewParts;
+
     private long made;
 
     Ensemble(
@@ -101,6 +106,11 @@ public final class Ensemble {
                 World.builder().startTime(run.time(from)).timeStep(longestStep).allowOverlaps();
         ground = Ground.under(model);
         ground.addTo(builder);
+        fewParts =
+                commands == Commands.EVENED && model.touchesNothing()
+                        ? Optional.of(new FewParts())
+                        : Optional.empty();
+        fewParts.ifPresent(builder::integrator);
         model.scenario().field().forEach(builder::add);
         run.differences().currents().forEach(builder::add);
         for (int i = 0; i < entrants.size(); i++) {
@@ -192,7 +202,8 @@ public final class Ensemble {
 
     /**
      * The same of variants that hardly differ from the first, as those that differences are taken
-     * of: if that one gets lost, all are lost, and none of them is tried alone.
+     * of: if that one gets lost, all are lost, and none of them is tried alone. In long steps all
+     * are lost if any is.
      */
     public static RigidMotion[][] neighbours(
             BelievedModel model,
@@ -205,6 +216,9 @@ public final class Ensemble {
                     ? halves(model, run, samples, entrants, commands)
                     : inOneWorld(model, run, samples, entrants, commands);
         } catch (StepException e) {
+            if (commands == Commands.EVENED) {
+                return lost(entrants.size(), samples.length);
+            }
             RigidMotion[] first =
                     simulate(model, run, samples, entrants.subList(0, 1), commands)[0];
             return first[0].equals(LOST)
@@ -380,7 +394,9 @@ public final class Ensemble {
         double span = until - world.time();
         int steps = Math.max(1, (int) Math.ceil(span / longestStep - ROUNDING));
         for (int s = steps; s > 0; s--) {
-            world.advanceTimestep((until - world.time()) / s);
+            double step = (until - world.time()) / s;
+            fewParts.ifPresent(of -> of.of(step));
+            world.advanceTimestep(step);
             made += bodies.size();
         }
         if (world.statistics().subSteps() > MOST_PARTS * (made + A_MOMENT)) {

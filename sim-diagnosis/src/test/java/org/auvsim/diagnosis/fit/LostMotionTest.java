@@ -28,6 +28,8 @@ import org.auvsim.diagnosis.subject.Believed;
 import org.auvsim.diagnosis.subject.MeasuredVehicle;
 import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 import java.util.Arrays;
 import java.util.List;
@@ -86,6 +88,42 @@ class LostMotionTest {
 
         assertThat(told[0]).doesNotContain(Ensemble.LOST).isEqualTo(told[2]);
         assertThat(told[1]).containsOnly(Ensemble.LOST);
+    }
+
+    /** They are asked for in shorter ones then. */
+    @Test
+    void inLongStepsAllAreLostWithOne() throws Exception {
+        BelievedModel model = MeasuredVehicle.model(0.025);
+        Variant stuck = new Stuck().in(model.variant(), new double[0]);
+
+        RigidMotion[][] told =
+                neighbours(model, List.of(model.variant(), stuck), Commands.EVENED);
+
+        assertThat(told[0]).containsOnly(Ensemble.LOST);
+        assertThat(told[1]).containsOnly(Ensemble.LOST);
+    }
+
+    /** An explosion takes the engine very long: long steps are cut less than those of the model. */
+    @ParameterizedTest
+    @CsvSource({"FROM_ROW_TO_ROW, 600, false", "EVENED, 600, true", "EVENED, 100, false"})
+    void longStepsAreCutIntoFewPartsAtMost(Commands commands, double damping, boolean areLost)
+            throws Exception {
+        BelievedModel model = MeasuredVehicle.model(0.025);
+        Vec3 all = new Vec3(1, 1, 1).times(damping * model.variant().body().mass().orElseThrow());
+        Variant stiff =
+                model.variant()
+                        .with(b -> b.effect(new Damping(all, Vec3.ZERO, Vec3.ZERO, Vec3.ZERO)));
+        RigidMotion start = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, new Vec3(1, 0, 0), Vec3.ZERO);
+
+        RigidMotion[] told =
+                Ensemble.simulate(
+                        model.stepping(0.5),
+                        MeasuredVehicle.run(model),
+                        new int[] {0, 20},
+                        List.of(new Ensemble.Entrant(stiff, start)),
+                        commands)[0];
+
+        assertThat(told[0].equals(Ensemble.LOST)).isEqualTo(areLost);
     }
 
     /** Steps that do for the model as it is believed may be too long for what was found. */
@@ -160,12 +198,17 @@ class LostMotionTest {
     }
 
     private static RigidMotion[][] neighbours(BelievedModel model, List<Variant> variants) {
+        return neighbours(model, variants, Commands.FROM_ROW_TO_ROW);
+    }
+
+    private static RigidMotion[][] neighbours(
+            BelievedModel model, List<Variant> variants, Commands commands) {
         RigidMotion start = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, new Vec3(1, 0, 0), Vec3.ZERO);
         return Ensemble.neighbours(
                 model,
                 MeasuredVehicle.run(model),
                 new int[] {0, 10, 20},
                 variants.stream().map(v -> new Ensemble.Entrant(v, start)).toList(),
-                Ensemble.Commands.FROM_ROW_TO_ROW);
+                commands);
     }
 }

@@ -160,21 +160,40 @@ final class CsvRuns {
         }
     }
 
-    private void tellAngles(RowReader rows) {
-        if (rows.largestAngle() > SEVERAL_TURNS && !mapping.degrees()) {
-            Suspicion seen =
-                    Suspicion.ofTurns(
-                            "%s:%d: column '%s': angles go up to %s rad"
-                                    .formatted(
-                                            file,
-                                            rows.angleRow(),
-                                            rows.angleColumn(),
-                                            Figures.shown(rows.largestAngle())),
-                            "are they in degrees (--degrees)? Of a heading that counts its turns,"
-                                    + " take whole turns away");
-            doubt(Doubt.UNTIL_EXPLAINED, seen.notice());
-            turns = Optional.of(seen);
+    private void tellAngles(RowReader rows, AnglesAndRates turning, Source whole) {
+        Optional<String> wrong = turning.contradiction();
+        wrong.ifPresent(what -> doubt(Doubt.LASTING, whole.says(turning.columns(whole), what)));
+        if (wrong.isEmpty() && !turning.areRadians() && !mapping.degrees()) {
+            turns = largeAngles(rows).or(() -> jumps(turning.jumping(whole), whole));
+            turns.ifPresent(seen -> doubt(Doubt.UNTIL_EXPLAINED, seen.notice()));
         }
+    }
+
+    private Optional<Suspicion> largeAngles(RowReader rows) {
+        return rows.largestAngle() > SEVERAL_TURNS
+                ? Optional.of(
+                        Suspicion.ofTurns(
+                                "%s:%d: column '%s': angles go up to %s rad"
+                                        .formatted(
+                                                file,
+                                                rows.angleRow(),
+                                                rows.angleColumn(),
+                                                Figures.shown(rows.largestAngle())),
+                                "are they in degrees (--degrees)? Of a heading that counts its"
+                                        + " turns, take whole turns away"))
+                : Optional.empty();
+    }
+
+    private static Optional<Suspicion> jumps(List<String> columns, Source whole) {
+        return columns.isEmpty()
+                ? Optional.empty()
+                : Optional.of(
+                        Suspicion.ofTurns(
+                                whole.says(
+                                        columns,
+                                        "angles change by more than a quarter of a turn from row to"
+                                            + " row"),
+                                "are they in degrees (--degrees)?"));
     }
 
     private List<MeasuredRun> runs(Survey survey) throws DocumentException {
@@ -198,18 +217,21 @@ final class CsvRuns {
                             survey.extent(),
                             known::tell);
             Clock clock = new Clock(survey);
+            AnglesAndRates turning = new AnglesAndRates();
             for (Optional<double[]> row = rows.next(); row.isPresent(); row = rows.next()) {
                 if (rows.isOfAnotherRun()) {
                     clock.restart();
+                    turning.restart();
                     known.restart();
                     parts.restart();
                 }
                 parts.from(rows.line());
                 double time = clock.next(row.get()[Slots.TIME]);
+                turning.add(time, row.get());
                 rows.beyond().ifPresent(why -> parts.endBefore(time, why));
                 parts.add(time, row.get(), true, rows.isToldOtherwise());
             }
-            tellAngles(rows);
+            tellAngles(rows, turning, Source.of(file, layout, Axes.of(mapping.axes())));
             List<MeasuredRun> runs = parts.runs();
             sources = parts.sources();
             longest = parts.longest();

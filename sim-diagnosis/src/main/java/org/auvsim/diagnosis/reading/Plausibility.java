@@ -10,8 +10,10 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /** Whether the numbers of a run can be what they are taken for. */
 final class Plausibility {
@@ -60,7 +62,7 @@ final class Plausibility {
                                     .formatted(run.name())));
         }
         List<String> notices = new ArrayList<>();
-        velocity().ifPresent(notices::add);
+        velocity().ifPresentOrElse(notices::add, () -> notices.addAll(velocities()));
         way().ifPresent(notices::add);
         return notices;
     }
@@ -106,6 +108,24 @@ final class Plausibility {
                                     "positions go %s times as far as velocities say: is one of them in another unit?"
                                             .formatted(Figures.shown(seen.ratio(), 2)));
                         });
+    }
+
+    private List<String> velocities() {
+        return new VelocityFactors(run)
+                .suspicions().stream()
+                        .collect(
+                                Collectors.groupingBy(
+                                        VelocityFactors.Suspicion::what,
+                                        LinkedHashMap::new,
+                                        Collectors.mapping(
+                                                seen ->
+                                                        source.column(
+                                                                run, Channel.VELOCITY, seen.axis()),
+                                                Collectors.toList())))
+                        .entrySet()
+                        .stream()
+                        .map(seen -> source.says(seen.getValue(), seen.getKey()))
+                        .toList();
     }
 
     private List<String> positions(List<Integer> axes) {

@@ -135,6 +135,11 @@ public final class Source {
         return isAlongBody ? bodyColumn(channel, axis) : column(channel, axis);
     }
 
+    /** The column that fills a place of {@link Slots}; empty if none does. */
+    String named(int slot) {
+        return columns.getOrDefault(slot, "");
+    }
+
     /** Those of a channel. */
     List<String> columns(Channel channel) {
         int first = Slots.measuredBy(channel);

@@ -43,9 +43,10 @@ final class VelocityUnits {
         double ratio = Double.NaN;
         boolean isKnown = false;
         for (int axis = 0; axis < 3; axis++) {
-            Pairs pairs = along(axis);
-            isKnown |= pairs.count >= FEWEST;
-            if (pairs.count >= FEWEST && isOff(pairs.slope()) && pairs.goTogether()) {
+            Proportion pairs = along(axis);
+            isKnown |= pairs.count() >= FEWEST;
+            boolean goTogether = pairs.correlation() >= TOGETHER;
+            if (pairs.count() >= FEWEST && isOff(pairs.slope()) && goTogether) {
                 axes.add(axis);
                 ratio = pairs.slope();
             }
@@ -60,37 +61,9 @@ final class VelocityUnits {
         return (ratio >= LEAST && ratio <= MOST) || (ratio >= 1 / MOST && ratio <= 1 / LEAST);
     }
 
-    /** Sums over pairs of a position and the integral of the velocity up to it. */
-    private static final class Pairs {
-        private int count;
-        private double x;
-        private double y;
-        private double xx;
-        private double xy;
-        private double yy;
-
-        void add(double integral, double position) {
-            count++;
-            double dx = integral - x;
-            double dy = position - y;
-            x += dx / count;
-            y += dy / count;
-            xx += dx * (integral - x);
-            yy += dy * (position - y);
-            xy += dx * (position - y);
-        }
-
-        double slope() {
-            return xy / xx;
-        }
-
-        boolean goTogether() {
-            return xy >= TOGETHER * Math.sqrt(xx * yy);
-        }
-    }
-
-    private Pairs along(int axis) {
-        Pairs pairs = new Pairs();
+    /** Of the integral of the velocity, positions. */
+    private Proportion along(int axis) {
+        Proportion pairs = new Proportion();
         double integral = 0;
         double before = Double.NaN;
         double since = Double.NaN;

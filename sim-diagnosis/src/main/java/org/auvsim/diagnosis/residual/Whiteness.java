@@ -1,14 +1,26 @@
 package org.auvsim.diagnosis.residual;
 
+import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
  * Whether residuals are noise: those of a good model have no memory, so that means over blocks of
- * them are as small as chance makes them. Each channel is scaled by its own deviation, so that a
- * wrong estimate of the noise is not taken for a cause.
+ * them are as small as chance makes them, and none is like the next. Each channel is scaled by its
+ * own deviation, so that a wrong estimate of the noise is not taken for a cause.
  */
 public final class Whiteness {
     private static final int[] BLOCKS = {4, 8, 16, 32};
+
+    /** Where more than this share of the squares lasts to the next sample, they may be motion. */
+    private static final double LASTING = 0.5;
+
+    /** So many deviations of the noise are more than errors of a sensor that last. */
+    private static final double FAR_ABOVE_NOISE = 3;
+
+    /** No estimate of the noise is too small by this factor, or by as many samples. */
+    private static final double BEYOND_NOISE = 5;
+
+    private static final int FEWEST = 16;
 
     /** Above this a channel is not white: of noise, one in 30,000 block sums is. */
     public static final double LIMIT = 4;
@@ -30,9 +42,13 @@ public final class Whiteness {
             if (own * own < Outcome.EXACT) {
                 continue; // without noise
             }
+            if (!of.isStated(of.rows().get(row))) {
+                largest = Math.max(largest, beyondNoise(ofChannel));
+            }
             for (int length : BLOCKS) {
                 largest = Math.max(largest, deviate(ofChannel, deviation, length));
             }
+            largest = Math.max(largest, lasting(ofChannel, deviation));
         }
         return largest;
     }
@@ -53,6 +69,35 @@ public final class Whiteness {
             sum += value * value;
         }
         return Math.sqrt(sum / values.length);
+    }
+
+    /**
+     * So many times the noise, if most are that large: angles that are far off are as random as
+     * noise. Few that are, as outliers, are none of the model's.
+     */
+    private static double beyondNoise(double[] values) {
+        if (values.length < FEWEST) {
+            return 0;
+        }
+        double usual =
+                MedianAbsoluteDeviation.standardDeviation(
+                        Arrays.stream(values).map(Math::abs).toArray());
+        return usual > BEYOND_NOISE ? usual : 0;
+    }
+
+    /**
+     * That of the correlation of each with the next, where they are large and alike: what swings to
+     * and fro within a block has small means, and of few samples there are few blocks.
+     */
+    private static double lasting(double[] values, double deviation) {
+        double sum = 0;
+        for (int k = 1; k < values.length; k++) {
+            sum += values[k - 1] * values[k];
+        }
+        double correlation = sum / (deviation * deviation * values.length);
+        return deviation > FAR_ABOVE_NOISE && correlation > LASTING
+                ? correlation * Math.sqrt(values.length)
+                : 0;
     }
 
     /** That of one channel over blocks of one length. */

@@ -96,8 +96,7 @@ class LostMotionTest {
         BelievedModel model = MeasuredVehicle.model(0.025);
         Variant stuck = new Stuck().in(model.variant(), new double[0]);
 
-        RigidMotion[][] told =
-                neighbours(model, List.of(model.variant(), stuck), Commands.EVENED);
+        RigidMotion[][] told = neighbours(model, List.of(model.variant(), stuck), Commands.EVENED);
 
         assertThat(told[0]).containsOnly(Ensemble.LOST);
         assertThat(told[1]).containsOnly(Ensemble.LOST);

@@ -34,6 +34,35 @@ class WhitenessTest {
         assertThat(largest).isLessThan(2);
     }
 
+    /** Of a fix each second, 46 of them: means over blocks are next to nothing. */
+    @Test
+    void whatSwingsFasterThanABlockIsNoNoise() {
+        assertThat(swing(1)).isGreaterThan(Whiteness.LIMIT);
+    }
+
+    /** Errors of a sensor may last as long. */
+    @Test
+    void nothingIsSaidOfSwingsAsSmallAsNoise() {
+        assertThat(swing(0.4)).isLessThan(2);
+    }
+
+    /** The deviate of so many times a swing of 0.8 m beside noise of 0.1 m. */
+    private static double swing(double times) {
+        Random random = new Random(4);
+        MeasuredRunBuilder builder = MeasuredRun.named("run");
+        double[] misses = new double[46];
+        for (int k = 0; k < misses.length; k++) {
+            misses[k] = 0.8 * Math.sin(2 * Math.PI * (k - 1.5) / 8) + 0.1 * random.nextGaussian();
+            builder.at(k).position(misses[k], Double.NaN, Double.NaN);
+        }
+        MeasuredRun run = builder.build();
+        Misses of = new Misses(run, Noise.of(List.of(run)));
+        for (int k = 0; k < misses.length; k++) {
+            misses[k] *= times / of.deviation(k);
+        }
+        return Whiteness.largest(misses, of);
+    }
+
     @ParameterizedTest(name = "1 in 10 to the {1} of {0}")
     @CsvSource({"2, 2", "2, 5", "8, 3", "8, 5", "30, 5", "300, 5"})
     void aDeviateIsAsRareAsItsChiSquare(int freedom, int digits) {

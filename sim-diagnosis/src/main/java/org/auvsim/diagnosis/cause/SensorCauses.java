@@ -54,6 +54,11 @@ final class SensorCauses {
                         .asGeneric());
         if (s.measures(Channel.POSITION)) {
             causes.addAll(ofPositions(s));
+            if (s.measures(Channel.ORIENTATION)
+                    || s.measures(Channel.VELOCITY)
+                    || s.measures(Channel.ANGULAR_VELOCITY)) {
+                causes.add(positionDelay());
+            }
             if (s.measures(Channel.ORIENTATION) && turns(s.model())) {
                 causes.add(leverArm(s));
             }
@@ -100,6 +105,16 @@ final class SensorCauses {
             all[axes[i]] = along[i];
         }
         return new Vec3(all[0], all[1], all[2]);
+    }
+
+    /** Where nothing else is measured it is that of all there is. */
+    private static Cause positionDelay() {
+        return Change.of(
+                        "position_delay",
+                        List.of(new Parameter("delay", "s", 0.05, 0, LONGEST_DELAY)),
+                        (v, t) -> v.sensed(sensing -> sensing.withLatePositions(t[0])))
+                .from(List.of(Change.secant(0.05), Change.secant(0.3)))
+                .asGeneric();
     }
 
     /** Of a body that does not turn it cannot be told from where the body is. */

@@ -226,9 +226,9 @@ public final class Following {
      * @param goesOn whether what was fitted to a part is worth more of the run
      */
     private Optional<Fitted> inOneGo(Predicate<Fitted> goesOn) {
-        RigidMotion start = LocalMotion.begin(run, model);
-        KnownStart known = run.start().map(this::asFarAsKnown).orElse(near(0, start));
         int last = run.size() - 1;
+        RigidMotion start = begin(Math.max(1, last / PARTS.getFirst()));
+        KnownStart known = run.start().map(this::asFarAsKnown).orElse(near(0, start));
         Optional<Fitted> fitted = Optional.empty();
         for (int part : run.start().isPresent() ? List.of(1) : PARTS) {
             Window longer = new Window(0, Math.max(1, last / part), start);
@@ -239,6 +239,21 @@ public final class Following {
             start = fitted.get().window().start();
         }
         return fitted;
+    }
+
+    /**
+     * How a run begins, by its first part up to a sample: as fast as in the model, or as was
+     * measured, whichever leads nearer to it.
+     */
+    private RigidMotion begin(int to) {
+        RigidMotion asBelieved = LocalMotion.begin(run, model);
+        if (run.start().isPresent()) {
+            return asBelieved;
+        }
+        RigidMotion asMeasured = measured(0, to);
+        Fitted one = fit(0, to, asBelieved, FEW_ITERATIONS);
+        Fitted other = fit(0, to, asMeasured, FEW_ITERATIONS);
+        return other.cost < one.cost ? asMeasured : asBelieved;
     }
 
     /** The window of a whole run, or one that was begun anew if it misses less. */

@@ -12,6 +12,7 @@ import org.auvsim.server.feedback.RigidMotion;
  * the order of the components.
  *
  * @param delay by which what is told is old (s)
+ * @param positionDelay by which positions are older still (s)
  * @param arm from the body's origin to the point whose position is told (m, body)
  * @param scale of coordinates, less 1
  * @param turn by which the sensors' axes are off the world's (rotation vector, rad)
@@ -23,6 +24,7 @@ import org.auvsim.server.feedback.RigidMotion;
  */
 public record Sensing(
         double delay,
+        double positionDelay,
         Vec3 arm,
         Vec3 scale,
         Vec3 turn,
@@ -32,41 +34,62 @@ public record Sensing(
         Vec3 drift) {
     /** What is told is what is. */
     public static final Sensing EXACT =
-            new Sensing(0, Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, 0, 0, Vec3.ZERO, Vec3.ZERO);
+            new Sensing(0, 0, Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, 0, 0, Vec3.ZERO, Vec3.ZERO);
 
     /** The same, older by a time (s). */
     public Sensing delayed(double more) {
-        return new Sensing(delay + more, arm, scale, turn, yaw, yawRate, offset, drift);
+        return new Sensing(
+                delay + more, positionDelay, arm, scale, turn, yaw, yawRate, offset, drift);
+    }
+
+    /** The same, its positions older by a time (s). */
+    public Sensing withLatePositions(double more) {
+        return new Sensing(
+                delay, positionDelay + more, arm, scale, turn, yaw, yawRate, offset, drift);
     }
 
     /** The same, of a point that is further from the body's origin (m, body). */
     public Sensing armed(Vec3 more) {
-        return new Sensing(delay, arm.plus(more), scale, turn, yaw, yawRate, offset, drift);
+        return new Sensing(
+                delay, positionDelay, arm.plus(more), scale, turn, yaw, yawRate, offset, drift);
     }
 
     /** The same, its coordinates larger by shares. */
     public Sensing scaled(Vec3 more) {
-        return new Sensing(delay, arm, scale.plus(more), turn, yaw, yawRate, offset, drift);
+        return new Sensing(
+                delay, positionDelay, arm, scale.plus(more), turn, yaw, yawRate, offset, drift);
     }
 
     /** The same, its axes turned on (rotation vector, rad). */
     public Sensing turned(Vec3 more) {
-        return new Sensing(delay, arm, scale, turn.plus(more), yaw, yawRate, offset, drift);
+        return new Sensing(
+                delay, positionDelay, arm, scale, turn.plus(more), yaw, yawRate, offset, drift);
     }
 
     /** The same, its orientations off by more (rad, rad/s) about the vertical. */
     public Sensing yawed(double more, double moreRate) {
-        return new Sensing(delay, arm, scale, turn, yaw + more, yawRate + moreRate, offset, drift);
+        return new Sensing(
+                delay,
+                positionDelay,
+                arm,
+                scale,
+                turn,
+                yaw + more,
+                yawRate + moreRate,
+                offset,
+                drift);
     }
 
     /** The same, its positions off by more (m). */
     public Sensing shifted(Vec3 more) {
-        return new Sensing(delay, arm, scale, turn, yaw, yawRate, offset.plus(more), drift);
+        return new Sensing(
+                delay, positionDelay, arm, scale, turn, yaw, yawRate, offset.plus(more), drift);
     }
 
     /** The same, its positions running away faster (m/s). */
     public Sensing drifting(Vec3 more) {
-        return new Sensing(delay, arm, scale, turn, yaw, yawRate, offset, drift.plus(more));
+        return new Sensing(
+                delay, positionDelay, arm, scale, turn, yaw, yawRate, offset, drift.plus(more));
     }
 
     /**
@@ -84,7 +107,11 @@ public record Sensing(
             double time = run.time(from + k);
             RigidMotion then =
                     delay == 0 ? motions[k] : Course.at(motions, run, from, time - delay);
-            told[k] = of(then, time - run.whole().time(0), run);
+            RigidMotion before =
+                    positionDelay == 0
+                            ? then
+                            : Course.at(motions, run, from, time - delay - positionDelay);
+            told[k] = of(then, before, time - run.whole().time(0), run);
         }
         return told;
     }
@@ -94,10 +121,10 @@ public record Sensing(
     }
 
     /** Velocities that sensors of the body tell in its axes are what they are, however told. */
-    private RigidMotion of(RigidMotion then, double since, MeasuredRun run) {
+    private RigidMotion of(RigidMotion then, RigidMotion before, double since, MeasuredRun run) {
         Quat axes = rotation(turn);
         Quat heading = rotation(new Vec3(0, 0, yaw + yawRate * since)).times(axes);
-        Vec3 p = then.position().plus(then.orientation().rotate(arm));
+        Vec3 p = before.position().plus(before.orientation().rotate(arm));
         Vec3 v = then.velocity();
         return new RigidMotion(
                 axes.rotate(inScale(p)).plus(offset).plus(drift.times(since)),

@@ -117,7 +117,7 @@ final class AnglesAndRates {
         return inRadians.correlation() < -TOGETHER && isAbout(inRadians, -1, ALIKE)
                 ? Optional.of(
                         "one turns the other way than the other says: is one of them positive"
-                            + " clockwise? If so, map that one with a scale of -1 (--mapping)")
+                                + " clockwise? If so, map that one with a scale of -1 (--mapping)")
                 : Optional.empty();
     }
 

@@ -192,7 +192,7 @@ final class CsvRuns {
                                 whole.says(
                                         columns,
                                         "angles change by more than a quarter of a turn from row to"
-                                            + " row"),
+                                                + " row"),
                                 "are they in degrees (--degrees)?"));
     }
 

@@ -137,7 +137,7 @@ final class VelocityFactors {
         return isOpposite
                 ? Optional.of(
                         "velocities are the opposite of what positions say: are they positive the"
-                            + " other way? If so, map them with a scale of -1 (--mapping)")
+                                + " other way? If so, map them with a scale of -1 (--mapping)")
                 : Optional.empty();
     }
 

@@ -16,6 +16,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 
 /**
@@ -33,6 +34,9 @@ public final class LocalMotion {
 
     /** A rotation vector (rad) beyond half a turn would be that of the other way round. */
     private static final double MOST_TURN = 2;
+
+    /** A path of a body that has turned by more (rad) may wind. */
+    private static final double WINDING = 1;
 
     /** How far a body under way may be tilted (rad), and how fast that may change (rad/s). */
     private static final double TILT = 0.3;
@@ -68,13 +72,12 @@ public final class LocalMotion {
     private static RigidMotion placed(MeasuredRun run, RigidMotion otherwise) {
         RigidMotion local = beginning(run, otherwise);
         Quat turned = local.orientation();
-        LocalMotion begun = new LocalMotion(run, otherwise, 0, 0);
+        LocalMotion begun = new LocalMotion(run, otherwise, 0, run.size() - 1);
         return new RigidMotion(
                 local.position(),
                 turned,
-                begun.measured(Channel.VELOCITY, turned).orElse(begun.carried(turned)),
-                begun.measured(Channel.ANGULAR_VELOCITY, turned)
-                        .orElse(otherwise.angularVelocity()));
+                begun.asMeasured(Channel.VELOCITY, turned, begun.carried(turned)),
+                begun.asMeasured(Channel.ANGULAR_VELOCITY, turned, otherwise.angularVelocity()));
     }
 
     /**
@@ -134,14 +137,14 @@ public final class LocalMotion {
         double[][] place = new double[3][];
         for (int i = 0; i < 3; i++) {
             double there = otherwise.position().component(i);
-            place[i] = polynomial(places(i), DEGREE, there, carried.component(i));
+            place[i] = polynomial(places(axes, i), DEGREE, there, carried.component(i));
         }
         Vec3 atPlace = column(place, 0);
         return new RigidMotion(
                 atPlace,
                 oriented,
-                measured(Channel.VELOCITY, oriented).orElse(column(place, 1)),
-                measured(Channel.ANGULAR_VELOCITY, oriented).orElse(column(turn, 1)));
+                asMeasured(Channel.VELOCITY, oriented, column(place, 1)),
+                asMeasured(Channel.ANGULAR_VELOCITY, oriented, column(turn, 1)));
     }
 
     /** The velocity along the body's axes as in the motion given. */
@@ -149,19 +152,39 @@ public final class LocalMotion {
         return orientation.rotate(otherwise.orientation().rotateInverse(otherwise.velocity()));
     }
 
-    /** A velocity that was measured itself, in the world's axes. */
-    private Optional<Vec3> measured(Channel channel, Quat orientation) {
-        return run.vector(channel, from)
-                .map(v -> run.frame(channel) == Frame.BODY ? orientation.rotate(v) : v);
+    /** A velocity in the world's axes, along axes along which it was measured itself as it was. */
+    private Vec3 asMeasured(Channel channel, Quat orientation, Vec3 otherwise) {
+        boolean isAlongBody = run.frame(channel) == Frame.BODY;
+        Vec3 own = isAlongBody ? orientation.rotateInverse(otherwise) : otherwise;
+        Vec3 told =
+                new Vec3(
+                        first(channel, 0).orElse(own.x()),
+                        first(channel, 1).orElse(own.y()),
+                        first(channel, 2).orElse(own.z()));
+        return isAlongBody ? orientation.rotate(told) : told;
     }
 
-    private WeightedObservedPoints places(int axis) {
+    /** The first number of a channel, as it need not be measured in each row. */
+    private OptionalDouble first(Channel channel, int axis) {
+        return IntStream.rangeClosed(from, Math.min(to, from + BEGINNING))
+                .mapToDouble(k -> run.value(channel, k, axis))
+                .filter(value -> !Double.isNaN(value))
+                .findFirst();
+    }
+
+    /** A few at least, and no more once it has turned far: a path that winds is no parabola. */
+    private WeightedObservedPoints places(Quat axes, int axis) {
         WeightedObservedPoints places = new WeightedObservedPoints();
-        for (int k = from; k <= to; k++) {
+        boolean hasTurned = false;
+        for (int k = from; k <= to && !(hasTurned && places.toList().size() >= FEW); k++) {
             double place = run.value(Channel.POSITION, k, axis);
             if (!Double.isNaN(place)) {
                 places.add(run.time(k) - run.time(from), place);
             }
+            hasTurned |=
+                    run.orientation(k)
+                            .filter(q -> OrientationError.turn(axes, q).norm() > WINDING)
+                            .isPresent();
         }
         return places;
     }

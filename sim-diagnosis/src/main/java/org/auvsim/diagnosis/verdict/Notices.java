@@ -94,6 +94,7 @@ final class Notices {
                     .notice()
                     .or(found::inParts)
                     .or(() -> changed(found, heldOut))
+                    .or(() -> MissedAlone.notice(found.none()))
                     .ifPresent(notices::add);
         }
         found.noise().notice().ifPresent(notices::add);

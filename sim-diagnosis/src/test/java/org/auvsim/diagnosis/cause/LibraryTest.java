@@ -78,6 +78,7 @@ class LibraryTest {
                         "sensor_lever_arm",
                         "sensor_scale",
                         "sensor_delay",
+                        "position_delay",
                         "clock_offset",
                         "axis_misalignment")
                 .doesNotContain("coulomb_torque");

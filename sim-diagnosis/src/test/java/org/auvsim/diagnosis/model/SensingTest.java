@@ -12,6 +12,7 @@ import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.function.Consumer;
@@ -79,6 +80,24 @@ class SensingTest {
                         .times(motion.orientation()),
                 motion.velocity(),
                 motion.angularVelocity());
+    }
+
+    /** A receiver's fixes are old, while all else is told at once; the delays of both add up. */
+    @ParameterizedTest
+    @CsvSource({"0, 0.23", "0.1, 0.37"})
+    void positionsMayBeOlder(double delay, double older) {
+        RigidMotion[] told = told(Sensing.EXACT.delayed(delay).withLatePositions(older), 10);
+
+        RigidMotion before = motion(2.5 - delay - older);
+        RigidMotion then = motion(2.5 - delay);
+        assertNear(
+                told[15],
+                new RigidMotion(
+                        before.position(),
+                        then.orientation(),
+                        then.velocity(),
+                        then.angularVelocity()),
+                2e-4);
     }
 
     /** A leg of one sample has no other that it could lie between. */

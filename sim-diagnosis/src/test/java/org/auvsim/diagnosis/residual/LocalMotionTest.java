@@ -2,9 +2,11 @@ package org.auvsim.diagnosis.residual;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.EulerAngles;
 import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -103,6 +105,52 @@ class LocalMotionTest {
 
         assertThat(at.position().distance(new Vec3(5, 6, 0))).isLessThan(1e-9);
         assertThat(at.velocity().distance(new Vec3(0, 1.5, -0.3))).isLessThan(1e-9);
+    }
+
+    /** Of a boat the speed ahead and the rate of turning alone, now and then. */
+    @Test
+    void velocitiesThatAreMeasuredAlongSomeAxesCount() {
+        MeasuredRunBuilder run =
+                MeasuredRun.named("boat")
+                        .frame(Channel.VELOCITY, Frame.BODY)
+                        .frame(Channel.ANGULAR_VELOCITY, Frame.BODY);
+        Quat north = Quat.ofAxisAngle(new Vec3(0, 0, 1), Math.PI / 2);
+        for (int k = 0; k < 9; k++) {
+            double ahead = k % 5 == 2 ? 1.5 : Double.NaN;
+            run.at(0.1 * k)
+                    .position(0, 0, 0)
+                    .orientation(north)
+                    .measured(Channel.VELOCITY, ahead, Double.NaN, Double.NaN)
+                    .measured(Channel.ANGULAR_VELOCITY, Double.NaN, Double.NaN, 0.8);
+        }
+        RigidMotion still = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
+
+        RigidMotion at = LocalMotion.at(run.build(), still, 0, 8);
+
+        assertThat(at.velocity().distance(new Vec3(0, 1.5, 0))).isLessThan(1e-9);
+        assertThat(at.angularVelocity().distance(new Vec3(0, 0, 0.8))).isLessThan(1e-9);
+    }
+
+    /** A fix a second on a circle: a parabola through all of it would lead nowhere. */
+    @Test
+    void aPathThatWindsTellsHowItBegins() {
+        MeasuredRunBuilder run = MeasuredRun.named("boat");
+        for (int k = 0; k <= 80; k++) {
+            double yaw = 0.4 * 0.1 * k;
+            boolean isFix = k % 10 == 0;
+            run.at(0.1 * k)
+                    .position(
+                            isFix ? Math.sin(yaw) : Double.NaN,
+                            isFix ? 1 - Math.cos(yaw) : Double.NaN,
+                            0)
+                    .orientation(Quat.ofAxisAngle(new Vec3(0, 0, 1), yaw));
+        }
+        RigidMotion still = new RigidMotion(Vec3.ZERO, Quat.IDENTITY, Vec3.ZERO, Vec3.ZERO);
+
+        RigidMotion at = LocalMotion.at(run.build(), still, 0, 80);
+
+        assertThat(at.velocity().distance(new Vec3(0.4, 0, 0))).isLessThan(0.1);
+        assertThat(at.position().norm()).isLessThan(0.1);
     }
 
     @Test

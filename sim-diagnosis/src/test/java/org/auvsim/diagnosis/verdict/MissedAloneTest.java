@@ -1,0 +1,78 @@
+package org.auvsim.diagnosis.verdict;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.fit.Course;
+import org.auvsim.diagnosis.fit.Descent;
+import org.auvsim.diagnosis.fit.Following;
+import org.auvsim.diagnosis.fit.Hypothesis;
+import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.fit.Refinement;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.diagnosis.shooting.Stepping;
+import org.auvsim.diagnosis.subject.Surveyor;
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+import java.util.Random;
+
+/** A vehicle that the model predicts, some of its positions off as no cause has it. */
+class MissedAloneTest {
+    /** Positions swing by so many metres beside the body, and its heading by so many radians. */
+    private static MeasuredRun run(double place, double turn) {
+        MeasuredRun of = new Surveyor(0, Vec3.ZERO, 1, 0).run("run", new Random(4));
+        MeasuredRunBuilder told =
+                MeasuredRun.named("run").commands(List.of("port", "starboard", "vertical"));
+        for (int k = 0; k < of.size(); k++) {
+            double swing = Math.sin(0.7 * of.time(k));
+            Vec3 position = of.vector(Channel.POSITION, k).orElseThrow();
+            Quat off = Quat.ofAxisAngle(new Vec3(0, 0, 1), turn * swing);
+            told.at(of.time(k))
+                    .position(position.x() + place * swing, position.y(), position.z())
+                    .orientation(off.times(of.orientation(k).orElseThrow()), false, false, true);
+            for (int c = 0; c < of.commands().size(); c++) {
+                told.command(c, of.commands().get(c).level(k));
+            }
+        }
+        return told.build();
+    }
+
+    private static Judged none(MeasuredRun run) throws Exception {
+        BelievedModel model = Surveyor.believed();
+        List<MeasuredRun> runs = List.of(run);
+        Noise noise = Noise.of(runs);
+        return Descent.of(
+                        Refinement.approach(
+                                Following.of(
+                                        Stepping.exact(model),
+                                        Hypothesis.NONE,
+                                        Misses.of(runs, noise),
+                                        noise),
+                                1))
+                .steps(20, Double.POSITIVE_INFINITY, Course.UNHEARD);
+    }
+
+    @Test
+    void oneChannelIsNamedIfAllElseIsPredicted() throws Exception {
+        assertThat(MissedAlone.notice(none(run(0.3, 0))))
+                .hasValueSatisfying(
+                        said ->
+                                assertThat(said)
+                                        .startsWith(
+                                                "the model as it is predicts everything but the"
+                                                        + " position to the noise"));
+    }
+
+    @Test
+    void nothingIsSaidIfOthersAreMissedToo() throws Exception {
+        assertThat(MissedAlone.notice(none(run(0.3, 0.1)))).isEmpty();
+        assertThat(MissedAlone.notice(none(run(0, 0)))).isEmpty();
+    }
+}

@@ -61,7 +61,7 @@ class MissedAloneTest {
 
     @Test
     void oneChannelIsNamedIfAllElseIsPredicted() throws Exception {
-        assertThat(MissedAlone.notice(none(run(0.3, 0))))
+        assertThat(MissedAlone.notice(none(run(0.05, 0))))
                 .hasValueSatisfying(
                         said ->
                                 assertThat(said)
@@ -72,7 +72,7 @@ class MissedAloneTest {
 
     @Test
     void nothingIsSaidIfOthersAreMissedToo() throws Exception {
-        assertThat(MissedAlone.notice(none(run(0.3, 0.1)))).isEmpty();
+        assertThat(MissedAlone.notice(none(run(0.05, 0.1)))).isEmpty();
         assertThat(MissedAlone.notice(none(run(0, 0)))).isEmpty();
     }
 }

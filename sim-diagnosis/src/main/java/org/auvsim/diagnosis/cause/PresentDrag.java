@@ -8,6 +8,11 @@ import org.auvsim.core.effect.IsotropicDrag;
 import org.auvsim.core.entity.Effect;
 import org.auvsim.core.entity.MotionAxis;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.server.feedback.RigidMotion;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * The drag that a model has already, by body axis: what may be taken away from it until nothing is
@@ -15,16 +20,23 @@ import org.auvsim.core.math.Vec3;
  */
 final class PresentDrag {
     private static final int AXES = 6;
+
+    /** Of a unit of speed so much is left, where a mount leaves any. */
+    private static final double FREE = 0.1;
+
     private static final String FORCES = "XYZKMN";
     private static final String VELOCITIES = "uvwpqr";
 
     private final double[] linear = new double[AXES];
     private final double[] quadratic = new double[AXES];
+    private final BelievedModel model;
 
-    private PresentDrag() {}
+    private PresentDrag(BelievedModel model) {
+        this.model = model;
+    }
 
     static PresentDrag of(Setting s) {
-        PresentDrag drag = new PresentDrag();
+        PresentDrag drag = new PresentDrag(s.model());
         for (Effect effect : s.body().effect()) {
             switch (effect) {
                 case Damping d -> {
@@ -75,13 +87,34 @@ final class PresentDrag {
         return Math.max(0, linear[axis] + quadratic[axis] * speed);
     }
 
-    /** The least along the three axes at a speed (m/s). */
+    /** The least along the axes along which the body moves, at a speed (m/s). */
     double least(double speed) {
-        return Math.min(of(0, speed), Math.min(of(1, speed), of(2, speed)));
+        return least(0, speed);
     }
 
-    /** The least about the three axes at a rate (rad/s). */
+    /** The least about the axes about which it turns, at a rate (rad/s). */
     double leastAngular(double rate) {
-        return Math.min(of(3, rate), Math.min(of(4, rate), of(5, rate)));
+        return least(AXES / 2, rate);
+    }
+
+    private double least(int first, double speed) {
+        return IntStream.range(first, first + AXES / 2)
+                .filter(this::isFree)
+                .mapToDouble(axis -> of(axis, speed))
+                .min()
+                .orElse(0);
+    }
+
+    /** Whether no mount holds it, as it is turned at the start. */
+    private boolean isFree(int axis) {
+        double[] unit = new double[AXES / 2];
+        unit[axis % unit.length] = 1;
+        Vec3 along = model.start().orientation().rotate(new Vec3(unit[0], unit[1], unit[2]));
+        double[] change = new double[RigidMotion.SIZE];
+        int at = AXES + axis - axis % unit.length;
+        change[at] = along.x();
+        change[at + 1] = along.y();
+        change[at + 2] = along.z();
+        return Arrays.stream(model.free(change)).anyMatch(left -> Math.abs(left) > FREE);
     }
 }

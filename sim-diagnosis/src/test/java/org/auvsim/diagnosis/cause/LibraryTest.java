@@ -141,6 +141,29 @@ class LibraryTest {
         assertThat(turned.getFirst().parameters().getFirst().name()).isEqualTo("angle");
     }
 
+    /** A boat has no damping upwards, nor where it cannot roll and pitch; less than none is not. */
+    @Test
+    void asMuchDragIsTakenAwayAsThereIsWhereAMountLeavesItFree() {
+        String damping =
+                "<damping><linear x=\"18\" y=\"60\" z=\"0\"/>"
+                        + "<angular-linear x=\"0\" y=\"0\" z=\"22\"/></damping>";
+        BelievedModel boat = Tank.model("", damping + "<held z=\"1\" turn-x=\"1\" turn-y=\"1\"/>");
+        BelievedModel free = Tank.model("", damping);
+
+        assertThat(least("linear_drag", boat)).isCloseTo(-18, within(1e-9));
+        assertThat(least("rotational_drag", boat)).isCloseTo(-22, within(1e-9));
+        assertThat(least("linear_drag", free)).isZero();
+        assertThat(least("rotational_drag", free)).isZero();
+    }
+
+    private static double least(String id, BelievedModel of) {
+        return library(of).stream()
+                .filter(cause -> cause.id().equals(id))
+                .mapToDouble(cause -> cause.parameters().getFirst().lowest())
+                .findFirst()
+                .orElseThrow();
+    }
+
     /** Of a boat whose height is not measured, the scenario knows it. */
     @Test
     void whatActsFromAPlaceIsLookedForWhereWhatHoldsTheBodySaysWhereItIs() {

@@ -34,6 +34,14 @@ public final class HeavyTails {
     /** Numbers that a cubic is taken of: each, and two to either side. */
     private static final int CUBIC = 5;
 
+    private static final int TWO = 2;
+
+    /** What two that are off together leave of each, by what one alone would. */
+    private static final double OF_TWO = 3;
+
+    /** By what they leave beside them: two thirds; two with two between them leave half there. */
+    private static final double SHARE_OF_TWO = 0.58;
+
     /** Speeds may leap and come back, as in a collision; a place does not. */
     private static final Set<Channel> WITHOUT_LEAPS =
             EnumSet.of(Channel.POSITION, Channel.ORIENTATION);
@@ -105,6 +113,20 @@ public final class HeavyTails {
                     factors[i + CUBIC / 2] = factor(off[i]);
                     outliers[i + CUBIC / 2] = isBeyond(FAR, i, off);
                 }
+                for (int i = 0; i + TWO + 1 < off.length; i++) {
+                    if (isAroundTwo(i, off)) {
+                        blameTheTwoAfter(i, off);
+                    }
+                }
+            }
+        }
+
+        /** Not the one before them and the one behind, which they leave off to the other side. */
+        private void blameTheTwoAfter(int before, double[] off) {
+            for (int i = before; i <= before + TWO + 1; i++) {
+                boolean isOfTwo = i > before && i <= before + TWO;
+                factors[i + CUBIC / 2] = isOfTwo ? factor(OF_TWO * off[i]) : 1;
+                outliers[i + CUBIC / 2] = isOfTwo;
             }
         }
 
@@ -159,6 +181,21 @@ public final class HeavyTails {
     private static boolean isAlone(int i, double[] off) {
         return (i == 0 || isLess(off[i - 1], off[i]))
                 && (i + 1 == off.length || isLess(off[i + 1], off[i]));
+    }
+
+    /**
+     * Whether it and the third after it are off because the two between them are, alike: of fourth
+     * differences two such leave 1, -3, 2, 2, -3, 1 where one leaves 1, -4, 6, -4, 1.
+     */
+    private static boolean isAroundTwo(int i, double[] off) {
+        double before = off[i];
+        double behind = off[i + TWO + 1];
+        return isBeyond(FAR, i, off)
+                && isBeyond(FAR, i + TWO + 1, off)
+                && before * behind > 0
+                && before * off[i + 1] < 0
+                && before * off[i + TWO] < 0
+                && -(off[i + 1] + off[i + TWO]) / (before + behind) > SHARE_OF_TWO;
     }
 
     private static boolean isLess(double beside, double off) {

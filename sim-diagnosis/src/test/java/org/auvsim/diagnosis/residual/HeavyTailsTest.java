@@ -11,10 +11,13 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.IntStream;
 
 class HeavyTailsTest {
     private static final int SAMPLES = 400;
@@ -83,6 +86,28 @@ class HeavyTailsTest {
 
         assertThat(HeavyTails.notice(run, rows, Noise.of(List.of(run))).orElseThrow())
                 .endsWith("numbers of velocity along the body's x (ahead)");
+    }
+
+    /** Near the beginning, of a fix a second; two with two between them are told as these. */
+    @ParameterizedTest(name = "{0} and {1}")
+    @CsvSource({"3, 4", "20, 21", "10, 13"})
+    void twoThatAreOffAreToldAndNotThoseBesideThem(int one, int other) {
+        Random random = new Random(8);
+        MeasuredRunBuilder dive = MeasuredRun.named("dive");
+        for (int k = 0; k < 40; k++) {
+            double astray = k == one ? -23 : k == other ? -18 : 0;
+            dive.at(k)
+                    .position(
+                            5 * Math.sin(0.2 * k) + astray + 0.15 * random.nextGaussian(),
+                            Double.NaN,
+                            Double.NaN);
+        }
+        MeasuredRun run = dive.build();
+
+        Misses tamed = Misses.of(List.of(run), Noise.of(List.of(run))).getFirst();
+
+        assertThat(IntStream.range(0, 40).filter(k -> !tamed.counts(k)))
+                .containsExactly(one, other);
     }
 
     @Test

@@ -9,6 +9,7 @@ import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 
 import java.util.List;
 import java.util.Random;
+import java.util.function.IntFunction;
 
 /**
  * A vehicle with two thrusters ahead and one upward, by equations of its own, of which the model
@@ -85,6 +86,23 @@ public record Surveyor(double quadratic, Vec3 current, double port, double turni
             }
         }
         return run.build();
+    }
+
+    /** The same run, its sensors telling other places (m, world) and headings at its samples. */
+    public static MeasuredRun told(
+            MeasuredRun of, IntFunction<Vec3> place, IntFunction<Quat> heading) {
+        MeasuredRunBuilder told =
+                MeasuredRun.named(of.name()).commands(List.of("port", "starboard", "vertical"));
+        for (int k = 0; k < of.size(); k++) {
+            Vec3 p = place.apply(k);
+            told.at(of.time(k))
+                    .position(p.x(), p.y(), p.z())
+                    .orientation(heading.apply(k), false, false, true);
+            for (int c = 0; c < of.commands().size(); c++) {
+                told.command(c, of.commands().get(c).level(k));
+            }
+        }
+        return told.build();
     }
 
     /** Of place, yaw, velocity and rate of yaw. */

@@ -3,7 +3,6 @@ package org.auvsim.diagnosis.verdict;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.Investigation;
 import org.auvsim.diagnosis.cause.Library;
@@ -13,7 +12,6 @@ import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
-import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.subject.Surveyor;
 import org.junit.jupiter.api.Test;
 
@@ -27,20 +25,11 @@ class LatePositionsTest {
     /** The model is right, but for when positions are told. */
     private static MeasuredRun run(long seed) {
         MeasuredRun of = new Surveyor(0, Vec3.ZERO, 1, 0).run("run " + seed, new Random(seed));
-        MeasuredRunBuilder told =
-                MeasuredRun.named(of.name()).commands(List.of("port", "starboard", "vertical"));
         Vec3 nowhere = new Vec3(Double.NaN, Double.NaN, Double.NaN);
-        for (int k = 0; k < of.size(); k++) {
-            Quat heading = of.orientation(k).orElseThrow();
-            Vec3 fix = k < ROWS ? nowhere : of.vector(Channel.POSITION, k - ROWS).orElseThrow();
-            told.at(of.time(k))
-                    .position(fix.x(), fix.y(), fix.z())
-                    .orientation(heading, false, false, true);
-            for (int c = 0; c < of.commands().size(); c++) {
-                told.command(c, of.commands().get(c).level(k));
-            }
-        }
-        return told.build();
+        return Surveyor.told(
+                of,
+                k -> k < ROWS ? nowhere : of.vector(Channel.POSITION, k - ROWS).orElseThrow(),
+                k -> of.orientation(k).orElseThrow());
     }
 
     @Test

@@ -14,12 +14,12 @@ import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
-import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.subject.Surveyor;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
 import java.util.Random;
+import java.util.function.IntFunction;
 
 /** A receiver tells where its antenna is, which is not the body's origin. */
 class LeverArmTest {
@@ -28,19 +28,14 @@ class LeverArmTest {
     /** The model is right, but for what the positions are of. */
     private static MeasuredRun run(long seed) {
         MeasuredRun of = new Surveyor(0, Vec3.ZERO, 1, 0).run("run " + seed, new Random(seed));
-        MeasuredRunBuilder told =
-                MeasuredRun.named(of.name()).commands(List.of("port", "starboard", "vertical"));
-        for (int k = 0; k < of.size(); k++) {
-            Quat heading = of.orientation(k).orElseThrow();
-            Vec3 antenna = of.vector(Channel.POSITION, k).orElseThrow().plus(heading.rotate(ARM));
-            told.at(of.time(k))
-                    .position(antenna.x(), antenna.y(), antenna.z())
-                    .orientation(heading, false, false, true);
-            for (int c = 0; c < of.commands().size(); c++) {
-                told.command(c, of.commands().get(c).level(k));
-            }
-        }
-        return told.build();
+        IntFunction<Quat> heading = k -> of.orientation(k).orElseThrow();
+        return Surveyor.told(
+                of,
+                k ->
+                        of.vector(Channel.POSITION, k)
+                                .orElseThrow()
+                                .plus(heading.apply(k).rotate(ARM)),
+                heading);
     }
 
     @Test

@@ -15,7 +15,6 @@ import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
-import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.shooting.Stepping;
 import org.auvsim.diagnosis.subject.Surveyor;
 import org.junit.jupiter.api.Test;
@@ -28,20 +27,19 @@ class MissedAloneTest {
     /** Positions swing by so many metres beside the body, and its heading by so many radians. */
     private static MeasuredRun run(double place, double turn) {
         MeasuredRun of = new Surveyor(0, Vec3.ZERO, 1, 0).run("run", new Random(4));
-        MeasuredRunBuilder told =
-                MeasuredRun.named("run").commands(List.of("port", "starboard", "vertical"));
-        for (int k = 0; k < of.size(); k++) {
-            double swing = Math.sin(0.7 * of.time(k));
-            Vec3 position = of.vector(Channel.POSITION, k).orElseThrow();
-            Quat off = Quat.ofAxisAngle(new Vec3(0, 0, 1), turn * swing);
-            told.at(of.time(k))
-                    .position(position.x() + place * swing, position.y(), position.z())
-                    .orientation(off.times(of.orientation(k).orElseThrow()), false, false, true);
-            for (int c = 0; c < of.commands().size(); c++) {
-                told.command(c, of.commands().get(c).level(k));
-            }
-        }
-        return told.build();
+        return Surveyor.told(
+                of,
+                k ->
+                        of.vector(Channel.POSITION, k)
+                                .orElseThrow()
+                                .plus(new Vec3(place * swing(of, k), 0, 0)),
+                k ->
+                        Quat.ofAxisAngle(new Vec3(0, 0, 1), turn * swing(of, k))
+                                .times(of.orientation(k).orElseThrow()));
+    }
+
+    private static double swing(MeasuredRun of, int sample) {
+        return Math.sin(0.7 * of.time(sample));
     }
 
     private static Judged none(MeasuredRun run) throws Exception {

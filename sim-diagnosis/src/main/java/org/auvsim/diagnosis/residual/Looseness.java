@@ -9,6 +9,7 @@ import org.auvsim.diagnosis.run.OrientationError;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 
@@ -123,11 +124,16 @@ public final class Looseness {
 
         private final MeasuredRun run;
         private final Channel channel;
+
+        /** The axes that are measured at all. */
+        private final int[] measured;
+
         private final int[] samples = {NEVER, NEVER, NEVER};
 
         Latest(MeasuredRun run, Channel channel) {
             this.run = run;
             this.channel = channel;
+            measured = IntStream.range(0, 3).filter(axis -> run.measures(channel, axis)).toArray();
         }
 
         void take(int k) {
@@ -144,16 +150,12 @@ public final class Looseness {
 
         /** Whether an axis that is measured at all was not measured yet. */
         boolean isMissing() {
-            return measured().anyMatch(axis -> samples[axis] == NEVER);
-        }
-
-        private IntStream measured() {
-            return IntStream.range(0, 3).filter(axis -> run.measures(channel, axis));
+            return Arrays.stream(measured).anyMatch(axis -> samples[axis] == NEVER);
         }
 
         /** Whether each axis was measured a while later. */
         boolean isAfter(Latest before, double time) {
-            return measured().allMatch(axis -> duration(before, axis) >= time);
+            return Arrays.stream(measured).allMatch(axis -> duration(before, axis) >= time);
         }
 
         private double duration(Latest before, int axis) {
@@ -162,13 +164,16 @@ public final class Looseness {
 
         double rateSince(Latest before) {
             if (channel == Channel.ORIENTATION) {
-                int axis = measured().findFirst().orElseThrow();
+                int axis = Arrays.stream(measured).findFirst().orElseThrow();
                 Quat from = run.orientation(before.samples[axis]).orElseThrow();
                 Quat to = run.orientation(samples[axis]).orElseThrow();
                 return OrientationError.turn(from, to).norm() / duration(before, axis);
             }
             double squares =
-                    measured().mapToDouble(axis -> along(before, axis)).map(v -> v * v).sum();
+                    Arrays.stream(measured)
+                            .mapToDouble(axis -> along(before, axis))
+                            .map(v -> v * v)
+                            .sum();
             return Math.sqrt(squares);
         }
 

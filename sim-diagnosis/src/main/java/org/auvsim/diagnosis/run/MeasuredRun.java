@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import java.util.stream.IntStream;
 
 /**
@@ -33,6 +34,10 @@ public final class MeasuredRun {
     private final Map<Channel, double[]> measured;
     private final Map<Channel, double[]> deviations;
     private final double[] quaternions;
+
+    /** Roll, pitch and yaw (rad) where not all three were measured, else NaN. */
+    private final double[] angles;
+
     private final int[] turns;
     private final double[] accelerations;
     private final double[] rates;
@@ -54,8 +59,15 @@ public final class MeasuredRun {
         b.measured.forEach((channel, values) -> keep(measured, channel, values.toArray()));
         b.deviations.forEach((channel, values) -> keep(deviations, channel, values.toArray()));
         quaternions = b.quaternions.toArray();
-        double[] angles = measured.getOrDefault(Channel.ORIENTATION, new double[0]);
-        turns = IntStream.range(0, AXES).filter(axis -> isIn(angles, axis)).toArray();
+        double[] turned = measured.getOrDefault(Channel.ORIENTATION, new double[0]);
+        turns = IntStream.range(0, AXES).filter(axis -> isIn(turned, axis)).toArray();
+        angles = new double[turned.length];
+        Arrays.fill(angles, Double.NaN);
+        for (int i = 0; i < turned.length; i += AXES) {
+            if (Double.isNaN(turned[i] + turned[i + 1] + turned[i + 2])) {
+                orientation(i / AXES).map(OrientationError::angles).ifPresent(write(angles, i));
+            }
+        }
         accelerations = b.accelerations.toArray();
         rates = b.rates.toArray();
         frames = new EnumMap<>(b.frames);
@@ -68,6 +80,14 @@ public final class MeasuredRun {
         beginsMidway = b.beginsMidway;
         whole = b.whole;
         uncut = b.uncut;
+    }
+
+    private static Consumer<Vec3> write(double[] to, int at) {
+        return v -> {
+            to[at] = v.x();
+            to[at + 1] = v.y();
+            to[at + 2] = v.z();
+        };
     }
 
     private static Map<Integer, List<LastingError>> copy(Map<Integer, List<LastingError>> errors) {
@@ -209,6 +229,14 @@ public final class MeasuredRun {
                                 quaternions[i + 1],
                                 quaternions[i + 2],
                                 quaternions[i + 3]));
+    }
+
+    /** Roll, pitch and yaw (rad) of an orientation of which not all three were measured. */
+    Optional<Vec3> angles(int sample) {
+        int i = AXES * sample;
+        return angles.length == 0 || Double.isNaN(angles[i])
+                ? Optional.empty()
+                : Optional.of(new Vec3(angles[i], angles[i + 1], angles[i + 2]));
     }
 
     /**

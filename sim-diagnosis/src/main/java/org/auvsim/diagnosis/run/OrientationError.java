@@ -5,7 +5,7 @@ import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.server.feedback.RigidMotion;
 
-import java.util.stream.IntStream;
+import java.util.Optional;
 
 /**
  * By how much an orientation is turned from a measured one. Of an angle that was measured without
@@ -22,14 +22,19 @@ public final class OrientationError {
      * @throws java.util.NoSuchElementException if none was measured there
      */
     public static Vec3 of(Quat told, MeasuredRun run, int sample) {
-        Quat measured = run.orientation(sample).orElseThrow();
-        if (isWhole(run, sample)) {
-            Vec3 turn = turn(measured, told);
-            boolean isInBody = run.frame(Channel.ORIENTATION) == Frame.BODY;
-            return isInBody ? measured.rotateInverse(turn) : turn;
+        Optional<Vec3> angles = run.angles(sample);
+        if (angles.isPresent()) {
+            return wrapped(nearer(EulerAngles.of(told), angles.get()).minus(angles.get()));
         }
-        Vec3 angles = nearer(EulerAngles.of(measured), Vec3.ZERO);
-        return wrapped(nearer(EulerAngles.of(told), angles).minus(angles));
+        Quat measured = run.orientation(sample).orElseThrow();
+        Vec3 turn = turn(measured, told);
+        boolean isInBody = run.frame(Channel.ORIENTATION) == Frame.BODY;
+        return isInBody ? measured.rotateInverse(turn) : turn;
+    }
+
+    /** The angles (rad) of a measured orientation: of its two sets those nearer to none. */
+    static Vec3 angles(Quat measured) {
+        return nearer(EulerAngles.of(measured), Vec3.ZERO);
     }
 
     /**
@@ -61,12 +66,7 @@ public final class OrientationError {
         return new RigidMotion(Vec3.ZERO, orientation, Vec3.ZERO, Vec3.ZERO);
     }
 
-    private static boolean isWhole(MeasuredRun run, int sample) {
-        return IntStream.range(0, 3)
-                .noneMatch(axis -> Double.isNaN(run.value(Channel.ORIENTATION, sample, axis)));
-    }
-
     private static double wrapped(double angle) {
-        return Math.IEEEremainder(angle, 2 * Math.PI);
+        return Math.abs(angle) <= Math.PI ? angle : Math.IEEEremainder(angle, 2 * Math.PI);
     }
 }

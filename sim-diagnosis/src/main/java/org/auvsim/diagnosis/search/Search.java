@@ -7,6 +7,7 @@ import org.auvsim.diagnosis.fit.Fit;
 import org.auvsim.diagnosis.fit.Following;
 import org.auvsim.diagnosis.fit.Hypothesis;
 import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.fit.OrdinaryWindows;
 import org.auvsim.diagnosis.fit.Refinement;
 import org.auvsim.diagnosis.fit.StepLength;
 import org.auvsim.diagnosis.model.BelievedModel;
@@ -59,7 +60,8 @@ public final class Search {
         course.at("following the runs", 0.02);
         Stepping first = Stepping.longer(model).getFirst();
         Fit asStated = Following.of(first, Hypothesis.NONE, data, noise, course);
-        Stepping stepping = course.goesOn() ? length.apply(asStated) : first;
+        Stepping stepping =
+                course.goesOn() ? length.apply(OrdinaryWindows.of(asStated, noise)) : first;
         this.base =
                 stepping.fine().equals(model)
                         ? asStated.in(stepping)

@@ -89,6 +89,11 @@ final class Change implements Cause {
         return new Guess(List.of(0.0), List.of(0), List.of(step));
     }
 
+    /** The same of a number that does nothing before it is moved so far. */
+    static Guess beyond(double step) {
+        return new Guess(List.of(0.0), List.of(0), List.of(step), true);
+    }
+
     private static List<Double> boxed(double[] numbers) {
         return DoubleStream.of(numbers).boxed().toList();
     }

@@ -23,8 +23,8 @@ final class FrictionCauses {
 
     private static final double MOST = 20;
 
-    /** The share of a contact's friction without which a body surely slides. */
-    private static final double LESS = 0.75;
+    /** Shares of (the root of) a contact's friction: less by one of them a body slides at last. */
+    private static final List<Double> LESS = List.of(0.25, 0.5, 0.75);
 
     private static final double MOST_ROOT = 3;
 
@@ -111,8 +111,12 @@ final class FrictionCauses {
 
     /** More or much less of it: what grips tells nothing of a little less. */
     private static List<Guess> moreAndLess(double root) {
-        Guess more = Change.secant(0.05);
-        return root > 0 ? List.of(more, Change.secant(-LESS * root)) : List.of(more);
+        List<Guess> guesses = new ArrayList<>();
+        guesses.add(Change.secant(0.05));
+        if (root > 0) {
+            LESS.forEach(share -> guesses.add(Change.beyond(-share * root)));
+        }
+        return guesses;
     }
 
     private static double square(double root) {

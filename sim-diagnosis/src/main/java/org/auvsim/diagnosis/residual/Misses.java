@@ -27,6 +27,9 @@ public final class Misses {
     private final MeasuredRun run;
     private final List<Row> rows = new ArrayList<>();
 
+    /** About how many axes turns tell: of fewer than all, whole rotation vectors mean nothing. */
+    private final long turns;
+
     /** By row: for errors that last; empty where they are noise. */
     private final List<Optional<Whitening>> whitenings = new ArrayList<>();
 
@@ -62,6 +65,7 @@ public final class Misses {
                 }
             }
         }
+        turns = rows.stream().filter(row -> row.channel() == Channel.ORIENTATION).count();
         weights = new double[run.size() * rows.size()];
         deviations = new double[weights.length];
         outliers = new boolean[weights.length];
@@ -83,6 +87,7 @@ public final class Misses {
         this.run = of.run;
         this.deviations = of.deviations;
         this.rows.addAll(of.rows);
+        this.turns = of.turns;
         this.whitenings.addAll(of.whitenings);
         this.weights = weights;
         this.outliers = outliers;
@@ -347,7 +352,10 @@ public final class Misses {
     private Vec3 told(Channel channel, int sample, RigidMotion told) {
         return switch (channel) {
             case POSITION -> told.position();
-            case ORIENTATION -> OrientationError.of(told.orientation(), run, sample);
+            case ORIENTATION ->
+                    turns < 3
+                            ? OrientationError.ofAngles(told.orientation(), run, sample)
+                            : OrientationError.of(told.orientation(), run, sample);
             case VELOCITY -> inFrame(told.velocity(), told.orientation(), channel);
             case ANGULAR_VELOCITY -> inFrame(told.angularVelocity(), told.orientation(), channel);
         };

@@ -35,7 +35,7 @@ public final class MeasuredRun {
     private final Map<Channel, double[]> deviations;
     private final double[] quaternions;
 
-    /** Roll, pitch and yaw (rad) where not all three were measured, else NaN. */
+    /** Roll, pitch and yaw (rad), of each sample. */
     private final double[] angles;
 
     private final int[] turns;
@@ -64,9 +64,7 @@ public final class MeasuredRun {
         angles = new double[turned.length];
         Arrays.fill(angles, Double.NaN);
         for (int i = 0; i < turned.length; i += AXES) {
-            if (Double.isNaN(turned[i] + turned[i + 1] + turned[i + 2])) {
-                orientation(i / AXES).map(OrientationError::angles).ifPresent(write(angles, i));
-            }
+            orientation(i / AXES).map(OrientationError::angles).ifPresent(write(angles, i));
         }
         accelerations = b.accelerations.toArray();
         rates = b.rates.toArray();
@@ -231,7 +229,15 @@ public final class MeasuredRun {
                                 quaternions[i + 3]));
     }
 
-    /** Roll, pitch and yaw (rad) of an orientation of which not all three were measured. */
+    /** Whether the turns about all axes were measured at a sample. */
+    boolean isWhollyOriented(int sample) {
+        return !Double.isNaN(
+                value(Channel.ORIENTATION, sample, 0)
+                        + value(Channel.ORIENTATION, sample, 1)
+                        + value(Channel.ORIENTATION, sample, 2));
+    }
+
+    /** Roll, pitch and yaw (rad) of its orientation; what was not measured is as in that. */
     Optional<Vec3> angles(int sample) {
         int i = AXES * sample;
         return angles.length == 0 || Double.isNaN(angles[i])

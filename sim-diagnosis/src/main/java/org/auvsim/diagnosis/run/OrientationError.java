@@ -5,8 +5,6 @@ import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.server.feedback.RigidMotion;
 
-import java.util.Optional;
-
 /**
  * By how much an orientation is turned from a measured one. Of an angle that was measured without
  * the others it is the difference of that angle alone: a heading is the same heading whatever the
@@ -22,14 +20,23 @@ public final class OrientationError {
      * @throws java.util.NoSuchElementException if none was measured there
      */
     public static Vec3 of(Quat told, MeasuredRun run, int sample) {
-        Optional<Vec3> angles = run.angles(sample);
-        if (angles.isPresent()) {
-            return wrapped(nearer(EulerAngles.of(told), angles.get()).minus(angles.get()));
+        if (!run.isWhollyOriented(sample)) {
+            return ofAngles(told, run, sample);
         }
         Quat measured = run.orientation(sample).orElseThrow();
         Vec3 turn = turn(measured, told);
         boolean isInBody = run.frame(Channel.ORIENTATION) == Frame.BODY;
         return isInBody ? measured.rotateInverse(turn) : turn;
+    }
+
+    /**
+     * Differences of roll, pitch and yaw (rad) at a sample, as if not all had been measured.
+     *
+     * @throws java.util.NoSuchElementException if none was measured there
+     */
+    public static Vec3 ofAngles(Quat told, MeasuredRun run, int sample) {
+        Vec3 angles = run.angles(sample).orElseThrow();
+        return wrapped(nearer(EulerAngles.of(told), angles).minus(angles));
     }
 
     /** The angles (rad) of a measured orientation: of its two sets those nearer to none. */

@@ -66,7 +66,7 @@ public record Seed(Cause cause, Guess guess, int first) {
         double[] theta = theta();
         for (int i = 0; i < factors.length; i++) {
             int p = guess.columns().get(i);
-            theta[p] = cause.parameters().get(p).clipped(theta[p] + factors[i]);
+            theta[p] = cause.parameters().get(p).clipped(theta[p] + guess.moved(i, factors[i]));
         }
         return theta;
     }

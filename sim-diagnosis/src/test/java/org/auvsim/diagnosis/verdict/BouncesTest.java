@@ -120,6 +120,17 @@ class BouncesTest {
                 .isEqualTo(0.0333, Offset.offset(0.004));
     }
 
+    /**
+     * It slips at its first bounces alone, as it would with a little more friction at none. The
+     * turn about one axis is all that its attitudes tell: a heading that is off by half a turn
+     * would make any such turn look right, were it taken for a part of a whole rotation.
+     */
+    @Test
+    void frictionIsFoundThatHardlyLetsItSlip() throws Exception {
+        assertThat(only(diagnosis(0.75, 0.152), "contact_friction"))
+                .isEqualTo(0.077, Offset.offset(0.002));
+    }
+
     @Test
     void nothingIsMissingOfWhatIsBelieved() throws Exception {
         assertThat(diagnosis(0.75, 0.3).selected()).isEmpty();

@@ -107,7 +107,8 @@ public final class Sentences {
         error.map(ToldError::change).ifPresent(clauses::add);
         if (!isGained) {
             clauses.add(
-                    "but these runs are predicted just as well without " + (isOne ? "it" : "them"));
+                    "but begun otherwise these runs are predicted just as well without "
+                            + (isOne ? "it" : "them"));
         }
         clauses.addAll(aliases(found, alternatives));
         return new Sentence(new Opening.Told(causes(found)), clauses);

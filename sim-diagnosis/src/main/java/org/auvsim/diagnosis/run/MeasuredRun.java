@@ -61,10 +61,10 @@ public final class MeasuredRun {
         quaternions = b.quaternions.toArray();
         double[] turned = measured.getOrDefault(Channel.ORIENTATION, new double[0]);
         turns = IntStream.range(0, AXES).filter(axis -> isIn(turned, axis)).toArray();
-        angles = new double[turned.length];
+        angles = new double[AXES * times.length];
         Arrays.fill(angles, Double.NaN);
-        for (int i = 0; i < turned.length; i += AXES) {
-            orientation(i / AXES).map(OrientationError::angles).ifPresent(write(angles, i));
+        for (int k = 0; k < times.length; k++) {
+            orientation(k).map(OrientationError::angles).ifPresent(write(angles, AXES * k));
         }
         accelerations = b.accelerations.toArray();
         rates = b.rates.toArray();
@@ -240,7 +240,7 @@ public final class MeasuredRun {
     /** Roll, pitch and yaw (rad) of its orientation; what was not measured is as in that. */
     Optional<Vec3> angles(int sample) {
         int i = AXES * sample;
-        return angles.length == 0 || Double.isNaN(angles[i])
+        return Double.isNaN(angles[i])
                 ? Optional.empty()
                 : Optional.of(new Vec3(angles[i], angles[i + 1], angles[i + 2]));
     }

@@ -85,6 +85,7 @@ final class Notices {
             notices.add(TOO_FEW + few);
         }
         all.forEach(run -> notices.addAll(stuck(run, found.noise())));
+        SpinUp.notice(model, fit, found.best().fit().hypothesis()).ifPresent(notices::add);
         assumedSpeed(verdict).ifPresent(notices::add);
         if (verdict != Verdict.EXPLAINED) {
             all.forEach(run -> StatedStarts.notice(run, found.noise()).ifPresent(notices::add));

@@ -91,10 +91,11 @@ class SentenceTest {
                         Map.of(Channel.POSITION, new Gain(0.01001, 0.01, 0.01)), false, false);
         assertThat(same.explained(List.of(DRAG), 0.991, List.of()).text())
                 .endsWith(
-                        "; held-out position error 0.010 m -> 0.010 m, noise is 0.010 m; but these"
-                                + " runs are predicted just as well without it");
+                        "; held-out position error 0.010 m -> 0.010 m, noise is 0.010 m; but begun"
+                                + " otherwise these runs are predicted just as well without it");
         assertThat(same.explained(List.of(DRAG, CURRENT), 0.991, List.of()).text())
-                .endsWith("; but these runs are predicted just as well without them");
+                .endsWith(
+                        "; but begun otherwise these runs are predicted just as well without them");
     }
 
     /** Of what was not tried nothing is said. */

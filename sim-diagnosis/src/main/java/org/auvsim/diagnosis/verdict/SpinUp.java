@@ -43,19 +43,21 @@ final class SpinUp {
     }
 
     private static boolean isWhileItSpinsUp(Propulsor p, MeasuredRun run, Hypothesis found) {
-        double until = run.time(0) + LAGS * p.lag();
-        return run.commands().stream()
+        MeasuredRun whole = run.whole();
+        double begin = whole.time(0);
+        return whole.commands().stream()
                         .filter(command -> command.name().equals(p.name()))
                         .anyMatch(command -> Math.abs(command.level(0) - p.level()) > OTHER)
-                && isImpulse(found, until);
+                && isImpulse(found, begin, begin + LAGS * p.lag());
     }
 
-    /** Whether one was found that comes before a time (s). */
-    private static boolean isImpulse(Hypothesis found, double until) {
+    /** Whether one was found between two times (s). */
+    private static boolean isImpulse(Hypothesis found, double from, double until) {
         for (int c = 0; c < found.causes().size(); c++) {
             if (found.causes().get(c).id().equals("impulse")
                     && found.causes().get(c).quantities(found.theta().get(c)).stream()
-                            .anyMatch(q -> q.name().equals("at") && q.value() < until)) {
+                            .filter(q -> q.name().equals("at"))
+                            .anyMatch(q -> from <= q.value() && q.value() < until)) {
                 return true;
             }
         }

@@ -52,8 +52,9 @@ class SpinUpTest {
     }
 
     @Test
-    void aLaterOneIsNot() throws Exception {
+    void oneAtAnotherTimeIsNot() throws Exception {
         assertThat(isTold(sled(0.2, 0), 104)).isFalse();
+        assertThat(isTold(sled(0.2, 0), 90)).isFalse(); // in a run of another time
     }
 
     @Test

@@ -35,7 +35,7 @@ public final class MeasuredRun {
     private final Map<Channel, double[]> deviations;
     private final double[] quaternions;
 
-    /** Roll, pitch and yaw (rad), of each sample. */
+    /** Roll, pitch and yaw (rad) of each sample; NaN where no orientation was measured. */
     private final double[] angles;
 
     private final int[] turns;

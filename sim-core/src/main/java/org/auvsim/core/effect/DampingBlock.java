@@ -7,20 +7,21 @@ import org.auvsim.core.entity.MotionAxis;
 import org.auvsim.core.math.Vec3;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
  * The damping of all bodies of a world; a body without has zeros, a block without is passed over.
  */
 final class DampingBlock implements BlockEffect {
-    private static final int AXES = 6;
-
     /** One element of both matrices, by slot. */
     private static final class Element {
         final int row;
         final int column;
         final double[] linear;
         final double[] quadratic;
+        private boolean hasLinear;
+        private boolean hasQuadratic;
 
         Element(int row, int column, int slots) {
             this.row = row;
@@ -32,6 +33,8 @@ final class DampingBlock implements BlockEffect {
         void add(int slot, double a, double b) {
             linear[slot] += a;
             quadratic[slot] += b;
+            hasLinear |= a != 0;
+            hasQuadratic |= b != 0;
         }
     }
 
@@ -42,7 +45,7 @@ final class DampingBlock implements BlockEffect {
 
     DampingBlock(List<List<Effect>> bySlot) {
         int slots = bySlot.size();
-        for (int axis = 0; axis < AXES; axis++) {
+        for (int axis = 0; axis < ThroughWater.AXES; axis++) {
             elements.add(new Element(axis, axis, slots));
         }
         damped = new boolean[slots];
@@ -83,36 +86,50 @@ final class DampingBlock implements BlockEffect {
         if (!ThroughWater.isAnyOf(b, damped)) {
             return;
         }
-        ThroughWater.measure(b);
         for (int e = 0; e < elements.size(); e++) {
-            damp(b, elements.get(e), e < AXES);
+            damp(b, elements.get(e), e < ThroughWater.AXES);
         }
         ThroughWater.push(b);
     }
 
     private static void damp(Block b, Element element, boolean first) {
+        double[] force = b.scratch[element.row];
+        if (first) {
+            Arrays.fill(force, 0, b.count, 0);
+        }
+        double[] v = ThroughWater.velocity(b, element.column);
         double[] a = b.scratch[ThroughWater.FREE];
         double[] k = b.scratch[ThroughWater.FREE + 1];
-        b.gather(element.linear, a);
-        b.gather(element.quadratic, k);
-        double[] v = b.scratch[element.column];
-        double[] force = b.scratch[ThroughWater.FORCE + element.row];
-        if (first) {
-            set(b.count, force, v, a, k);
-        } else {
-            subtract(b.count, force, v, a, k);
+        if (element.hasLinear) {
+            b.gather(element.linear, a);
         }
-    }
-
-    private static void set(int count, double[] force, double[] v, double[] a, double[] k) {
-        for (int i = 0; i < count; i++) {
-            force[i] = -(a[i] + k[i] * Math.abs(v[i])) * v[i];
+        if (element.hasQuadratic) {
+            b.gather(element.quadratic, k);
+        }
+        if (element.hasLinear && element.hasQuadratic) {
+            subtract(b.count, force, v, a, k);
+        } else if (element.hasLinear) {
+            subtractLinear(b.count, force, v, a);
+        } else if (element.hasQuadratic) {
+            subtractQuadratic(b.count, force, v, k);
         }
     }
 
     private static void subtract(int count, double[] force, double[] v, double[] a, double[] k) {
         for (int i = 0; i < count; i++) {
             force[i] -= (a[i] + k[i] * Math.abs(v[i])) * v[i];
+        }
+    }
+
+    private static void subtractLinear(int count, double[] force, double[] v, double[] a) {
+        for (int i = 0; i < count; i++) {
+            force[i] -= a[i] * v[i];
+        }
+    }
+
+    private static void subtractQuadratic(int count, double[] force, double[] v, double[] k) {
+        for (int i = 0; i < count; i++) {
+            force[i] -= k[i] * Math.abs(v[i]) * v[i];
         }
     }
 }

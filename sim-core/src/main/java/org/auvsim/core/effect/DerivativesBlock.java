@@ -56,9 +56,8 @@ final class DerivativesBlock implements BlockEffect {
         if (!ThroughWater.isAnyOf(b, has)) {
             return;
         }
-        ThroughWater.measure(b);
-        for (int axis = 0; axis < ThroughWater.FORCE; axis++) {
-            Arrays.fill(b.scratch[ThroughWater.FORCE + axis], 0, b.count, 0);
+        for (int axis = 0; axis < ThroughWater.AXES; axis++) {
+            Arrays.fill(b.scratch[axis], 0, b.count, 0);
         }
         for (int t = 0; t < terms.size(); t++) {
             add(b, terms.get(t));
@@ -69,9 +68,9 @@ final class DerivativesBlock implements BlockEffect {
     private static void add(Block b, Term term) {
         double[] k = b.scratch[ThroughWater.FREE];
         b.gather(term.coefficients, k);
-        double[] force = b.scratch[ThroughWater.FORCE + term.form.force()];
-        double[] first = b.scratch[term.form.first()];
-        double[] second = b.scratch[term.form.second()];
+        double[] force = b.scratch[term.form.force()];
+        double[] first = ThroughWater.velocity(b, term.form.first());
+        double[] second = ThroughWater.velocity(b, term.form.second());
         switch (term.form.kind()) {
             case NONE -> addLinear(b.count, force, k, first);
             case SIGNED -> addProduct(b.count, force, k, first, second);

@@ -10,6 +10,9 @@ import static org.auvsim.core.entity.SpatialColumns.INVERSE;
 public final class SpatialBlock {
     private final double[][] constants;
 
+    /** Of the constants the inverse inertia, row by row: its upper half twice. */
+    private final double[][] inverse = new double[36][];
+
     /** Momenta, velocities, and velocities relative to the water, in body axes. */
     private final double[][] momenta;
 
@@ -38,6 +41,13 @@ public final class SpatialBlock {
 
     SpatialBlock(int capacity) {
         constants = new double[SpatialColumns.COLUMNS][capacity];
+        for (int row = 0; row < 6; row++) {
+            for (int column = 0; column < 6; column++) {
+                int r = Math.min(row, column);
+                inverse[6 * row + column] =
+                        constants[INVERSE + r * 6 - r * (r - 1) / 2 + Math.abs(row - column)];
+            }
+        }
         momenta = new double[6][capacity];
         velocities = new double[6][capacity];
         relative = new double[3][capacity];
@@ -199,8 +209,7 @@ public final class SpatialBlock {
 
     /** The element of the inverse at a row and a column. */
     private double[] inverse(int row, int column) {
-        int r = Math.min(row, column);
-        return constants[INVERSE + r * 6 - r * (r - 1) / 2 + Math.abs(row - column)];
+        return inverse[6 * row + column];
     }
 
     private void addFlow(int count) {

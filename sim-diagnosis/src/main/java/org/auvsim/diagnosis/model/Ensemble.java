@@ -14,7 +14,9 @@ import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
@@ -227,15 +229,26 @@ public final class Ensemble {
         }
     }
 
-    /** All in one world. */
+    /** All in one world, an entrant that is there more than once only once. */
     private static RigidMotion[][] inOneWorld(
             BelievedModel model,
             MeasuredRun run,
             int[] samples,
             List<Entrant> entrants,
             Commands commands) {
+        Map<Entrant, Integer> numbers = new IdentityHashMap<>();
+        List<Entrant> once = new ArrayList<>();
+        for (Entrant entrant : entrants) {
+            if (numbers.putIfAbsent(entrant, once.size()) == null) {
+                once.add(entrant);
+            }
+        }
         double step = model.scenario().timeStep().delta();
-        return new Ensemble(model, run, samples[0], entrants, step, commands).simulate(samples);
+        RigidMotion[][] motions =
+                new Ensemble(model, run, samples[0], once, step, commands).simulate(samples);
+        return entrants.stream()
+                .map(entrant -> motions[numbers.get(entrant)])
+                .toArray(RigidMotion[][]::new);
     }
 
     /**

@@ -123,27 +123,28 @@ public final class Search {
 
     /** What is found, again in shorter steps, or in those to each sample, if it would need them. */
     public Found found() {
-        Found found = inTheseSteps();
+        Found found = selection().found();
         Fit best = found.best().fit();
         if (!course.goesOn() || found.inParts().isPresent()) {
             return found;
         }
         if (found.best().isWhite() && !StepLength.areFine(best)) {
-            return again(StepLength.finer(best), StepLength::converged);
+            return again(found, StepLength.finer(best), StepLength::converged);
         }
-        return StepLength.doFor(best) ? found : again(model, StepLength::atEachSample);
+        return StepLength.doFor(best) ? found : again(found, model, StepLength::atEachSample);
     }
 
-    private Found again(BelievedModel stepping, Function<Fit, Stepping> length) {
+    private Found again(Found before, BelievedModel stepping, Function<Fit, Stepping> length) {
         return new Search(stepping, runs, library, contest, course.more(END), length)
-                .inTheseSteps();
+                .selection()
+                .foundAgain(before.judged());
     }
 
-    private Found inTheseSteps() {
+    private Selection selection() {
         course.at("fitting the model as it is", 0.1);
         Judged none =
                 Descent.of(Refinement.approach(base, 1))
                         .steps(NONE_STEPS, Double.POSITIVE_INFINITY, course);
-        return new Selection(base, none, noise, library, contest, course).found();
+        return new Selection(base, none, noise, library, contest, course);
     }
 }

@@ -30,6 +30,9 @@ final class Selection {
     /** So many causes are tried for each run by itself. */
     private static final int OF_ONE_RUN = 4;
 
+    /** So many of what was found in other steps. */
+    private static final int AGAIN = 10;
+
     /** A gain below this may be one of noise, among so many causes. */
     static final double DOUBTFUL = 30;
 
@@ -79,7 +82,7 @@ final class Selection {
 
     /** Specific causes first; those that can imitate others only where none of those passes. */
     Search.Found found() {
-        List<Cause> specific = library.stream().filter(c -> !c.isGeneric()).toList();
+        List<Cause> specific = specific();
         Judged best = searched(specific, cause -> true);
         if (!best.isWhite() && specific.size() < library.size() && course.goesOn()) {
             Judged generic = searched(library, Cause::isGeneric);
@@ -99,14 +102,42 @@ final class Selection {
             best = rescued(best, specific);
         }
         best = contest.isEmpty() ? plainer(best) : best;
-        best = isByChance(best) ? none : best;
+        return refined(isByChance(best) ? none : best);
+    }
+
+    /**
+     * What was found in other steps, in these: the best of its sets if that explains the runs here,
+     * too, or else all anew.
+     *
+     * @param before sets from where they fitted best, the best first
+     */
+    Search.Found foundAgain(List<Judged> before) {
+        List<Screen.Start> starts =
+                before.stream()
+                        .filter(set -> !set.isNone())
+                        .limit(AGAIN)
+                        .map(Judged::fit)
+                        .map(fit -> base.with(fit.hypothesis(), fit.windows()))
+                        .map(fit -> new Screen.Start(fit, 1, 0))
+                        .toList();
+        Judged best = tried.pruned(whole(tried.tournament(starts, none, 0.3, 0.7)));
+        return best.isWhite() && !best.isNone() ? refined(best) : found();
+    }
+
+    /** With what is surely missed still, and what is chosen of that. */
+    private Search.Found refined(Judged found) {
+        Judged best = found;
         for (Judged more = completed(best); !more.equals(best); more = completed(best)) {
             best = more;
         }
         if (best.isWhite() && areSeveral(best) && contest.isEmpty() && course.goesOn()) {
-            best = rescued(best, specific);
+            best = rescued(best, specific());
         }
         return chosen(best.isNone() ? best : tried.settled(best));
+    }
+
+    private List<Cause> specific() {
+        return library.stream().filter(c -> !c.isGeneric()).toList();
     }
 
     /**

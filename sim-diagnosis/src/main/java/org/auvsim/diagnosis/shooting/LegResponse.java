@@ -39,7 +39,7 @@ public final class LegResponse {
                         of.run(),
                         leg.from(),
                         leg.to(),
-                        shooting.fromAllStarts(leg.start()));
+                        shooting.fromAllStarts(leg.from(), leg.start()));
         double[] before = sum(of.of(motions[0], variant.sensing(), leg.from(), samples), weights);
         RigidMotion end = motions[0][leg.to() - leg.from()];
         for (int i = 0; i < SIZE; i++) {

@@ -10,6 +10,7 @@ import org.auvsim.diagnosis.shooting.WindowDerivatives.Moves;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -62,7 +63,7 @@ public record Shooting(Stepping stepping, Variant variant, Misses of) {
      */
     public WindowDerivatives derivatives(
             Window window, RigidMotion[] motion, int group, Moves moves) {
-        List<Entrant> entrants = entrants(window.start(), moves);
+        List<Entrant> entrants = entrants(window, moves);
         Knots knots = knots(window);
         RigidMotion[][] rough =
                 isLost(motion)
@@ -123,22 +124,35 @@ public record Shooting(Stepping stepping, Variant variant, Misses of) {
     }
 
     /** The variant from a start, then from the same with each number moved, then others. */
-    private List<Entrant> entrants(RigidMotion start, Moves moves) {
-        List<Entrant> entrants = new ArrayList<>(fromAllStarts(start));
+    private List<Entrant> entrants(Window window, Moves moves) {
+        RigidMotion start = window.start();
+        List<Entrant> entrants = new ArrayList<>(fromAllStarts(window.from(), start));
         moves.variants().forEach(other -> entrants.add(new Entrant(other, start)));
         return entrants;
     }
 
-    /** The variant from a start, then from the same with each of its numbers moved. */
-    List<Entrant> fromAllStarts(RigidMotion start) {
+    /**
+     * The variant from a start at a sample, then from the same with each of its numbers moved: the
+     * same one again if that stays.
+     */
+    List<Entrant> fromAllStarts(int sample, RigidMotion start) {
+        Entrant asItIs = new Entrant(variant, start);
+        boolean[] isShown = of.shown(sample);
         List<Entrant> entrants = new ArrayList<>();
-        entrants.add(new Entrant(variant, start));
+        entrants.add(asItIs);
         for (int i = 0; i < RigidMotion.SIZE; i++) {
             double[] by = new double[RigidMotion.SIZE];
             by[i] = step(i);
-            entrants.add(new Entrant(variant, start.plus(stepping.model().startable(by))));
+            double[] change = stepping.model().startable(by);
+            boolean stays =
+                    isNone(change) || (!isShown[i] && isNone(stepping.model().free(by)));
+            entrants.add(stays ? asItIs : new Entrant(variant, start.plus(change)));
         }
         return entrants;
+    }
+
+    private static boolean isNone(double[] change) {
+        return Arrays.stream(change).allMatch(number -> number == 0);
     }
 
     private double[] misses(Window window, Entrant of, RigidMotion[] motion, int group) {

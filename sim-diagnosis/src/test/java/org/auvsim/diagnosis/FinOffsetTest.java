@@ -25,10 +25,7 @@ class FinOffsetTest {
     void aRudderWhoseZeroIsOffIsNamed() throws Exception {
         BelievedModel torpedo = MeasuredTorpedo.model(MeasuredTorpedo.RUDDER);
         BelievedModel askew = MeasuredTorpedo.model(MeasuredTorpedo.RUDDER, chord());
-        List<MeasuredRun> fit =
-                List.of(
-                        MeasuredTorpedo.run(askew, 1, 0.3, Vec3.ZERO),
-                        MeasuredTorpedo.run(askew, 2, -2.2, Vec3.ZERO));
+        List<MeasuredRun> fit = List.of(run(askew, 1, 0.3), run(askew, 2, -2.2));
         List<Cause> causes =
                 Library.of(torpedo, fit).stream()
                         .filter(
@@ -41,7 +38,7 @@ class FinOffsetTest {
                 new Investigation(
                                 torpedo,
                                 fit,
-                                List.of(MeasuredTorpedo.run(askew, 3, 1.9, Vec3.ZERO)),
+                                List.of(run(askew, 3, 1.9)),
                                 causes,
                                 1,
                                 Progress.SILENT)
@@ -50,6 +47,11 @@ class FinOffsetTest {
         assertThat(diagnosis.sentence()).startsWith("The zero of 'rudder' is off: angle 0.0");
         Finding offset = diagnosis.selected().getFirst();
         assertThat(offset.quantities().getFirst().value()).isCloseTo(ASKEW, within(0.002));
+    }
+
+    /** The first 24 s of a run. */
+    private static MeasuredRun run(BelievedModel askew, int seed, double heading) {
+        return MeasuredTorpedo.run(askew, seed, heading, Vec3.ZERO).stretch(0, 240);
     }
 
     /** Turned about its span, which points up. */

@@ -42,7 +42,7 @@ class ReversedThrusterTest {
     private static final double TURNING = 1.5;
 
     private static final double INTERVAL = 0.1;
-    private static final int SAMPLES = 200;
+    private static final int SAMPLES = 120;
     private static final int SUBSTEPS = 200;
     private static final double NOISE = 0.01;
 

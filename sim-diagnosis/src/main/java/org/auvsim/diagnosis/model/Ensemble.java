@@ -16,7 +16,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
@@ -236,19 +235,19 @@ public final class Ensemble {
             int[] samples,
             List<Entrant> entrants,
             Commands commands) {
-        Map<Entrant, Integer> numbers = new IdentityHashMap<>();
+        IdentityHashMap<Entrant, Integer> numbers = new IdentityHashMap<>();
         List<Entrant> once = new ArrayList<>();
-        for (Entrant entrant : entrants) {
-            if (numbers.putIfAbsent(entrant, once.size()) == null) {
-                once.add(entrant);
+        int[] which = new int[entrants.size()];
+        for (int i = 0; i < which.length; i++) {
+            which[i] = numbers.computeIfAbsent(entrants.get(i), _ -> once.size());
+            if (which[i] == once.size()) {
+                once.add(entrants.get(i));
             }
         }
         double step = model.scenario().timeStep().delta();
         RigidMotion[][] motions =
                 new Ensemble(model, run, samples[0], once, step, commands).simulate(samples);
-        return entrants.stream()
-                .map(entrant -> motions[numbers.get(entrant)])
-                .toArray(RigidMotion[][]::new);
+        return Arrays.stream(which).mapToObj(i -> motions[i]).toArray(RigidMotion[][]::new);
     }
 
     /**

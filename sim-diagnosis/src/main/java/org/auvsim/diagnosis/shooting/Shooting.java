@@ -144,8 +144,7 @@ public record Shooting(Stepping stepping, Variant variant, Misses of) {
             double[] by = new double[RigidMotion.SIZE];
             by[i] = step(i);
             double[] change = stepping.model().startable(by);
-            boolean stays =
-                    isNone(change) || (!isShown[i] && isNone(stepping.model().free(by)));
+            boolean stays = isNone(change) || (!isShown[i] && isNone(stepping.model().free(by)));
             entrants.add(stays ? asItIs : new Entrant(variant, start.plus(change)));
         }
         return entrants;

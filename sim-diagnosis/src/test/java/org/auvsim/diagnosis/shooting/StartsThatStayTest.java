@@ -52,9 +52,7 @@ class StartsThatStayTest {
         }
         List<MeasuredRun> runs = List.of(run.build());
         return new Shooting(
-                Stepping.exact(model),
-                model.variant(),
-                Misses.of(runs, Noise.of(runs)).getFirst());
+                Stepping.exact(model), model.variant(), Misses.of(runs, Noise.of(runs)).getFirst());
     }
 
     @ParameterizedTest(name = "beside measured: {0}")

@@ -33,10 +33,10 @@ public record Surveyor(double quadratic, Vec3 current, double port, double turni
     private static final double NOISE_OF_YAW = 0.005;
     private static final double STEP = 0.01;
     private static final int STEPS_A_ROW = 10;
-    private static final int ROWS = 301;
+    private static final int ROWS = 201;
 
     /** Levels change every so many rows. */
-    private static final int HELD = 75;
+    private static final int HELD = 50;
 
     private static final Vec3 UP = new Vec3(0, 0, 1);
 
@@ -58,7 +58,7 @@ public record Surveyor(double quadratic, Vec3 current, double port, double turni
                 "Surveyor");
     }
 
-    /** A run of 30 s from rest, ten rows a second, under commands drawn by lot. */
+    /** A run of 20 s from rest, ten rows a second, under commands drawn by lot. */
     public MeasuredRun run(String name, Random random) {
         MeasuredRunBuilder run =
                 MeasuredRun.named(name).commands(List.of("port", "starboard", "vertical"));

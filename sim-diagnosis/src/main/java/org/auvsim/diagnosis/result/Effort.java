@@ -11,6 +11,9 @@ import java.util.stream.Collectors;
 public final class Effort {
     private static final int MOST = 3;
 
+    /** Logarithms of evidence that differ by less tell nothing (Kass and Raftery 1995). */
+    private static final double ALIKE = 1;
+
     private Effort() {}
 
     /**
@@ -52,13 +55,25 @@ public final class Effort {
                 : Optional.of(
                         byReason.entrySet().stream()
                                 .map(e -> "%s (%s)".formatted(list(e.getValue()), e.getKey()))
-                                .collect(
-                                        Collectors.joining(
-                                                "; ",
-                                                of.verdict() == Verdict.UNEXPLAINED
-                                                        ? ofNearest(of)
-                                                        : "Not chosen despite higher evidence: ",
-                                                ".")));
+                                .collect(Collectors.joining("; ", heading(of), ".")));
+    }
+
+    private static String heading(Diagnosis of) {
+        if (of.verdict() == Verdict.UNEXPLAINED) {
+            return ofNearest(of);
+        }
+        return evidence(of, true) - evidence(of, false) < ALIKE
+                ? "Not chosen, though about as probable: "
+                : "Not chosen despite higher evidence: ";
+    }
+
+    /** The largest logarithm of sets that are behind others, or of those that are not. */
+    private static double evidence(Diagnosis of, boolean isBehind) {
+        return of.evidence().ranked().stream()
+                .filter(set -> set.behind().isPresent() == isBehind)
+                .mapToDouble(Ranked::logEvidence)
+                .max()
+                .orElseThrow();
     }
 
     /** Where none of them explains the runs, what is left is told of the one that comes nearest. */

@@ -137,7 +137,7 @@ public final class Search {
     private Found again(Found before, BelievedModel stepping, Function<Fit, Stepping> length) {
         return new Search(stepping, runs, library, contest, course.more(END), length)
                 .selection()
-                .foundAgain(before.judged());
+                .foundAgain(before);
     }
 
     private Selection selection() {

@@ -106,14 +106,15 @@ final class Selection {
     }
 
     /**
-     * What was found in other steps, in these: the best of its sets if that explains the runs here,
-     * too, or else all anew.
-     *
-     * @param before sets from where they fitted best, the best first
+     * What was found in other steps, in these: of its sets, from where they fitted best there, the
+     * best if that explains the runs here, too; or else all anew.
      */
-    Search.Found foundAgain(List<Judged> before) {
+    Search.Found foundAgain(Search.Found before) {
+        if (!before.best().isWhite()) {
+            return found();
+        }
         List<Screen.Start> starts =
-                before.stream()
+                before.judged().stream()
                         .filter(set -> !set.isNone())
                         .limit(AGAIN)
                         .map(Judged::fit)

@@ -356,10 +356,13 @@ final class Diagnoses {
         return with(of, of.body(), of.evidence(), of.prediction(), false).toldAsFarAsItCame();
     }
 
-    /** The same, a set that was not chosen having more evidence. */
-    static Diagnosis outweighed(Diagnosis of, String reason) {
+    /** The same, a set that was not chosen having so much more evidence. */
+    static Diagnosis outweighed(Diagnosis of, double more, String reason) {
         List<Ranked> sets = new ArrayList<>(of.evidence().ranked());
-        sets.add(new Ranked(List.of("magnetic"), List.of(List.of()), 0, 0, Optional.of(reason)));
+        double evidence = sets.getFirst().logEvidence() + more;
+        sets.add(
+                new Ranked(
+                        List.of("magnetic"), List.of(List.of()), evidence, 0, Optional.of(reason)));
         return of.explained(of.selected().getFirst(), of.conclusion().sentence(), sets);
     }
 

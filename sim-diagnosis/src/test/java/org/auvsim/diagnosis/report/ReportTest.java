@@ -186,9 +186,14 @@ class ReportTest {
     @Test
     void thePageSaysWhyWhatHasMoreEvidenceWasNotChosen() throws IOException {
         assertThat(page(Diagnoses.explained())).doesNotContain("Not chosen");
-        assertThat(page(Diagnoses.outweighed(Diagnoses.explained(), "it can imitate other causes")))
+        String reason = "it can imitate other causes";
+        assertThat(page(Diagnoses.outweighed(Diagnoses.explained(), 3, reason)))
                 .contains(
                         "Not chosen despite higher evidence: magnetic (it can imitate other"
+                                + " causes).");
+        assertThat(page(Diagnoses.outweighed(Diagnoses.explained(), 1e-3, reason)))
+                .contains(
+                        "Not chosen, though about as probable: magnetic (it can imitate other"
                                 + " causes).");
     }
 

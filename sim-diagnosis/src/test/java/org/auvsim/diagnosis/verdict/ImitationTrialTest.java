@@ -30,7 +30,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 class ImitationTrialTest {
     /** A vehicle that tumbles too fast for its scenario's steps, its positions in feet. */
     private static MeasuredRun inFeet(Vec3 spin) throws Exception {
-        MeasuredRun run = MeasuredVehicle.run(MeasuredVehicle.model(0.005), spin);
+        MeasuredRun run = MeasuredVehicle.run(MeasuredVehicle.model(0.005), spin).stretch(0, 80);
         MeasuredRunBuilder feet =
                 MeasuredRun.named(run.name()).commands(List.of("port", "starboard"));
         for (int k = 0; k < run.size(); k++) {

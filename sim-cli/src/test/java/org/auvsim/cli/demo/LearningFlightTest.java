@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.auvsml.message.learning.FoundCause;
 import org.auvsim.auvsml.message.learning.ModelCorrectionNotification;
-import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -15,7 +14,6 @@ import java.nio.file.Path;
 
 /** The demonstration's last act, as the user gets it. */
 @Timeout(600)
-@Order(1) // it takes longest
 class LearningFlightTest {
     private static final Path SCENARIO = Path.of("..", "examples", "scenarios", "demo.xml");
 

@@ -13,7 +13,6 @@ import org.auvsim.diagnosis.result.Gain;
 import org.auvsim.diagnosis.result.Identifiability.Confusion;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
-import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -25,7 +24,6 @@ import java.util.Objects;
 
 /** A pendulum of 0.57 kg that a motor swings up in two ways, and then one of 1 kg. */
 @Tag("measured-data")
-@Order(1) // it takes longest
 class PendulumTest {
     private static final String MASS = "mass_error";
     private static final String GAIN = "thruster_gain (motor)";

@@ -28,7 +28,7 @@ class StickingCartTest {
     private static final double DRAG = 1.5;
     private static final double MU = 0.15;
     private static final double SPACING = 0.1;
-    private static final int SAMPLES = 250;
+    private static final int SAMPLES = 400;
     private static final int OF_LEVEL = 25;
     private static final double NOISE = 0.2;
     private static final int SUBSTEPS = 500;

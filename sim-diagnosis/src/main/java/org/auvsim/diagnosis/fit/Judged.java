@@ -9,8 +9,10 @@ import java.util.List;
 /**
  * A fit, its outcome and its score: Schwarz's criterion (1978), and a surcharge for each cause. The
  * smaller, the better.
+ *
+ * @param told how many of its numbers count: all, unless some are known to leave no trace
  */
-public record Judged(Fit fit, Outcome outcome, double score) {
+public record Judged(Fit fit, Outcome outcome, int told, double score) {
     /** A fit by what it misses. */
     public static Judged of(Fit fit) {
         return of(fit, fit.outcome());
@@ -18,26 +20,37 @@ public record Judged(Fit fit, Outcome outcome, double score) {
 
     /** The same, what it misses known. */
     public static Judged of(Fit fit, Outcome outcome) {
-        return new Judged(fit, outcome, outcome.deviance() + price(fit.hypothesis(), outcome));
+        int told = fit.hypothesis().size();
+        return new Judged(
+                fit, outcome, told, outcome.deviance() + price(fit.hypothesis(), outcome, told));
     }
 
-    private static double price(Hypothesis hypothesis, Outcome outcome) {
-        return hypothesis.price(outcome.count(), outcome.independent());
+    /** Numbers that leave no trace in the runs explain nothing, and cost nothing. */
+    private static double price(Hypothesis hypothesis, Outcome outcome, int told) {
+        double ofCauses = hypothesis.price();
+        double ofNumbers = hypothesis.price(outcome.count(), outcome.independent()) - ofCauses;
+        return told == 0 ? ofCauses : ofCauses + ofNumbers * told / hypothesis.size();
     }
 
     /** The same at another price. */
     public Judged dearer(double by) {
-        return new Judged(fit, outcome, score + by);
+        return new Judged(fit, outcome, told, score + by);
+    }
+
+    /** The same where only so many of its numbers leave a trace. */
+    public Judged telling(int numbers) {
+        double less = price() - price(fit.hypothesis(), outcome, numbers);
+        return new Judged(fit, outcome, numbers, score - less);
     }
 
     /** By how much the deviance must fall for its causes to be believed. */
     public double price() {
-        return price(fit.hypothesis(), outcome);
+        return price(fit.hypothesis(), outcome, told);
     }
 
     /** The logarithm of the model's evidence (Schwarz 1978), up to a constant. */
     public double logEvidence() {
-        double byNumbers = fit.hypothesis().size() * StrictMath.log(outcome.count());
+        double byNumbers = told * StrictMath.log(outcome.count());
         return -(score - price() + byNumbers) / 2;
     }
 

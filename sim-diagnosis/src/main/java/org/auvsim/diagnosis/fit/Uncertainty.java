@@ -67,6 +67,15 @@ public final class Uncertainty {
         }
     }
 
+    /** How many of its numbers leave a trace in the runs. */
+    public int told() {
+        return (int) IntStream.range(0, information.length).filter(this::leavesATrace).count();
+    }
+
+    private boolean leavesATrace(int number) {
+        return information[number][number] > 0;
+    }
+
     /** What the fit says of its parameters to whoever looks at other runs. */
     public Knowledge knowledge() {
         return new Knowledge(fitted.fit().hypothesis().numbers(), information);
@@ -137,8 +146,7 @@ public final class Uncertainty {
             boolean isTold = true;
             for (int p = 0; p < theta.length; p++) {
                 double change = slopes.getEntry(q, p) * cause.parameters().get(p).scale();
-                boolean leavesATrace = information[first + p][first + p] > 0;
-                isTold &= leavesATrace || Math.abs(change) <= UNCHANGED * size;
+                isTold &= leavesATrace(first + p) || Math.abs(change) <= UNCHANGED * size;
             }
             deviations.add(isTold ? Math.sqrt(variance) : Double.NaN);
         }

@@ -5,6 +5,7 @@ import org.auvsim.diagnosis.fit.Course;
 import org.auvsim.diagnosis.fit.Hypothesis;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.fit.Starts;
+import org.auvsim.diagnosis.fit.Uncertainty;
 
 import java.util.Comparator;
 import java.util.List;
@@ -21,12 +22,19 @@ record Choice(List<Judged> judged, List<Cause> library) {
     /** Among these, near the best of them that was found. */
     static Choice near(Judged found, List<Judged> judged, List<Cause> library) {
         double usual = Starts.fineness(found.fit());
+        double near = counted(found).score() + NEAR;
         return new Choice(
                 judged.stream()
-                        .map(j -> j.score() < found.score() + NEAR ? weighed(j, usual) : j)
+                        .map(j -> j.telling(0).score() < near ? counted(j) : j)
+                        .map(j -> j.score() < near ? weighed(j, usual) : j)
                         .sorted(Comparator.comparingDouble(Judged::score))
                         .toList(),
                 library);
+    }
+
+    /** By the numbers alone that leave a trace, as those along an axis that is held do not. */
+    private static Judged counted(Judged judged) {
+        return judged.isNone() ? judged : judged.telling(new Uncertainty(judged).told());
     }
 
     private static Judged weighed(Judged judged, double usual) {

@@ -39,7 +39,7 @@ class CommonestTest {
     private static Judged judged(String id, double misfit) {
         Cause cause = library.stream().filter(of -> of.id().equals(id)).findFirst().orElseThrow();
         Hypothesis of = Hypothesis.NONE.and(cause, new double[] {1.1});
-        Judged free = new Judged(believed.with(of, believed.windows()), outcome, 0);
+        Judged free = new Judged(believed.with(of, believed.windows()), outcome, of.size(), 0);
         return free.dearer(free.price() + misfit);
     }
 

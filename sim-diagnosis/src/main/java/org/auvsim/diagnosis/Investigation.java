@@ -2,6 +2,7 @@ package org.auvsim.diagnosis;
 
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.field.FieldSearch;
+import org.auvsim.diagnosis.fit.Course;
 import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.genetic.Evolution;
 import org.auvsim.diagnosis.genetic.FormulaSearch;
@@ -10,6 +11,7 @@ import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.Split;
 import org.auvsim.diagnosis.search.Arena;
+import org.auvsim.diagnosis.search.SteadyParts;
 import org.auvsim.diagnosis.shaking.Imbalance;
 import org.auvsim.diagnosis.shaking.SoundRuns;
 import org.auvsim.diagnosis.verdict.Examination;
@@ -102,9 +104,22 @@ public record Investigation(
         }
         Optional<Arena.Contest> contest =
                 method == Method.GENETIC ? Optional.of(new Evolution(seed)) : Optional.empty();
+        Course course = new Course(progress);
+        course.at("following the runs", 0.01);
+        SteadyParts toFit = SteadyParts.of(model, fit, course);
+        SteadyParts toJudge = SteadyParts.of(model, heldOut, course);
         Diagnosis diagnosis =
-                new Examination(model, fit, heldOut, causes, seed, contest, progress)
-                        .diagnosis(List.of(new FormulaSearch(seed), new FieldSearch()));
+                new Examination(
+                                model,
+                                toFit.runs(),
+                                toJudge.runs(),
+                                causes,
+                                seed,
+                                contest,
+                                progress)
+                        .diagnosis(List.of(new FormulaSearch(seed), new FieldSearch()))
+                        .noticing(toJudge.notices())
+                        .noticing(toFit.notices());
         return shaken(diagnosis).toldAsFarAsItCame();
     }
 

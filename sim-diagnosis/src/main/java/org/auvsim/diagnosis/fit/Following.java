@@ -106,6 +106,43 @@ public final class Following {
         return new Fit(stepping, data, hypothesis, windows, Knowledge.NONE);
     }
 
+    /**
+     * A fit of the same runs in other steps: by its windows, from where they begin, if the model
+     * follows in them here, too; or else by new ones.
+     */
+    public static Fit again(Fit of, Noise noise, Course course) {
+        List<List<Window>> windows =
+                IntStream.range(0, of.data().size())
+                        .parallel()
+                        .mapToObj(r -> again(of, r, noise, course))
+                        .toList();
+        return of.with(of.hypothesis(), windows);
+    }
+
+    private static List<Window> again(Fit of, int run, Noise noise, Course course) {
+        return new Following(of.shooting(of.data().get(run)), noise, course)
+                .fitted(of.windows().get(run))
+                .orElseGet(
+                        () ->
+                                of(
+                                        of.stepping(),
+                                        of.hypothesis(),
+                                        of.data().get(run),
+                                        noise,
+                                        course));
+    }
+
+    /** Windows from where these begin, if the model follows in them. */
+    private Optional<List<Window>> fitted(List<Window> windows) {
+        List<Fitted> fitted =
+                windows.parallelStream()
+                        .map(w -> fit(w, near(w.from(), w.start()), MOST_ITERATIONS))
+                        .toList();
+        return Optional.of(fitted)
+                .filter(this::follows)
+                .map(all -> all.stream().map(Fitted::window).toList());
+    }
+
     /** A fit of whole runs, those of them begun anew that miss less so. */
     public static Fit anew(Fit of, Noise noise, Course course) {
         List<List<Window>> windows =

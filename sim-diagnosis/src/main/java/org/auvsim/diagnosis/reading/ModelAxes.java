@@ -12,9 +12,9 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * Whether runs may be told in other axes than they are read in: the model then bends as they do
- * once they are read in those, and not before. A body that its weight or its actuators move says
- * so; one that moves the same way in either says nothing.
+ * Whether runs may be told in other axes than they are read in, or columns of positions mixed up:
+ * the model then bends as they do once they are read so, and not before. A body that its weight or
+ * its actuators move says so; one that moves the same way in either says nothing.
  */
 final class ModelAxes {
     /**
@@ -54,11 +54,25 @@ final class ModelAxes {
         if (!(asTold >= FITS_NOT)) {
             return Optional.empty();
         }
+        double limit = Math.min(FITS, asTold / BETTER);
         MeasuredAxes other = axes == MeasuredAxes.NED ? MeasuredAxes.ENU : MeasuredAxes.NED;
-        double otherwise = misfit(again.in(other).get(longest));
-        return otherwise <= FITS && asTold >= BETTER * otherwise
+        return misfit(again.in(other).get(longest)) <= limit
                 ? Optional.of(suspected(other))
-                : Optional.empty();
+                : mixed(runs.get(longest), limit);
+    }
+
+    /** The same of the columns of positions alone; of several mixes, that which fits best. */
+    private Optional<Suspicion> mixed(MeasuredRun run, double limit) {
+        Suspicion best = null;
+        double least = limit;
+        for (MixedAxes mix : MixedAxes.values()) {
+            double misfit = misfit(run.placed(mix::unmixed));
+            if (misfit < least) {
+                least = misfit;
+                best = mix.suspicion();
+            }
+        }
+        return Optional.ofNullable(best);
     }
 
     private static Suspicion suspected(MeasuredAxes other) {

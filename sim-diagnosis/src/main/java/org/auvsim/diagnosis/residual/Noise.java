@@ -27,10 +27,14 @@ public final class Noise {
     private static final double ROUNDED = 1e-9;
 
     /**
-     * Axes whose noise differs by no more than this factor have the same: it is better known, and a
-     * smooth motion leaves more along one than along another.
+     * Axes whose noise differs by no more than chance would have it have the same, which is better
+     * known. The logarithm of what the median tells of n such differences has a deviation of about
+     * 1.6 / sqrt(n); three of them lie five of that apart at most.
      */
-    private static final double ALIKE = 4;
+    private static final double SPREAD = 8;
+
+    /** Of few differences chance would have any: axes that differ more have their own. */
+    private static final double MOST_ALIKE = 4;
 
     /** By axis; NaN along or about an axis that tells nothing. */
     private final Map<Channel, double[]> deviations;
@@ -111,13 +115,16 @@ public final class Noise {
         double[] own = Arrays.stream(axes).mapToDouble(Axis::deviation).toArray();
         double least = Double.POSITIVE_INFINITY;
         double most = 0;
+        int fewest = Integer.MAX_VALUE;
         for (int axis = 0; axis < 3; axis++) {
             if (axes[axis].tells()) {
                 least = Math.min(least, own[axis]);
                 most = Math.max(most, own[axis]);
+                fewest = Math.min(fewest, axes[axis].differences.getNumElements());
             }
         }
-        boolean areAlike = most <= ALIKE * least;
+        double byChance = StrictMath.exp(SPREAD / Math.sqrt(fewest));
+        boolean areAlike = most <= Math.min(byChance, MOST_ALIKE) * least;
         double[] deviations = new double[3];
         for (int axis = 0; axis < 3; axis++) {
             double deviation = areAlike ? common : own[axis];

@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 
 /**
@@ -313,6 +314,11 @@ public final class MeasuredRun {
     /** The same, as if some of its numbers had not been measured. */
     public MeasuredRun without(Set<Reading> some) {
         return MeasuredRunBuilder.without(this, some);
+    }
+
+    /** The same, its positions (m, world; NaN where not measured) told otherwise. */
+    public MeasuredRun placed(UnaryOperator<Vec3> otherwise) {
+        return MeasuredRunBuilder.placed(this, otherwise);
     }
 
     /** What was known to be different in this run. */

@@ -4,6 +4,7 @@ import org.apache.commons.math3.util.ResizableDoubleArray;
 import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
 
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -14,6 +15,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 
 /** Takes a run sample by sample: {@link #at} begins one, the rest fills it. */
 public final class MeasuredRunBuilder {
@@ -50,9 +52,12 @@ public final class MeasuredRunBuilder {
         }
 
         void setLast(int from, double[] last) {
-            int first = values.getNumElements() - from;
-            for (int i = 0; i < last.length; i++) {
-                values.setElement(first + i, last[i]);
+            set(values.getNumElements() - from, last);
+        }
+
+        void set(int first, double[] some) {
+            for (int i = 0; i < some.length; i++) {
+                values.setElement(first + i, some[i]);
             }
         }
 
@@ -235,6 +240,19 @@ public final class MeasuredRunBuilder {
                 copy(run, run.name(), 0, run.size() - 1, reading -> !some.contains(reading));
         if (run.whole().equals(run)) {
             copy.whole = Optional.empty();
+        }
+        return copy.build();
+    }
+
+    static MeasuredRun placed(MeasuredRun run, UnaryOperator<Vec3> otherwise) {
+        MeasuredRunBuilder copy = copy(run, run.name(), 0, run.size() - 1);
+        for (int k = 0; k < run.size(); k++) {
+            double x = run.value(Channel.POSITION, k, 0);
+            double y = run.value(Channel.POSITION, k, 1);
+            double z = run.value(Channel.POSITION, k, 2);
+            Vec3 placed = otherwise.apply(new Vec3(x, y, z));
+            of(copy.measured, Channel.POSITION)
+                    .set(AXES * k, new double[] {placed.x(), placed.y(), placed.z()});
         }
         return copy.build();
     }

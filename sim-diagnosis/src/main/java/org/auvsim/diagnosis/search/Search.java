@@ -65,7 +65,7 @@ public final class Search {
         this.base =
                 stepping.fine().equals(model)
                         ? asStated.in(stepping)
-                        : Following.of(stepping, Hypothesis.NONE, data, noise, course);
+                        : Following.again(asStated.in(stepping), noise, course);
         this.library = library;
         this.course = course;
         this.contest = contest;
@@ -81,7 +81,6 @@ public final class Search {
      * @param traces what causes leave in the data beside those of the best
      * @param byRun causes of which one explains each run by itself, but of other numbers; usually
      *     none
-     * @param inParts that one cause explains the runs in parts; usually empty
      */
     public record Found(
             Judged none,
@@ -90,8 +89,7 @@ public final class Search {
             List<Judged> competitors,
             Traces traces,
             Noise noise,
-            List<Hypothesis> byRun,
-            Optional<String> inParts) {
+            List<Hypothesis> byRun) {
         /** The model, in steps that are short enough. */
         public Stepping stepping() {
             return none.fit().stepping();
@@ -99,7 +97,7 @@ public final class Search {
 
         /** The same, if none of what was found is true. */
         public Found nothing() {
-            return new Found(none, none, judged, List.of(), traces, noise, byRun, inParts);
+            return new Found(none, none, judged, List.of(), traces, noise, byRun);
         }
 
         /** The best, one of its causes left out. */
@@ -125,7 +123,7 @@ public final class Search {
     public Found found() {
         Found found = selection().found();
         Fit best = found.best().fit();
-        if (!course.goesOn() || found.inParts().isPresent()) {
+        if (!course.goesOn()) {
             return found;
         }
         if (found.best().isWhite() && !StepLength.areFine(best)) {

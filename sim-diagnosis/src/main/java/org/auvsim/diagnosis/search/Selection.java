@@ -90,10 +90,8 @@ final class Selection {
         }
         boolean isOpen = contest.isEmpty() && !best.isWhite();
         List<Hypothesis> byRun = isOpen ? ofOneRun() : List.of();
-        boolean haveChanged = haveChanged(byRun);
-        Optional<String> inParts = isOpen && !haveChanged ? inParts(specific) : Optional.empty();
-        if (haveChanged || inParts.isPresent()) {
-            return asItIs(best.isNone() ? best : tried.settled(best), byRun, inParts);
+        if (haveChanged(byRun)) {
+            return asItIs(best.isNone() ? best : tried.settled(best), byRun);
         }
         if (isOpen) {
             best = withMore(best, specific);
@@ -162,12 +160,11 @@ final class Selection {
                 choice.competitors(chosen),
                 chosen.hasCausesOf(found) ? traces : screening.traces(chosen),
                 noise,
-                List.of(),
-                Optional.empty());
+                List.of());
     }
 
-    /** Of runs that no set is to explain as they are: something changed, or they are too long. */
-    private Search.Found asItIs(Judged best, List<Hypothesis> byRun, Optional<String> inParts) {
+    /** Of runs that no set is to explain together: something changed between them. */
+    private Search.Found asItIs(Judged best, List<Hypothesis> byRun) {
         Choice choice = choice(best);
         return new Search.Found(
                 none,
@@ -176,8 +173,7 @@ final class Selection {
                 choice.competitors(best),
                 screening.traces(best),
                 noise,
-                byRun,
-                inParts);
+                byRun);
     }
 
     /**
@@ -187,19 +183,6 @@ final class Selection {
         return new RunByRun(base.stepping(), none.fit().data(), noise, course)
                 .notice(byRun)
                 .isPresent();
-    }
-
-    /** That what promises most explains the runs in parts, if one of it does. */
-    private Optional<String> inParts(List<Cause> specific) {
-        if (!course.goesOn()) {
-            return Optional.empty();
-        }
-        List<Cause> common = specific.stream().filter(c -> !screening.hasManyGuesses(c)).toList();
-        List<Hypothesis> causes =
-                Screening.promisingOfEachLevel(screening.of(common), FORWARD).stream()
-                        .map(start -> start.fit().hypothesis())
-                        .toList();
-        return new PartByPart(base.stepping(), none.fit().data(), noise, course).notice(causes);
     }
 
     /** What promises most to explain the run that the model misses most; nothing of only one. */

@@ -93,7 +93,6 @@ final class Notices {
         if (verdict == Verdict.UNEXPLAINED) {
             new SureStarts(found.stepping(), all, found.noise(), course)
                     .notice()
-                    .or(found::inParts)
                     .or(() -> changed(found, heldOut))
                     .or(() -> MissedAlone.notice(found.none()))
                     .ifPresent(notices::add);

@@ -111,6 +111,34 @@ class SuspicionsTest {
                         notice -> notice.startsWith(at(": the model moves as this does if x is")));
     }
 
+    /** A push to the left and up that is told as one along other axes. */
+    @ParameterizedTest
+    @CsvSource({
+        "0, 3, 4, ''",
+        "3, 0, 4, x and y were swapped",
+        "0, 4, 3, ''",
+        "4, 3, 0, x and z were swapped",
+        "0, -3, 4, y were positive the other way",
+        "0, 3, -4, z were positive the other way"
+    })
+    void mixedColumnsAreSuspectedByHowTheModelMoves(double x, double y, double z, String mixed)
+            throws Exception {
+        String text =
+                Rov.rows(
+                        "x,y,z,main,rudder",
+                        60,
+                        i -> {
+                            double along = 0.5 / 30 * 0.01 * i * i;
+                            return x * along + "," + y * along + "," + z * along + ",0,0";
+                        });
+
+        assertThat(Rov.read(folder, ColumnMapping.USUAL, text).notices())
+                .filteredOn(notice -> notice.contains("the model moves as this does"))
+                .hasSize(mixed.isEmpty() ? 0 : 1)
+                .allMatch(notice -> notice.startsWith(at(": the model moves as this does if ")))
+                .allMatch(notice -> notice.contains(mixed + ": "));
+    }
+
     /** All files have the same axes: what one of them alone speaks for may be a missing force. */
     @ParameterizedTest
     @CsvSource({"1, 0, NONE", "3, 1, UNTIL_EXPLAINED", "3, 2, LASTING", "1, 1, LASTING"})

@@ -48,6 +48,15 @@ class NoiseTest {
         assertThat(noise.of(Channel.POSITION)).isCloseTo(0.7, within(0.1));
     }
 
+    /** Of hundreds of rows a height three times as good is no chance. */
+    @Test
+    void axesThatDifferMoreThanByChanceHaveTheirOwn() {
+        Noise noise = Noise.of(List.of(run(0.3, 0.3, 0.1, 0.02)));
+
+        assertThat(noise.of(Channel.POSITION, 0)).isCloseTo(0.3, within(0.03));
+        assertThat(noise.of(Channel.POSITION, 2)).isCloseTo(0.1, within(0.01));
+    }
+
     /** A fix of the position in every tenth row, the depth in each. */
     @Test
     void numbersInSomeRowsTellAsMuch() {

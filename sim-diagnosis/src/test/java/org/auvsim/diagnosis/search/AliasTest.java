@@ -113,8 +113,7 @@ class AliasTest {
                         found.competitors(),
                         found.traces(),
                         found.noise(),
-                        found.byRun(),
-                        found.inParts());
+                        found.byRun());
         List<Ranked> ranked = Ranking.of(other, true);
 
         assertThat(ranked).hasSameSizeAs(Ranking.of(found, true));

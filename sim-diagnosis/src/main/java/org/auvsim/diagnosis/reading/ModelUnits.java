@@ -166,14 +166,17 @@ final class ModelUnits {
 
     private void judge(Account account, List<UnitTrial> trials) {
         List<UnitTrial> fitting = new ArrayList<>();
+        int telling = 0;
         for (UnitTrial trial : trials) {
             if (trial.has(account.of)) {
                 account.isRefuted |= fitsAsTold(trial, account.of.axes());
+                telling += trial.isNoise(account.of.axes()) ? 0 : 1;
                 if (fits(trial, account.of)) {
                     fitting.add(trial);
                 }
             }
         }
+        account.isRefuted |= telling > 1 && 2 * fitting.size() < telling;
         if (!fitting.isEmpty() && !account.isBorneOut) {
             account.isBorneOut = true;
             account.misfit =

@@ -129,13 +129,7 @@ public final class Search {
         List<MeasuredRun> seen = Seen.of(runs, best.variant().sensing());
         boolean mayMislead = best.hypothesis().causes().size() > 1 && !seen.equals(runs);
         return mayMislead && found.best().isWhite() && course.goesOn()
-                ? new Search(
-                                model,
-                                seen,
-                                library,
-                                contest,
-                                course.more(END),
-                                _ -> found.stepping())
+                ? new Search(model, seen, library, contest, course.more(END), _ -> found.stepping())
                         .selection()
                         .foundAgain(found)
                 : found;

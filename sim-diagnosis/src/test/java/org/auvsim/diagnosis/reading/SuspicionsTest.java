@@ -98,6 +98,28 @@ class SuspicionsTest {
         assertThat(Rov.read(folder, ColumnMapping.USUAL, text).notices()).isEmpty();
     }
 
+    /** A thousandth of the model's way, with two kinks in it; between these it bends otherwise. */
+    @ParameterizedTest
+    @CsvSource({"-1, true", "0.3, false"})
+    void aWayThatBendsAlikeAsAWholeAloneIsNotOfAnotherUnit(double bend, boolean isSuspected)
+            throws Exception {
+        String text =
+                Rov.rows(
+                        "x,y,z,main,rudder",
+                        91,
+                        i -> {
+                            int kink = i / 30 * 30;
+                            double of = i - kink;
+                            double along = kink * kink + of * (2 * kink + 30);
+                            double told = 1e-5 / 30 * 0.5 * (along + bend * of * (30 - of));
+                            return "0," + 3 * told + "," + 4 * told + ",0,0";
+                        });
+
+        assertThat(Rov.read(folder, ColumnMapping.USUAL, text).notices())
+                .filteredOn(notice -> notice.contains("are these positions in km?"))
+                .hasSize(isSuspected ? 1 : 0);
+    }
+
     @ParameterizedTest
     @CsvSource({"ENU, ENU, 0", "NED, NED, 0", "NED, ENU, 1", "ENU, NED, 1"})
     void otherAxesAreSuspectedByHowTheModelMoves(

@@ -24,26 +24,33 @@ import org.auvsim.core.entity.Block;
 final class Rotation {
     private Rotation() {}
 
-    /** Fills the rotation matrices. */
+    /**
+     * Fills the rotation matrices. Between the stages of a step quaternions have other lengths than
+     * 1, the more the faster a body spins: 2 over the square of that makes the matrices rotations.
+     */
     static void matrices(Block b) {
         double[] w = b.state[QW];
         double[] x = b.state[QX];
         double[] y = b.state[QY];
         double[] z = b.state[QZ];
+        double[] s = b.scratch[0];
         for (int i = 0; i < b.count; i++) {
-            b.rxx[i] = 1 - 2 * (y[i] * y[i] + z[i] * z[i]);
-            b.rxy[i] = 2 * (x[i] * y[i] - w[i] * z[i]);
-            b.rxz[i] = 2 * (x[i] * z[i] + w[i] * y[i]);
+            s[i] = 2 / (w[i] * w[i] + x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
         }
         for (int i = 0; i < b.count; i++) {
-            b.ryx[i] = 2 * (x[i] * y[i] + w[i] * z[i]);
-            b.ryy[i] = 1 - 2 * (x[i] * x[i] + z[i] * z[i]);
-            b.ryz[i] = 2 * (y[i] * z[i] - w[i] * x[i]);
+            b.rxx[i] = 1 - s[i] * (y[i] * y[i] + z[i] * z[i]);
+            b.rxy[i] = s[i] * (x[i] * y[i] - w[i] * z[i]);
+            b.rxz[i] = s[i] * (x[i] * z[i] + w[i] * y[i]);
         }
         for (int i = 0; i < b.count; i++) {
-            b.rzx[i] = 2 * (x[i] * z[i] - w[i] * y[i]);
-            b.rzy[i] = 2 * (y[i] * z[i] + w[i] * x[i]);
-            b.rzz[i] = 1 - 2 * (x[i] * x[i] + y[i] * y[i]);
+            b.ryx[i] = s[i] * (x[i] * y[i] + w[i] * z[i]);
+            b.ryy[i] = 1 - s[i] * (x[i] * x[i] + z[i] * z[i]);
+            b.ryz[i] = s[i] * (y[i] * z[i] - w[i] * x[i]);
+        }
+        for (int i = 0; i < b.count; i++) {
+            b.rzx[i] = s[i] * (x[i] * z[i] - w[i] * y[i]);
+            b.rzy[i] = s[i] * (y[i] * z[i] + w[i] * x[i]);
+            b.rzz[i] = 1 - s[i] * (x[i] * x[i] + y[i] * y[i]);
         }
     }
 

@@ -34,10 +34,14 @@ class MagnusForceTest {
                 new UniformCurrent(999, "stream", new Vec3(0.5, -0.3, 0.2)));
     }
 
-    /** With a constant spin w the velocity turns at c w / m, and the path is a circle. */
-    @Test
-    void aSpinningBallFliesACircle() {
-        double rate = 0.5 * 4 / 2;
+    /**
+     * With a constant spin w the velocity turns at c w / m, and the path is a circle, however far
+     * the ball turns in a step.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {4, 100})
+    void aSpinningBallFliesACircle(double spin) {
+        double rate = 1;
         World world =
                 World.builder()
                         .timeStep(0.01)
@@ -46,8 +50,8 @@ class MagnusForceTest {
                                         .volume(new Sphere(0.1))
                                         .mass(2)
                                         .velocity(3, 0, 0)
-                                        .angularVelocity(0, 0, 4)
-                                        .effect(new MagnusForce(0.5))
+                                        .angularVelocity(0, 0, spin)
+                                        .effect(new MagnusForce(rate * 2 / spin))
                                         .build())
                         .build();
         while (world.time() < 4) {

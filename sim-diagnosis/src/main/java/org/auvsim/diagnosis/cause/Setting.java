@@ -34,7 +34,14 @@ record Setting(BelievedModel model, List<MeasuredRun> runs, Path path, double ra
 
     static Setting of(BelievedModel model, List<MeasuredRun> runs) {
         Path path = Path.of(runs, model.variant().body());
-        return new Setting(model, runs, path, Math.max(SLOWEST_TURN, Turning.rate(runs)));
+        double stated =
+                runs.stream()
+                        .flatMap(run -> run.start().filter(Setting::spins).stream())
+                        .mapToDouble(start -> start.motion().angularVelocity().norm())
+                        .max()
+                        .orElse(0);
+        double rate = Math.max(Turning.rate(runs), stated);
+        return new Setting(model, runs, path, Math.max(SLOWEST_TURN, rate));
     }
 
     WorldObjectDefinition body() {

@@ -153,6 +153,7 @@ public final class Examination {
         Judged best = all.best();
         return !best.isNone()
                 && best.isWhite()
+                && !Undoing.isIn(all.none(), best.fit().hypothesis())
                 && (ofFit.best().isNone()
                         || !LeaveOneOut.canJudge(allRuns())
                         || Trial.holdsLeftOut(all.none(), best, turns));

@@ -116,7 +116,7 @@ public record Investigation(
                                 causes,
                                 seed,
                                 contest,
-                                progress)
+                                course::at)
                         .diagnosis(List.of(new FormulaSearch(seed), new FieldSearch()))
                         .noticing(toJudge.notices())
                         .noticing(toFit.notices());

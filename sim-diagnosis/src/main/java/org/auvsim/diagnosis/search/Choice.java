@@ -22,19 +22,27 @@ record Choice(List<Judged> judged, List<Cause> library) {
     /** Among these, near the best of them that was found. */
     static Choice near(Judged found, List<Judged> judged, List<Cause> library) {
         double usual = Starts.fineness(found.fit());
-        double near = counted(found).score() + NEAR;
+        double near = found.score() + NEAR;
         return new Choice(
                 judged.stream()
-                        .map(j -> j.telling(0).score() < near ? counted(j) : j)
+                        .map(j -> Alternatives.areSame(found, j) ? asIdle(j, found) : j)
                         .map(j -> j.score() < near ? weighed(j, usual) : j)
                         .sorted(Comparator.comparingDouble(Judged::score))
                         .toList(),
                 library);
     }
 
-    /** By the numbers alone that leave a trace, as those along an axis that is held do not. */
-    private static Judged counted(Judged judged) {
-        return judged.isNone() ? judged : judged.telling(new Uncertainty(judged).told());
+    /**
+     * What predicts the very same as what was found, with no more numbers that leave no trace than
+     * that has: those along an axis that is held are not to tell one from the other.
+     */
+    private static Judged asIdle(Judged same, Judged found) {
+        int more = idle(same) - idle(found);
+        return more > 0 ? same.telling(same.told() - more) : same;
+    }
+
+    private static int idle(Judged of) {
+        return of.isNone() ? 0 : of.told() - new Uncertainty(of).told();
     }
 
     private static Judged weighed(Judged judged, double usual) {

@@ -14,6 +14,7 @@ import org.auvsim.diagnosis.shooting.Growth;
 import org.auvsim.diagnosis.shooting.Stepping;
 import org.auvsim.diagnosis.shooting.WindowDerivatives;
 import org.auvsim.diagnosis.shooting.WindowDerivatives.Moves;
+import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -36,6 +37,14 @@ public record SteadyParts(List<MeasuredRun> runs, List<String> notices) {
 
     private static final int MOST = 8;
 
+    /**
+     * Windows lead to one another where these gaps between them (rad, root mean square) are less.
+     */
+    private static final double MOST_TURN = 0.2;
+
+    /** The same of velocities, as a share of the speed. */
+    private static final double MOST_OFF = 0.5;
+
     /** Larger numbers are told by their power of ten. */
     private static final int MOST_DIGITS = 6;
 
@@ -46,12 +55,13 @@ public record SteadyParts(List<MeasuredRun> runs, List<String> notices) {
         Stepping stepping = Stepping.longer(model).getFirst();
         Fit following =
                 Following.of(stepping, Hypothesis.NONE, Misses.of(begun, noise), noise, course);
-        List<List<WindowDerivatives>> derivatives = following.derivatives(Moves.NONE);
+        List<List<WindowDerivatives>> alongRuns = following.derivatives(Moves.NONE);
+        List<List<WindowDerivatives>> inOneGo = following.whole().derivatives(Moves.NONE);
         List<MeasuredRun> steady = new ArrayList<>();
         List<String> notices = new ArrayList<>();
         for (int r = 0; r < runs.size(); r++) {
             MeasuredRun run = runs.get(r);
-            double growth = Growth.of(derivatives.get(r));
+            double growth = growth(alongRuns.get(r), inOneGo.get(r));
             int count = growth > FAR && !run.isPart() ? count(run, growth) : 1;
             steady.addAll(run.parts(count));
             if (count > 1) {
@@ -59,6 +69,43 @@ public record SteadyParts(List<MeasuredRun> runs, List<String> notices) {
             }
         }
         return new SteadyParts(steady, notices);
+    }
+
+    /**
+     * Along what was measured; but where the windows that follow it lead elsewhere than to one
+     * another, as those of a noisy run do, they say nothing of how the body moves. Then where the
+     * model goes by itself, if that is less.
+     */
+    private static double growth(
+            List<WindowDerivatives> alongRun, List<WindowDerivatives> inOneGo) {
+        double along = Growth.of(alongRun);
+        return areChained(alongRun) || inOneGo.getFirst().isLost()
+                ? along
+                : Math.min(along, Growth.of(inOneGo));
+    }
+
+    private static boolean areChained(List<WindowDerivatives> windows) {
+        double turns = 0;
+        double speedsOff = 0;
+        double speeds = 0;
+        for (int w = 1; w < windows.size(); w++) {
+            RigidMotion start = windows.get(w).window.start();
+            double[] gap = windows.get(w - 1).end.minus(start);
+            turns += square(gap, 3);
+            speedsOff += square(gap, 6);
+            speeds += start.velocity().dot(start.velocity());
+        }
+        double mostTurns = MOST_TURN * MOST_TURN * (windows.size() - 1);
+        return turns <= mostTurns && speedsOff <= MOST_OFF * MOST_OFF * speeds;
+    }
+
+    /** Of three numbers from one on. */
+    private static double square(double[] numbers, int from) {
+        double sum = 0;
+        for (int i = from; i < from + 3; i++) {
+            sum += numbers[i] * numbers[i];
+        }
+        return sum;
     }
 
     private static int count(MeasuredRun run, double growth) {

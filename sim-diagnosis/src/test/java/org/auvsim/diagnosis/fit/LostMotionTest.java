@@ -144,7 +144,7 @@ class LostMotionTest {
         }
         List<MeasuredRun> runs = List.of(thrown.build());
         Misses of = Misses.of(runs, Noise.of(runs)).getFirst();
-        Variant spinning = model.variant().with(b -> b.effect(new MagnusForce(4e-4)));
+        Variant spinning = model.variant().with(b -> b.effect(new MagnusForce(0.12)));
         RigidMotion start =
                 new RigidMotion(
                         Vec3.ZERO, Quat.IDENTITY, new Vec3(12, 0, 6), new Vec3(0, 1e-9, 60));

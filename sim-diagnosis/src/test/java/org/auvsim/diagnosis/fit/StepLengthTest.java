@@ -115,7 +115,7 @@ class StepLengthTest {
     void stepsAreHalvedWhereAllNumbersTogetherTell() throws Exception {
         BelievedModel coarse = MeasuredVehicle.model(0.05);
         BelievedModel fine = MeasuredVehicle.model(0.005);
-        MeasuredRun run = MeasuredVehicle.run(fine, new Vec3(1.62, -0.36, 2.52));
+        MeasuredRun run = MeasuredVehicle.run(fine, new Vec3(2.43, -0.54, 3.78));
         Fit turning = following(coarse, noisier(run));
 
         Stepping stepping = StepLength.converged(turning);

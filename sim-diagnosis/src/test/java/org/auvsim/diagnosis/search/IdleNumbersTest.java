@@ -3,20 +3,48 @@ package org.auvsim.diagnosis.search;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.auvsim.diagnosis.cause.Cause;
+import org.auvsim.diagnosis.cause.Library;
+import org.auvsim.diagnosis.fit.Course;
 import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.fit.Progress;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.subject.Believed;
 import org.auvsim.diagnosis.subject.Cart;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 
 /** Of a body that moves along one line, a vector has two numbers that do nothing. */
 class IdleNumbersTest {
     private static final Cart HEAVIER = new Cart(0.8, 1e-6, 0);
+    private static final Set<String> IDS = Set.of("mass_error", "added_mass");
+
+    private static Search.Found found() throws Exception {
+        BelievedModel onRails =
+                Believed.model(
+                        """
+                        <scenario><time-step delta="0.05"/>
+                          <world-object name="cart" mass="10"><sphere radius="0.2"/>
+                            <held y="1" z="1" turn-x="1" turn-y="1" turn-z="1"/>
+                            <propulsor name="motor" maximum-thrust="20"/>
+                          </world-object>
+                        </scenario>
+                        """,
+                        "cart");
+        List<MeasuredRun> runs = List.of(HEAVIER.run());
+        List<Cause> causes =
+                Library.of(onRails, runs).stream().filter(c -> IDS.contains(c.id())).toList();
+        Course course = new Course(Progress.SILENT);
+        return new Search(onRails, runs, causes, Optional.empty(), course).found();
+    }
 
     @Test
     void addedMassIsAsProbableAsMassWhereTheyAreTheSame() throws Exception {
-        Search.Found found =
-                HEAVIER.found(List.of(HEAVIER.cause("mass_error"), HEAVIER.cause("added_mass")));
+        Search.Found found = found();
 
         Judged mass = found.best();
         assertThat(id(mass)).isEqualTo("mass_error");

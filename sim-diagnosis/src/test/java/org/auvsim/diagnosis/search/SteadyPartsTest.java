@@ -51,7 +51,7 @@ class SteadyPartsTest {
         assertThat(parts.notices())
                 .singleElement()
                 .asString()
-                .startsWith("run1: an error of its start grows more than 1e")
+                .startsWith("run1: an error of its start grows more than 1000000-fold over it, ")
                 .endsWith("in 4 parts of 2.5 s, each with a start of its own");
     }
 

@@ -1,9 +1,6 @@
 package org.auvsim.diagnosis.residual;
 
-import org.auvsim.diagnosis.run.Channel;
-
 import java.util.Arrays;
-import java.util.function.Predicate;
 import java.util.stream.IntStream;
 
 /**
@@ -37,20 +34,8 @@ public final class Whiteness {
      * @param of what they are of; what is stated of its errors may last, too
      */
     public static double largest(double[] misses, Misses of) {
-        return largest(misses, of, row -> true);
-    }
-
-    /** The same of a channel alone; 0 where it was not measured. */
-    public static double largest(double[] misses, Misses of, Channel channel) {
-        return largest(misses, of, row -> row.channel() == channel);
-    }
-
-    private static double largest(double[] misses, Misses of, Predicate<Misses.Row> counts) {
         double largest = 0;
         for (int row = 0; row < of.rows().size(); row++) {
-            if (!counts.test(of.rows().get(row))) {
-                continue;
-            }
             double[] ofChannel = row(misses, row, of);
             double own = deviation(ofChannel);
             double deviation = of.isStated(of.rows().get(row)) ? Math.max(1, own) : own;

@@ -1,31 +1,42 @@
 package org.auvsim.diagnosis.verdict;
 
+import org.auvsim.diagnosis.fit.Descent;
+import org.auvsim.diagnosis.fit.Fit;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.residual.Misses;
-import org.auvsim.diagnosis.residual.Whiteness;
+import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.Reading;
 
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.IntStream;
+import java.util.Set;
 
 /**
  * What the model as it is believed misses of one channel alone, while it predicts all others to
- * their noise: most often it is what measures that channel.
+ * their noise, once that one does not pull at the starts: most often it is what measures it.
  */
 final class MissedAlone {
+    /** Enough for the starts. */
+    private static final int STEPS = 8;
+
     private MissedAlone() {}
 
     /**
      * What is to be said of it; empty where others are missed, too, or nothing else is measured.
      */
-    static Optional<String> notice(Judged none) {
+    static Optional<String> notice(Judged none, Noise noise) {
         List<Channel> measured =
                 Arrays.stream(Channel.values()).filter(of -> isMeasured(none, of)).toList();
+        if (measured.size() < 2 || none.isWhite()) {
+            return Optional.empty();
+        }
         List<Channel> missed =
-                measured.stream().filter(of -> whiteness(none, of) >= Whiteness.LIMIT).toList();
-        return missed.size() != 1 || measured.size() < 2
+                measured.stream().filter(of -> without(of, none, noise).isWhite()).toList();
+        return missed.size() != 1
                 ? Optional.empty()
                 : Optional.of(
                         "the model as it is predicts everything but the %s to the noise: look at what measures it, which may be late, turned or off, or have errors that last (lasting-error of its columns, --mapping)"
@@ -36,14 +47,28 @@ final class MissedAlone {
         return none.fit().data().stream().anyMatch(of -> of.count(channel) > 0);
     }
 
-    private static double whiteness(Judged none, Channel channel) {
-        List<Misses> data = none.fit().data();
-        return IntStream.range(0, data.size())
-                .mapToDouble(
-                        r ->
-                                Whiteness.largest(
-                                        none.outcome().misses().get(r), data.get(r), channel))
-                .max()
-                .orElse(0);
+    /** The same model of the same runs, as if a channel had not been measured. */
+    private static Judged without(Channel channel, Judged none, Noise noise) {
+        Fit fit = none.fit();
+        List<MeasuredRun> runs =
+                fit.data().stream().map(of -> of.run().without(all(channel, of.run()))).toList();
+        return Descent.of(
+                        new Fit(
+                                fit.stepping(),
+                                Misses.of(runs, noise),
+                                fit.hypothesis(),
+                                fit.windows(),
+                                fit.knowledge()))
+                .steps(STEPS);
+    }
+
+    private static Set<Reading> all(Channel channel, MeasuredRun run) {
+        Set<Reading> all = new HashSet<>();
+        for (int k = 0; k < run.size(); k++) {
+            for (int axis = 0; axis < 3; axis++) {
+                all.add(new Reading(channel, k, axis));
+            }
+        }
+        return all;
     }
 }

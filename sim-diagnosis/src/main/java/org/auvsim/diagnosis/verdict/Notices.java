@@ -94,7 +94,7 @@ final class Notices {
             new SureStarts(found.stepping(), all, found.noise(), course)
                     .notice()
                     .or(() -> changed(found, heldOut))
-                    .or(() -> MissedAlone.notice(found.none()))
+                    .or(() -> MissedAlone.notice(found.none(), found.noise()))
                     .ifPresent(notices::add);
         }
         found.noise().notice().ifPresent(notices::add);

@@ -20,6 +20,7 @@ import org.auvsim.diagnosis.subject.Surveyor;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 
 /** A vehicle that the model predicts, some of its positions off as no cause has it. */
@@ -42,24 +43,26 @@ class MissedAloneTest {
         return Math.sin(0.7 * of.time(sample));
     }
 
-    private static Judged none(MeasuredRun run) throws Exception {
+    private static Optional<String> notice(MeasuredRun run) throws Exception {
         BelievedModel model = Surveyor.believed();
         List<MeasuredRun> runs = List.of(run);
         Noise noise = Noise.of(runs);
-        return Descent.of(
-                        Refinement.approach(
-                                Following.of(
-                                        Stepping.exact(model),
-                                        Hypothesis.NONE,
-                                        Misses.of(runs, noise),
-                                        noise),
-                                1))
-                .steps(20, Double.POSITIVE_INFINITY, Course.UNHEARD);
+        Judged none =
+                Descent.of(
+                                Refinement.approach(
+                                        Following.of(
+                                                Stepping.exact(model),
+                                                Hypothesis.NONE,
+                                                Misses.of(runs, noise),
+                                                noise),
+                                        1))
+                        .steps(20, Double.POSITIVE_INFINITY, Course.UNHEARD);
+        return MissedAlone.notice(none, noise);
     }
 
     @Test
     void oneChannelIsNamedIfAllElseIsPredicted() throws Exception {
-        assertThat(MissedAlone.notice(none(run(0.05, 0))))
+        assertThat(notice(run(0.05, 0)))
                 .hasValueSatisfying(
                         said ->
                                 assertThat(said)
@@ -68,9 +71,17 @@ class MissedAloneTest {
                                                         + " position to the noise"));
     }
 
+    /** The fit follows a heading that is off, and with it the path. */
+    @Test
+    void oneThatPullsAtOthersIsNamedToo() throws Exception {
+        assertThat(notice(run(0, 0.08)))
+                .hasValueSatisfying(
+                        said -> assertThat(said).contains("everything but the orientation"));
+    }
+
     @Test
     void nothingIsSaidIfOthersAreMissedToo() throws Exception {
-        assertThat(MissedAlone.notice(none(run(0.05, 0.1)))).isEmpty();
-        assertThat(MissedAlone.notice(none(run(0, 0)))).isEmpty();
+        assertThat(notice(run(0.05, 0.1))).isEmpty();
+        assertThat(notice(run(0, 0))).isEmpty();
     }
 }

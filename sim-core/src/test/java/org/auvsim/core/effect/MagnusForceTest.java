@@ -8,6 +8,7 @@ import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.BodyEffect;
 import org.auvsim.core.entity.WorldObjectDefinition;
 import org.auvsim.core.field.UniformCurrent;
+import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.core.volume.Sphere;
 import org.auvsim.core.world.World;
@@ -36,7 +37,7 @@ class MagnusForceTest {
 
     /**
      * With a constant spin w the velocity turns at c w / m, and the path is a circle, however far
-     * the ball turns in a step.
+     * the ball turns in a step. It does so about no axis of its own.
      */
     @ParameterizedTest
     @ValueSource(doubles = {4, 100})
@@ -49,6 +50,7 @@ class MagnusForceTest {
                                 WorldObjectDefinition.named("ball")
                                         .volume(new Sphere(0.1))
                                         .mass(2)
+                                        .orientation(Quat.ofAxisAngle(new Vec3(1, 0, 0), 1))
                                         .velocity(3, 0, 0)
                                         .angularVelocity(0, 0, spin)
                                         .effect(new MagnusForce(rate * 2 / spin))

@@ -10,7 +10,6 @@ import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.run.MeasuredRun;
-import org.auvsim.diagnosis.subject.Believed;
 import org.auvsim.diagnosis.subject.Cart;
 import org.junit.jupiter.api.Test;
 
@@ -24,17 +23,7 @@ class IdleNumbersTest {
     private static final Set<String> IDS = Set.of("mass_error", "added_mass");
 
     private static Search.Found found() throws Exception {
-        BelievedModel onRails =
-                Believed.model(
-                        """
-                        <scenario><time-step delta="0.05"/>
-                          <world-object name="cart" mass="10"><sphere radius="0.2"/>
-                            <held y="1" z="1" turn-x="1" turn-y="1" turn-z="1"/>
-                            <propulsor name="motor" maximum-thrust="20"/>
-                          </world-object>
-                        </scenario>
-                        """,
-                        "cart");
+        BelievedModel onRails = Cart.onRails();
         List<MeasuredRun> runs = List.of(HEAVIER.run());
         List<Cause> causes =
                 Library.of(onRails, runs).stream().filter(c -> IDS.contains(c.id())).toList();

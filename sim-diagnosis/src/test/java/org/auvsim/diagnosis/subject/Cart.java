@@ -48,6 +48,20 @@ public record Cart(double gain, double drag, double current) {
                 "cart");
     }
 
+    /** The same, held but for the way along x. */
+    public static BelievedModel onRails() throws AuvsmlException {
+        return Believed.model(
+                """
+                <scenario><time-step delta="0.05"/>
+                  <world-object name="cart" mass="10"><sphere radius="0.2"/>
+                    <held y="1" z="1" turn-x="1" turn-y="1" turn-z="1"/>
+                    <propulsor name="motor" maximum-thrust="20"/>
+                  </world-object>
+                </scenario>
+                """,
+                "cart");
+    }
+
     /**
      * Under constant thrust, speed approaches a steady one exponentially: of the speed at one row a
      * share is kept at the next, and a mean share on the way.

@@ -4,12 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.diagnosis.cause.Quantity;
-import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.subject.Believed;
+import org.auvsim.diagnosis.subject.Cart;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
@@ -28,19 +28,6 @@ class CreepingFrictionTest {
     /** Levels of the motor: below 0.147 of its thrust it does not overcome friction. */
     private static final List<Double> LEVELS =
             List.of(0.3, 0.12, 0.13, -0.1, -0.3, 0.08, 0.25, -0.14);
-
-    private static BelievedModel cart() throws Exception {
-        return Believed.model(
-                """
-                <scenario><time-step delta="0.05"/>
-                  <world-object name="cart" mass="10"><sphere radius="0.2"/>
-                    <held y="1" z="1" turn-x="1" turn-y="1" turn-z="1"/>
-                    <propulsor name="motor" maximum-thrust="20"/>
-                  </world-object>
-                </scenario>
-                """,
-                "cart");
-    }
 
     /**
      * Below the slip speed friction falls to nothing; by steps of 0.1 ms.
@@ -72,7 +59,7 @@ class CreepingFrictionTest {
     private static Diagnosis diagnosed(double slip, double more) throws Exception {
         return Believed.suspectedOf(
                 "coulomb_friction",
-                cart(),
+                Cart.onRails(),
                 List.of(run(0, slip, more), run(1, slip, more)),
                 List.of(run(2, slip, more)));
     }

@@ -321,6 +321,11 @@ public final class MeasuredRun {
         return MeasuredRunBuilder.placed(this, otherwise);
     }
 
+    /** The same, two of its commands each told what the other was. */
+    public MeasuredRun swapping(String one, String other) {
+        return MeasuredRunBuilder.swapping(this, one, other);
+    }
+
     /** What was known to be different in this run. */
     public KnownDifferences differences() {
         return differences;

@@ -257,6 +257,17 @@ public final class MeasuredRunBuilder {
         return copy.build();
     }
 
+    static MeasuredRun swapping(MeasuredRun run, String one, String other) {
+        MeasuredRunBuilder copy = copy(run, run.name(), 0, run.size() - 1);
+        copy.commandNames.replaceAll(
+                name -> name.equals(one) ? other : name.equals(other) ? one : name);
+        copy.whole =
+                run.whole().equals(run)
+                        ? Optional.empty()
+                        : Optional.of(swapping(run.whole(), one, other));
+        return copy.build();
+    }
+
     private static MeasuredRunBuilder copy(MeasuredRun run, String name, int from, int to) {
         return copy(run, name, from, to, _ -> true);
     }

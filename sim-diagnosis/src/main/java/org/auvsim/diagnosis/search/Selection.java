@@ -90,7 +90,7 @@ final class Selection {
         }
         boolean isOpen = contest.isEmpty() && !best.isWhite();
         List<Hypothesis> byRun = isOpen ? ofOneRun() : List.of();
-        if (haveChanged(byRun)) {
+        if (haveChanged(byRun) || (isOpen && haveSwapped(best))) {
             return asItIs(best.isNone() ? best : tried.settled(best), byRun);
         }
         if (isOpen) {
@@ -163,7 +163,7 @@ final class Selection {
                 List.of());
     }
 
-    /** Of runs that no set is to explain together: something changed between them. */
+    /** Of runs that no set is to explain: something changed between them, or was mixed up. */
     private Search.Found asItIs(Judged best, List<Hypothesis> byRun) {
         Choice choice = choice(best);
         return new Search.Found(
@@ -183,6 +183,11 @@ final class Selection {
         return new RunByRun(base.stepping(), none.fit().data(), noise, course)
                 .notice(byRun)
                 .isPresent();
+    }
+
+    /** Whether two commands are mixed up: no cause is to explain that. */
+    private boolean haveSwapped(Judged best) {
+        return new SwappedCommands(none, noise, course).areNearer(best);
     }
 
     /** What promises most to explain the run that the model misses most; nothing of only one. */

@@ -16,6 +16,7 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.search.RunByRun;
 import org.auvsim.diagnosis.search.Search;
+import org.auvsim.diagnosis.search.SwappedCommands;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
@@ -94,6 +95,7 @@ final class Notices {
             new SureStarts(found.stepping(), all, found.noise(), course)
                     .notice()
                     .or(() -> changed(found, heldOut))
+                    .or(() -> new SwappedCommands(found.none(), found.noise(), course).notice())
                     .or(() -> MissedAlone.notice(found.none(), found.noise()))
                     .ifPresent(notices::add);
         }

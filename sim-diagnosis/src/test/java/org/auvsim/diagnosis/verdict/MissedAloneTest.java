@@ -4,18 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
-import org.auvsim.diagnosis.fit.Course;
-import org.auvsim.diagnosis.fit.Descent;
-import org.auvsim.diagnosis.fit.Following;
-import org.auvsim.diagnosis.fit.Hypothesis;
-import org.auvsim.diagnosis.fit.Judged;
-import org.auvsim.diagnosis.fit.Refinement;
-import org.auvsim.diagnosis.model.BelievedModel;
-import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
-import org.auvsim.diagnosis.shooting.Stepping;
+import org.auvsim.diagnosis.subject.AsBelieved;
 import org.auvsim.diagnosis.subject.Surveyor;
 import org.junit.jupiter.api.Test;
 
@@ -44,20 +36,9 @@ class MissedAloneTest {
     }
 
     private static Optional<String> notice(MeasuredRun run) throws Exception {
-        BelievedModel model = Surveyor.believed();
         List<MeasuredRun> runs = List.of(run);
         Noise noise = Noise.of(runs);
-        Judged none =
-                Descent.of(
-                                Refinement.approach(
-                                        Following.of(
-                                                Stepping.exact(model),
-                                                Hypothesis.NONE,
-                                                Misses.of(runs, noise),
-                                                noise),
-                                        1))
-                        .steps(20, Double.POSITIVE_INFINITY, Course.UNHEARD);
-        return MissedAlone.notice(none, noise);
+        return MissedAlone.notice(AsBelieved.fitted(Surveyor.believed(), runs, noise), noise);
     }
 
     @Test

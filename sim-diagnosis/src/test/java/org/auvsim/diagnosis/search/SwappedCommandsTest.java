@@ -1,0 +1,64 @@
+package org.auvsim.diagnosis.search;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.fit.Course;
+import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.subject.AsBelieved;
+import org.auvsim.diagnosis.subject.Surveyor;
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+
+/** A vehicle of which two thrusters were told what the other ones should have been. */
+class SwappedCommandsTest {
+    private static MeasuredRun run(Vec3 current) {
+        return new Surveyor(0, current, 1, 0).run("run", new Random(4));
+    }
+
+    private static Optional<String> notice(MeasuredRun... of) throws Exception {
+        List<MeasuredRun> runs = List.of(of);
+        Noise noise = Noise.of(runs);
+        return new SwappedCommands(
+                        AsBelieved.fitted(Surveyor.believed(), runs, noise), noise, Course.UNHEARD)
+                .notice();
+    }
+
+    @Test
+    void theTwoAreNamed() throws Exception {
+        assertThat(notice(run(Vec3.ZERO).swapping("starboard", "vertical")))
+                .hasValueSatisfying(
+                        said ->
+                                assertThat(said)
+                                        .contains(
+                                                "'vertical' and 'starboard' are swapped",
+                                                "--rename vertical=starboard,starboard=vertical"));
+    }
+
+    @Test
+    void somethingElseMayBeWrongToo() throws Exception {
+        assertThat(notice(run(new Vec3(0, 0.03, 0)).swapping("port", "starboard")))
+                .hasValueSatisfying(
+                        said -> assertThat(said).contains("'starboard' and 'port' are swapped"));
+    }
+
+    @Test
+    void otherMisfitsAreNotTakenForIt() throws Exception {
+        assertThat(notice(run(Vec3.ZERO))).isEmpty();
+        assertThat(notice(run(new Vec3(0, 0.3, 0)))).isEmpty();
+        assertThat(notice(new Surveyor(0, Vec3.ZERO, 0.3, 0).run("weak", new Random(5)))).isEmpty();
+    }
+
+    /** What a part began with was commanded before it. */
+    @Test
+    void partsAreSwappedWithTheirPast() {
+        MeasuredRun part = run(Vec3.ZERO).part("part", 100, 200).swapping("port", "starboard");
+
+        assertThat(part.commands().getFirst().name()).isEqualTo("starboard");
+        assertThat(part.whole().commands().getFirst().name()).isEqualTo("starboard");
+    }
+}

@@ -90,7 +90,8 @@ public interface Cause {
      * @param independent how many independent ones tell as much, which are fewer where errors last
      */
     default double price(int measured, double independent) {
-        return price() + parameters().size() * StrictMath.log(measured);
+        long free = parameters().stream().filter(Parameter::isFree).count();
+        return price() + free * StrictMath.log(measured);
     }
 
     /**

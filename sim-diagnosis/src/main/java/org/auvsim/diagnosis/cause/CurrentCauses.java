@@ -20,7 +20,6 @@ final class CurrentCauses {
     private static final double[] CORES = {0.15, 0.4};
 
     private static final int VORTICES = 4;
-    private static final int FEWEST_OSCILLATIONS = 24;
 
     private CurrentCauses() {}
 
@@ -55,7 +54,7 @@ final class CurrentCauses {
 
     /** Of a sine and a cosine, as both are linear. */
     private static Cause oscillating(Setting s, double scale) {
-        Oscillation oscillation = new Oscillation(s, "u", "m/s", scale);
+        Oscillation oscillation = Oscillation.ofCurrent(s, scale);
         return Change.of(
                         "current_oscillating",
                         oscillation.parameters(),
@@ -67,7 +66,7 @@ final class CurrentCauses {
                                         oscillation.cosine(t),
                                         t[Oscillation.OMEGA],
                                         Math.PI / 2))
-                .from(oscillation.guesses(new Frequencies(s).told(FEWEST_OSCILLATIONS)))
+                .from(oscillation.guesses(new Frequencies(s).all()))
                 .withAliases(oscillation::aliases)
                 .told(oscillation::quantities);
     }

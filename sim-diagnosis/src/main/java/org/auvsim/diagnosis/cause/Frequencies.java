@@ -11,7 +11,10 @@ final class Frequencies {
     private static final double LOWEST = 0.3;
     private static final double HIGHEST = 8;
     private static final int FEWEST = 40;
-    private static final int MOST = 60;
+    private static final int MOST = 120;
+
+    /** The same where each is tried in several ways. */
+    private static final int MOST_TOLD = 60;
 
     /** Steps in which the phase between the first and the last run turns once. */
     private static final int PER_TURN = 4;
@@ -38,7 +41,7 @@ final class Frequencies {
     /** Half as many: a search that begins at one of them still comes to those beside it. */
     double[] told(int fewest) {
         double asFarAsTold = (HIGHEST - LOWEST) * duration / 6;
-        return spread((int) Math.max(fewest, Math.min(MOST, asFarAsTold)));
+        return spread((int) Math.max(fewest, Math.min(MOST_TOLD, asFarAsTold)));
     }
 
     /**

@@ -23,13 +23,13 @@ final class OnsetCauses {
                         s,
                         "step_force",
                         "from",
-                        Parameter.vector("force", "N", s.force()),
+                        s.forces("force", "N", s.force()),
                         (v, t) -> v.with(b -> b.effect(new StepForce(vector(t), t[3], spread)))),
                 begun(
                         s,
                         "impulse",
                         "at",
-                        Parameter.vector("impulse", "N s", 0.1 * s.scale("N s")),
+                        s.forces("impulse", "N s", 0.1 * s.scale("N s")),
                         (v, t) -> v.with(b -> b.effect(new Kick(vector(t), t[3], spread)))));
     }
 

@@ -22,14 +22,26 @@ final class Oscillation {
     private final Frequencies frequencies;
     private final double begin;
 
-    /** With this name for people; {@code scale} in its unit. */
-    Oscillation(Setting s, String name, String unit, double scale) {
+    /** That of a force. */
+    static Oscillation ofForce(Setting s) {
+        List<Parameter> linear = new ArrayList<>(s.forces("sine", "N", s.force()));
+        linear.addAll(s.forces("cosine", "N", s.force()));
+        return new Oscillation(s, "force", "N", linear);
+    }
+
+    /** That of a current, which a body feels from all sides; {@code scale} in m/s. */
+    static Oscillation ofCurrent(Setting s, double scale) {
+        List<Parameter> linear = new ArrayList<>(Parameter.vector("sine", "m/s", scale));
+        linear.addAll(Parameter.vector("cosine", "m/s", scale));
+        return new Oscillation(s, "u", "m/s", linear);
+    }
+
+    private Oscillation(Setting s, String name, String unit, List<Parameter> linear) {
         this.name = name;
         this.unit = unit;
         frequencies = new Frequencies(s);
         begin = s.path().begin();
-        parameters = new ArrayList<>(Parameter.vector("sine", unit, scale));
-        parameters.addAll(Parameter.vector("cosine", unit, scale));
+        parameters = new ArrayList<>(linear);
         parameters.add(frequencies.parameter());
     }
 

@@ -24,6 +24,16 @@ public record Parameter(String name, String unit, double scale, double lowest, d
                 signed(name + ".z", unit, scale));
     }
 
+    /** One that cannot be anything but 0, as what it would do is kept from being done. */
+    static Parameter held(String name, String unit, double scale) {
+        return new Parameter(name, unit, scale, 0, 0);
+    }
+
+    /** Whether it can be more than one number. */
+    public boolean isFree() {
+        return lowest < highest;
+    }
+
     /** One that is 0 or more. */
     public static Parameter positive(String name, String unit, double scale) {
         return new Parameter(name, unit, scale, 0, Double.POSITIVE_INFINITY);

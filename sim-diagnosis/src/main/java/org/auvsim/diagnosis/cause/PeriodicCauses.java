@@ -29,7 +29,7 @@ final class PeriodicCauses {
     }
 
     private static Cause force(Setting s) {
-        Oscillation oscillation = new Oscillation(s, "force", "N", s.force());
+        Oscillation oscillation = Oscillation.ofForce(s);
         return Change.of(
                         "periodic_force",
                         oscillation.parameters(),

@@ -18,6 +18,7 @@ import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -28,6 +29,8 @@ import java.util.List;
  */
 record Setting(BelievedModel model, List<MeasuredRun> runs, Path path, double rate) {
     private static final double SLOWEST_TURN = 0.05;
+    private static final List<Vec3> AXES =
+            List.of(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1));
 
     /** What goes along a free way by less (sine) is held. */
     private static final double HELD = 1e-6;
@@ -63,6 +66,21 @@ record Setting(BelievedModel model, List<MeasuredRun> runs, Path path, double ra
                 .map(Mount::freeTranslations)
                 .map(ways -> ways.stream().anyMatch(way -> Math.abs(way.dot(direction)) > HELD))
                 .orElse(true);
+    }
+
+    /**
+     * What a force's vector may be: nothing along an axis (world) along which the body cannot go,
+     * unless it can go along none and forces turn it alone.
+     */
+    List<Parameter> forces(String name, String unit, double scale) {
+        List<Parameter> along = new ArrayList<>();
+        for (Parameter number : Parameter.vector(name, unit, scale)) {
+            boolean isFelt = goes(body(), AXES.get(along.size()));
+            along.add(isFelt ? number : Parameter.held(number.name(), unit, scale));
+        }
+        return along.stream().anyMatch(Parameter::isFree)
+                ? along
+                : Parameter.vector(name, unit, scale);
     }
 
     static boolean has(WorldObjectDefinition body, Class<?> effect) {

@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.fit;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Stream;
 
 /**
@@ -34,6 +35,7 @@ public final class Descent {
     private Place best;
     private Optional<Tangents> tangents = Optional.empty();
     private double enough = ENOUGH;
+    private Function<Simulated, Tangents> derivatives = Tangents::of;
     private final Damping ofParameters = new Damping(Step::damped);
     private final Damping ofAll = new Damping(Step::held);
 
@@ -60,6 +62,7 @@ public final class Descent {
     /** The same, to the very end of long valleys. */
     public Descent finely() {
         enough = ENOUGH_AT_LAST;
+        derivatives = Tangents::close;
         return this;
     }
 
@@ -75,7 +78,8 @@ public final class Descent {
     public Judged steps(int most, double score, Course course) {
         for (int s = 0; s < most && course.goesOn(); s++) {
             Tangents here =
-                    tangents.map(t -> t.at(best.at())).orElseGet(() -> Tangents.of(best.at()));
+                    tangents.map(t -> t.at(best.at()))
+                            .orElseGet(() -> derivatives.apply(best.at()));
             Optional<Step> step = Step.of(best.at().fit(), here, 1);
             if (step.isEmpty()) {
                 break;

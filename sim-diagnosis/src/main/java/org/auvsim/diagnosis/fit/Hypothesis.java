@@ -71,6 +71,11 @@ public record Hypothesis(List<Cause> causes, List<double[]> theta) {
         return theta.stream().mapToInt(t -> t.length).sum();
     }
 
+    /** How many of them can be more than one number. */
+    int free() {
+        return (int) parameters().stream().filter(Parameter::isFree).count();
+    }
+
     /** What all causes must gain to be believed, beside what their parameters must. */
     public double price() {
         return causes.stream().mapToDouble(Cause::price).sum();
@@ -99,13 +104,23 @@ public record Hypothesis(List<Cause> causes, List<double[]> theta) {
      * The model with the causes, one parameter moved by a small step in each, within its bounds.
      */
     public Moves moves(Variant model) {
+        return moves(model, steps());
+    }
+
+    /** Small steps of all parameters. */
+    double[] steps() {
+        return parameters().stream().mapToDouble(of -> Cause.SMALL * of.scale()).toArray();
+    }
+
+    /** The model with the causes, one parameter moved in each by its step, within its bounds. */
+    Moves moves(Variant model, double[] by) {
         double[] numbers = numbers();
         List<Parameter> parameters = parameters();
         List<Double> steps = new ArrayList<>();
         List<Variant> moved = new ArrayList<>();
         for (int i = 0; i < numbers.length; i++) {
             Parameter parameter = parameters.get(i);
-            double step = Cause.SMALL * parameter.scale();
+            double step = by[i];
             double[] change = new double[numbers.length];
             change[i] = numbers[i] + step > parameter.highest() ? -step : step;
             steps.add(change[i]);

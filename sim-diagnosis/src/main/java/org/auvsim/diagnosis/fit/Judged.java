@@ -20,7 +20,7 @@ public record Judged(Fit fit, Outcome outcome, int told, double score) {
 
     /** The same, what it misses known. */
     public static Judged of(Fit fit, Outcome outcome) {
-        int told = fit.hypothesis().size();
+        int told = fit.hypothesis().free();
         return new Judged(
                 fit, outcome, told, outcome.deviance() + price(fit.hypothesis(), outcome, told));
     }
@@ -29,7 +29,7 @@ public record Judged(Fit fit, Outcome outcome, int told, double score) {
     private static double price(Hypothesis hypothesis, Outcome outcome, int told) {
         double ofCauses = hypothesis.price();
         double ofNumbers = hypothesis.price(outcome.count(), outcome.independent()) - ofCauses;
-        return told == 0 ? ofCauses : ofCauses + ofNumbers * told / hypothesis.size();
+        return told == 0 ? ofCauses : ofCauses + ofNumbers * told / hypothesis.free();
     }
 
     /** The same at another price. */

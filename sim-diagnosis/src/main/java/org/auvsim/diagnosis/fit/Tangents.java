@@ -5,15 +5,25 @@ import org.auvsim.diagnosis.shooting.Tangent;
 import org.auvsim.diagnosis.shooting.WindowDerivatives;
 import org.auvsim.diagnosis.shooting.WindowDerivatives.Moves;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 
 /** Derivatives of all windows of a fit by their starts and by its parameters, run by run. */
 final class Tangents {
-    private final List<List<Tangent>> all;
+    /**
+     * By so many standard deviations, of all numbers together, a step may move what is missed where
+     * derivatives are to be exact: parameters that undo each other are told by small differences of
+     * large columns.
+     */
+    private static final double CLOSE = 0.03;
 
-    private Tangents(List<List<Tangent>> all) {
+    private final List<List<Tangent>> all;
+    private final double[] steps;
+
+    private Tangents(List<List<Tangent>> all, double[] steps) {
         this.all = all;
+        this.steps = steps;
     }
 
     /** One of a window of a run. */
@@ -24,9 +34,35 @@ final class Tangents {
 
     /** Taken where the windows of a fit are. */
     static Tangents of(Simulated fit) {
+        return of(fit, fit.fit().hypothesis().steps());
+    }
+
+    /** The same over steps that are as short as exact ones need to be. */
+    static Tangents close(Simulated fit) {
+        Tangents usual = of(fit);
+        double[] shorter = usual.steps.clone();
+        for (int p = 0; p < shorter.length; p++) {
+            shorter[p] = Math.min(shorter[p], CLOSE / usual.size(p));
+        }
+        return Arrays.equals(shorter, usual.steps) ? usual : of(fit, shorter);
+    }
+
+    /**
+     * By how many standard deviations, of all numbers together, a parameter moves what is missed.
+     */
+    private double size(int parameter) {
+        return Math.sqrt(
+                all.stream()
+                        .flatMap(List::stream)
+                        .mapToDouble(of -> of.derivatives().squares(parameter))
+                        .sum());
+    }
+
+    private static Tangents of(Simulated fit, double[] steps) {
         double[] numbers = fit.fit().hypothesis().numbers();
         return all(
                 fit.fit(),
+                steps,
                 (shooting, moves, run, number) ->
                         Tangent.of(
                                 shooting,
@@ -41,6 +77,7 @@ final class Tangents {
         double[] numbers = elsewhere.fit().hypothesis().numbers();
         return all(
                 elsewhere.fit(),
+                steps,
                 (shooting, moves, run, number) ->
                         all.get(run)
                                 .get(number)
@@ -52,13 +89,14 @@ final class Tangents {
                                         numbers));
     }
 
-    private static Tangents all(Fit fit, One one) {
-        Moves moves = fit.hypothesis().moves(fit.stepping().variant());
+    private static Tangents all(Fit fit, double[] steps, One one) {
+        Moves moves = fit.hypothesis().moves(fit.stepping().variant(), steps);
         return new Tangents(
                 IntStream.range(0, fit.data().size())
                         .parallel()
                         .mapToObj(r -> ofRun(fit, r, moves, one))
-                        .toList());
+                        .toList(),
+                steps);
     }
 
     private static List<Tangent> ofRun(Fit fit, int run, Moves moves, One one) {

@@ -42,7 +42,7 @@ public final class Uncertainty {
         Fit fit = fitted.fit();
         int size = fit.hypothesis().size();
         int[] all = IntStream.range(0, size).toArray();
-        tangents = Tangents.of(Simulated.of(fit));
+        tangents = Tangents.close(Simulated.of(fit));
         Gram gram = Gram.of(fit.blocks(tangents.derivatives(), 1), size);
         information = gram.information(all);
         forgetRounding(fit.hypothesis().parameters());
@@ -173,8 +173,8 @@ public final class Uncertainty {
             if (of.unit().equals("rad/s")) {
                 step = Math.min(step, SLIGHT_TURN / latestBegin);
             }
-            double low = of.clipped(theta[p] - step);
-            double high = of.clipped(theta[p] + step);
+            double low = of.isFree() ? of.clipped(theta[p] - step) : theta[p] - step;
+            double high = of.isFree() ? of.clipped(theta[p] + step) : theta[p] + step;
             List<Quantity> below = moved(cause, theta, p, low);
             List<Quantity> above = moved(cause, theta, p, high);
             for (int q = 0; q < below.size(); q++) {

@@ -149,7 +149,8 @@ final class Selection {
         Choice choice = choice(best);
         Judged chosen = choice.instead(best, course);
         if (!chosen.hasCausesOf(best) && !chosen.isNone()) {
-            best = exchanged(chosen, screening.traces(chosen));
+            Judged fewest = tried.pruned(chosen);
+            best = exchanged(fewest, screening.traces(fewest));
             choice = choice(best);
             chosen = choice.instead(best, course);
         }

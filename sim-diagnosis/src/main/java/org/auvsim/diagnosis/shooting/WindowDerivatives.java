@@ -104,6 +104,15 @@ public final class WindowDerivatives {
         return new WindowDerivatives(this, elsewhere, itsMotion, itsMisses);
     }
 
+    /** Square of how much a parameter moves all numbers together (standard deviations a unit). */
+    public double squares(int parameter) {
+        double sum = 0;
+        for (double slope : byParameter[parameter]) {
+            sum += slope * slope;
+        }
+        return sum;
+    }
+
     /** Whether its motion got out of all bounds. */
     public boolean isLost() {
         return Double.isNaN(end.position().x());

@@ -93,7 +93,7 @@ public final class StepLength {
         return leastWork(
                 exact,
                 Stepping.predictingLonger(model, step(model, following)).stream()
-                        .filter(longer -> doFor(following.in(longer)))
+                        .filter(longer -> isMovedByLess(following.in(longer), LONG_SHARE))
                         .toList(),
                 following);
     }
@@ -155,9 +155,17 @@ public final class StepLength {
         return Math.min(longest, model.scenario().timeStep().delta());
     }
 
-    /** Whether steps of predictions that pass samples by move none that the data could show. */
-    public static boolean doFor(Fit fit) {
-        return !fit.stepping().passesBy() || all(fit, ofPredictions(fit)) < LONG_SHARE;
+    /**
+     * Whether steps of predictions that pass samples by move none that the data could show, or far
+     * less than what is missed anyway.
+     */
+    public static boolean doFor(Judged of) {
+        double beyondNoise = of.isWhite() ? 0 : of.cost() - of.outcome().count();
+        return isMovedByLess(of.fit(), LONG_SHARE * Math.sqrt(Math.max(1, beyondNoise)));
+    }
+
+    private static boolean isMovedByLess(Fit fit, double than) {
+        return !fit.stepping().passesBy() || all(fit, ofPredictions(fit)) < than;
     }
 
     /** By what numbers of a window differ in steps of two lengths (standard deviations). */

@@ -145,7 +145,9 @@ public final class Search {
         if (found.best().isWhite() && !StepLength.areFine(best)) {
             return again(found, StepLength.finer(best), StepLength::converged);
         }
-        return StepLength.doFor(best) ? found : again(found, model, StepLength::atEachSample);
+        return StepLength.doFor(found.best())
+                ? found
+                : again(found, model, StepLength::atEachSample);
     }
 
     private Found again(Found before, BelievedModel stepping, Function<Fit, Stepping> length) {

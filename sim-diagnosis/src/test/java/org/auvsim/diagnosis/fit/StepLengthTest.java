@@ -67,24 +67,42 @@ class StepLengthTest {
     @Test
     void predictionsPassRowsByThatAreDenserThanTheMotionNeeds() throws Exception {
         BelievedModel model = FreeSphere.believed(0.025);
+        Fit following = following(model, coasting());
+
+        Stepping stepping = StepLength.converged(following);
+
+        assertThat(stepping.fine()).isEqualTo(model);
+        assertThat(step(stepping.model())).isGreaterThan(0.049);
+        assertThat(doFor(following.in(stepping))).isTrue();
+        assertThat(doFor(shaken(following.in(stepping), 40))).isFalse();
+    }
+
+    /** A search in shorter steps would end no better. */
+    @Test
+    void stepsDoWhereFarMoreIsMissedThanTheyMove() throws Exception {
+        BelievedModel model = FreeSphere.believed(0.025);
+        Fit following = following(model, coasting());
+        Stepping stepping = StepLength.converged(following);
+
+        assertThat(doFor(shaken(following.in(stepping), 3))).isTrue();
+    }
+
+    private static MeasuredRun coasting() {
         MeasuredRunBuilder run = MeasuredRun.named("coasting");
         Random random = new Random(2);
         for (int k = 0; k < 200; k++) {
             double t = 0.025 * k;
             run.at(t).position(t + 0.01 * random.nextGaussian(), Double.NaN, Double.NaN);
         }
-        Fit following = following(model, run.build());
-
-        Stepping stepping = StepLength.converged(following);
-
-        assertThat(stepping.fine()).isEqualTo(model);
-        assertThat(step(stepping.model())).isGreaterThan(0.049);
-        assertThat(StepLength.doFor(following.in(stepping))).isTrue();
-        assertThat(StepLength.doFor(shaken(following.in(stepping)))).isFalse();
+        return run.build();
     }
 
-    /** By what the steps were not chosen for: 20 N on 1 kg at 40 rad/s. */
-    private static Fit shaken(Fit fit) {
+    private static boolean doFor(Fit fit) {
+        return StepLength.doFor(Judged.of(fit.whole()));
+    }
+
+    /** By what the steps were not chosen for: 20 N on 1 kg, at some rad/s. */
+    private static Fit shaken(Fit fit, double omega) {
         Cause shaking =
                 Library.of(fit.model(), List.of(fit.data().getFirst().run())).stream()
                         .filter(cause -> cause.id().equals("periodic_force"))
@@ -94,7 +112,7 @@ class StepLengthTest {
         numbers[0] = 20;
         for (int p = 0; p < numbers.length; p++) {
             boolean isFrequency = shaking.parameters().get(p).name().equals("omega");
-            numbers[p] = isFrequency ? 40 : numbers[p];
+            numbers[p] = isFrequency ? omega : numbers[p];
         }
         return fit.with(Hypothesis.NONE.and(shaking, numbers), fit.windows());
     }

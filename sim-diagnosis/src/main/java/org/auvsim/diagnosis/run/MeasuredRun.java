@@ -8,6 +8,7 @@ import org.auvsim.core.math.Vec3;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -319,6 +320,22 @@ public final class MeasuredRun {
     /** The same, its positions (m, world; NaN where not measured) told otherwise. */
     public MeasuredRun placed(UnaryOperator<Vec3> otherwise) {
         return MeasuredRunBuilder.placed(this, otherwise);
+    }
+
+    /** The same, as if a channel had not been measured. */
+    public MeasuredRun without(Channel channel) {
+        Set<Reading> all = new HashSet<>();
+        for (int k = 0; k < size(); k++) {
+            for (int axis = 0; axis < AXES; axis++) {
+                all.add(new Reading(channel, k, axis));
+            }
+        }
+        return without(all);
+    }
+
+    /** The same, its orientations told otherwise. */
+    public MeasuredRun turned(UnaryOperator<Quat> otherwise) {
+        return MeasuredRunBuilder.turned(this, otherwise);
     }
 
     /** The same, two of its commands each told what the other was. */

@@ -257,6 +257,20 @@ public final class MeasuredRunBuilder {
         return copy.build();
     }
 
+    static MeasuredRun turned(MeasuredRun run, UnaryOperator<Quat> otherwise) {
+        MeasuredRunBuilder copy = copy(run, run.name(), 0, run.size() - 1);
+        for (int k = 0; k < run.size(); k++) {
+            int first = 4 * k;
+            run.orientation(k)
+                    .map(otherwise)
+                    .ifPresent(
+                            q ->
+                                    copy.quaternions.set(
+                                            first, new double[] {q.w(), q.x(), q.y(), q.z()}));
+        }
+        return copy.build();
+    }
+
     static MeasuredRun swapping(MeasuredRun run, String one, String other) {
         MeasuredRunBuilder copy = copy(run, run.name(), 0, run.size() - 1);
         copy.commandNames.replaceAll(

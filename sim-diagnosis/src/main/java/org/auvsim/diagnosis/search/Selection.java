@@ -56,6 +56,9 @@ final class Selection {
     private final Screening screening;
     private final Tried tried;
 
+    /** Whether orientations are told in another way than was said. */
+    private boolean areTurned;
+
     /**
      * By columns of a screening, or else by a contest of models.
      *
@@ -84,13 +87,14 @@ final class Selection {
     Search.Found found() {
         List<Cause> specific = specific();
         Judged best = searched(specific, cause -> true);
-        if (!best.isWhite() && specific.size() < library.size() && course.goesOn()) {
+        boolean isMissed = !best.isWhite() && !areTurned;
+        if (isMissed && specific.size() < library.size() && course.goesOn()) {
             Judged generic = searched(library, Cause::isGeneric);
             best = generic.score() < best.score() ? generic : best;
         }
         boolean isOpen = contest.isEmpty() && !best.isWhite();
-        List<Hypothesis> byRun = isOpen ? ofOneRun() : List.of();
-        if (haveChanged(byRun) || (isOpen && haveSwapped(best))) {
+        List<Hypothesis> byRun = isOpen && !areTurned ? ofOneRun() : List.of();
+        if (haveChanged(byRun) || (isOpen && areMisread(best))) {
             return asItIs(best.isNone() ? best : tried.settled(best), byRun);
         }
         if (isOpen) {
@@ -186,9 +190,9 @@ final class Selection {
                 .isPresent();
     }
 
-    /** Whether two commands are mixed up: no cause is to explain that. */
-    private boolean haveSwapped(Judged best) {
-        return new SwappedCommands(none, noise, course).areNearer(best);
+    /** Whether two commands are mixed up, or orientations: no cause is to explain that. */
+    private boolean areMisread(Judged best) {
+        return areTurned || new SwappedCommands(none, noise, course).areNearer(best);
     }
 
     /** What promises most to explain the run that the model misses most; nothing of only one. */
@@ -317,7 +321,10 @@ final class Selection {
         }
         Screen screen = screening.of(causes);
         Judged best = whole(tried.tournament(screen.starts(1, isNew), none, 0.3, 0.5));
-        if (!best.isWhite() && course.goesOn()) {
+        if (!best.isWhite() && !areTurned && course.goesOn()) {
+            areTurned = new MixedOrientations(none, course).areLikely();
+        }
+        if (!best.isWhite() && !areTurned && course.goesOn()) {
             Judged pair = tried.tournament(screen.starts(2, isNew), best, 0.5, 0.6);
             best = tried.pruned(whole(pair));
         }

@@ -1,5 +1,7 @@
 package org.auvsim.diagnosis.search;
 
+import org.auvsim.core.actuator.Fin;
+import org.auvsim.core.entity.Component;
 import org.auvsim.diagnosis.fit.Course;
 import org.auvsim.diagnosis.fit.Descent;
 import org.auvsim.diagnosis.fit.Fit;
@@ -13,6 +15,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * Whether the model as it is comes far nearer to runs that nothing explains once two of their
@@ -66,21 +70,60 @@ public final class SwappedCommands {
                 .filter(swap -> beyondNoise(swap.with()) < LEFT * beyondNoise(none));
     }
 
-    /** Those that were told something else at any time. */
+    /** Those of which each can do what the other was told. */
     private List<List<String>> pairs() {
-        List<String> names =
-                none.fit().data().stream()
-                        .flatMap(of -> of.run().commands().stream())
-                        .map(Command::name)
-                        .distinct()
-                        .toList();
+        List<String> names = commands().map(Command::name).distinct().toList();
         List<List<String>> pairs = new ArrayList<>();
         for (int i = 0; i < names.size(); i++) {
             for (int k = i + 1; k < names.size(); k++) {
-                pairs.add(List.of(names.get(i), names.get(k)));
+                String one = names.get(i);
+                String other = names.get(k);
+                if (canDo(one, other) && canDo(other, one)) {
+                    pairs.add(List.of(one, other));
+                }
             }
         }
         return pairs;
+    }
+
+    private Stream<Command> commands() {
+        return none.fit().data().stream().flatMap(of -> of.run().commands().stream());
+    }
+
+    /** Whether one is an actuator of the other's kind, and has its range; or both are forces. */
+    private boolean canDo(String one, String other) {
+        Optional<Component> a = component(one);
+        Optional<Component> b = component(other);
+        if (a.isPresent() && a.get() instanceof Fin fin) {
+            return b.isPresent()
+                    && b.get() instanceof Fin
+                    && largest(other) <= fin.maximumAngle();
+        }
+        return a.map(Component::getClass).equals(b.map(Component::getClass));
+    }
+
+    /** None, if a force has the name. */
+    private Optional<Component> component(String name) {
+        return none.fit().model().variant().body().component().stream()
+                .filter(of -> of.name().equals(name))
+                .findFirst();
+    }
+
+    /** What it was told, to either side. */
+    private double largest(String name) {
+        return none.fit().data().stream()
+                .map(Misses::run)
+                .flatMapToDouble(
+                        run ->
+                                run.commands().stream()
+                                        .filter(of -> of.name().equals(name))
+                                        .flatMapToDouble(
+                                                of ->
+                                                        IntStream.range(0, run.size())
+                                                                .mapToDouble(of::level)))
+                .map(Math::abs)
+                .max()
+                .orElse(0);
     }
 
     private Swap swapped(String one, String other) {

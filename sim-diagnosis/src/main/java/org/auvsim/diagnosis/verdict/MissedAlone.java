@@ -7,13 +7,10 @@ import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
-import org.auvsim.diagnosis.run.Reading;
 
 import java.util.Arrays;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 
 /**
  * What the model as it is believed misses of one channel alone, while it predicts all others to
@@ -51,7 +48,7 @@ final class MissedAlone {
     private static Judged without(Channel channel, Judged none, Noise noise) {
         Fit fit = none.fit();
         List<MeasuredRun> runs =
-                fit.data().stream().map(of -> of.run().without(all(channel, of.run()))).toList();
+                fit.data().stream().map(of -> of.run().without(channel)).toList();
         return Descent.of(
                         new Fit(
                                 fit.stepping(),
@@ -60,15 +57,5 @@ final class MissedAlone {
                                 fit.windows(),
                                 fit.knowledge()))
                 .steps(STEPS);
-    }
-
-    private static Set<Reading> all(Channel channel, MeasuredRun run) {
-        Set<Reading> all = new HashSet<>();
-        for (int k = 0; k < run.size(); k++) {
-            for (int axis = 0; axis < 3; axis++) {
-                all.add(new Reading(channel, k, axis));
-            }
-        }
-        return all;
     }
 }

@@ -14,6 +14,7 @@ import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.search.MixedOrientations;
 import org.auvsim.diagnosis.search.RunByRun;
 import org.auvsim.diagnosis.search.Search;
 import org.auvsim.diagnosis.search.SwappedCommands;
@@ -96,6 +97,7 @@ final class Notices {
                     .notice()
                     .or(() -> changed(found, heldOut))
                     .or(() -> new SwappedCommands(found.none(), found.noise(), course).notice())
+                    .or(() -> new MixedOrientations(found.none(), course).notice())
                     .or(() -> MissedAlone.notice(found.none(), found.noise()))
                     .ifPresent(notices::add);
         }

@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.fit.Course;
+import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.subject.AsBelieved;
+import org.auvsim.diagnosis.subject.MeasuredTorpedo;
 import org.auvsim.diagnosis.subject.Surveyor;
 import org.junit.jupiter.api.Test;
 
@@ -51,6 +53,23 @@ class SwappedCommandsTest {
         assertThat(notice(run(Vec3.ZERO))).isEmpty();
         assertThat(notice(run(new Vec3(0, 0.3, 0)))).isEmpty();
         assertThat(notice(new Surveyor(0, Vec3.ZERO, 0.3, 0).run("weak", new Random(5)))).isEmpty();
+    }
+
+    /** A rudder that goes to 0.35 rad cannot be told what a propeller was. */
+    @Test
+    void whatCannotDoTheSameIsNotSwapped() throws Exception {
+        BelievedModel model = MeasuredTorpedo.model(MeasuredTorpedo.RUDDER);
+        BelievedModel worn = MeasuredTorpedo.model(MeasuredTorpedo.WORN);
+        List<MeasuredRun> runs = List.of(MeasuredTorpedo.run(worn, 1, 0, Vec3.ZERO));
+        Noise noise = Noise.of(runs);
+
+        assertThat(
+                        new SwappedCommands(
+                                        AsBelieved.fitted(model, runs, noise),
+                                        noise,
+                                        Course.UNHEARD)
+                                .notice())
+                .isEmpty();
     }
 
     /** What a part began with was commanded before it. */

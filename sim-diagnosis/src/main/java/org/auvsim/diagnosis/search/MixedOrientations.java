@@ -1,0 +1,154 @@
+package org.auvsim.diagnosis.search;
+
+import static org.auvsim.diagnosis.run.Channel.ORIENTATION;
+
+import org.auvsim.core.math.Quat;
+import org.auvsim.diagnosis.fit.Course;
+import org.auvsim.diagnosis.fit.Descent;
+import org.auvsim.diagnosis.fit.Fit;
+import org.auvsim.diagnosis.fit.Following;
+import org.auvsim.diagnosis.fit.Hypothesis;
+import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.fit.Refinement;
+import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.shooting.Stepping;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Whether the model as it is predicts runs but for their orientations, and comes far nearer to
+ * these once they are read otherwise: then they are told in another way than was said.
+ */
+public final class MixedOrientations {
+    /** Enough for the starts. */
+    private static final int STEPS = 8;
+
+    /** What is left of the squares of what is missed beyond noise; for there may be more wrong. */
+    private static final double LEFT = 0.1;
+
+    private static final double HALF = Math.sqrt(0.5);
+
+    private final Judged none;
+    private final Course course;
+
+    /** Of the model as it is believed, fitted. */
+    public MixedOrientations(Judged none, Course course) {
+        this.none = none;
+        this.course = course;
+    }
+
+    /** What was told in place of an orientation. */
+    private enum Mix {
+        /** From the world to the body, or angles that grow the other way round. */
+        OPPOSITE(
+                "the other way round",
+                "do the quaternions turn the world into the body, or do angles grow the other way?"
+                        + " If so, map their columns with a scale of -1: qx, qy and qz, or the"
+                        + " angles"),
+
+        /** As many programs write them. */
+        SCALAR_LAST(
+                "in the order x, y, z, w",
+                "are these the quaternions' columns? If so, rename them (--rename"
+                        + " qw=qx,qx=qy,qy=qz,qz=qw)"),
+
+        /** While positions are not, or the other way round. */
+        OTHER_AXES(
+                "in the axes of north, east, down and forward, right, down, if positions are not,"
+                        + " or not in these, if they are",
+                "if so, turn them before");
+
+        private final String told;
+        private final String remedy;
+
+        Mix(String told, String remedy) {
+            this.told = told;
+            this.remedy = remedy;
+        }
+
+        /** The orientation that was told so. */
+        private Quat unmixed(Quat q) {
+            return switch (this) {
+                case OPPOSITE -> q.conjugate();
+                case SCALAR_LAST -> new Quat(q.z(), q.w(), q.x(), q.y());
+                case OTHER_AXES ->
+                        new Quat(0, HALF, HALF, 0).times(q).times(new Quat(0, 1, 0, 0));
+            };
+        }
+    }
+
+    /** A mix, and how well the model does without it. */
+    private record Unmixed(Mix of, Judged with) {}
+
+    /** What is to be said of it; empty where none does. */
+    public Optional<String> notice() {
+        return best().map(MixedOrientations::words);
+    }
+
+    /** Whether one does. */
+    boolean areLikely() {
+        return best().isPresent();
+    }
+
+    private Optional<Unmixed> best() {
+        return areMissedAlone()
+                ? Arrays.stream(Mix.values())
+                        .filter(_ -> course.goesOn())
+                        .map(mix -> new Unmixed(mix, unmixed(mix)))
+                        .filter(is -> isFarNearer(is.with()))
+                        .min(Comparator.comparingDouble(is -> is.with().cost()))
+                : Optional.empty();
+    }
+
+    /** Whether the model predicts all else that was measured. */
+    private boolean areMissedAlone() {
+        List<MeasuredRun> runs = runs().stream().map(of -> of.without(ORIENTATION)).toList();
+        boolean areAlone =
+                runs().stream().allMatch(of -> of.measures(ORIENTATION))
+                        && runs.stream().allMatch(MixedOrientations::tellsSomething);
+        return areAlone && !none.isWhite() && fitted(runs).isWhite();
+    }
+
+    private static boolean tellsSomething(MeasuredRun run) {
+        return Arrays.stream(Channel.values()).anyMatch(run::measures);
+    }
+
+    private List<MeasuredRun> runs() {
+        return none.fit().data().stream().map(Misses::run).toList();
+    }
+
+    private Judged unmixed(Mix mix) {
+        return fitted(runs().stream().map(of -> of.turned(mix::unmixed)).toList());
+    }
+
+    /** The model as it is, begun where these runs say. */
+    private Judged fitted(List<MeasuredRun> runs) {
+        Noise noise = Noise.of(runs);
+        List<Misses> data = Misses.of(runs, noise);
+        Stepping stepping = none.fit().stepping();
+        Fit followed = Following.of(stepping, Hypothesis.NONE, data, noise, course);
+        return Descent.of(Refinement.approach(followed, 1))
+                .steps(STEPS, Double.POSITIVE_INFINITY, course);
+    }
+
+    /** Whether it predicts as many numbers, of which one that never changes is none, far better. */
+    private boolean isFarNearer(Judged with) {
+        return with.outcome().count() >= none.outcome().count()
+                && beyondNoise(with) < LEFT * beyondNoise(none);
+    }
+
+    private static double beyondNoise(Judged of) {
+        return of.cost() - of.outcome().count();
+    }
+
+    private static String words(Unmixed unmixed) {
+        return "the model as it is predicts the runs far better if their orientations are told %s: %s"
+                .formatted(unmixed.of().told, unmixed.of().remedy);
+    }
+}

@@ -34,17 +34,22 @@ final class HullCauses {
         return up * up > 0.5;
     }
 
+    /** Of a rod (m) of the body's mass and moment of inertia. */
+    private static double length(Setting s) {
+        return Math.sqrt(12 * s.inertia() / s.mass());
+    }
+
     /** Derivatives of a force, then of a torque, each by the velocity across and by the turning. */
     private static Change lift(Setting s, String... names) {
-        double speed = s.path().speed();
         double damping = s.quadraticDrag();
-        double lever = speed / s.rate();
+        double lever = s.path().speed() / s.rate();
+        double length = length(s);
         List<Parameter> parameters =
                 List.of(
                         Parameter.signed(names[0], "kg/m", damping),
                         Parameter.signed(names[1], "kg", damping * lever),
-                        Parameter.signed(names[2], "kg", s.torque() / (speed * speed)),
-                        Parameter.signed(names[3], "kg m", s.torque() / (speed * s.rate())));
+                        Parameter.signed(names[2], "kg", damping * length),
+                        Parameter.signed(names[3], "kg m", damping * lever * length));
         return Change.of(
                 "hull_lift",
                 parameters,

@@ -77,8 +77,7 @@ public final class MixedOrientations {
             return switch (this) {
                 case OPPOSITE -> q.conjugate();
                 case SCALAR_LAST -> new Quat(q.z(), q.w(), q.x(), q.y());
-                case OTHER_AXES ->
-                        new Quat(0, HALF, HALF, 0).times(q).times(new Quat(0, 1, 0, 0));
+                case OTHER_AXES -> new Quat(0, HALF, HALF, 0).times(q).times(new Quat(0, 1, 0, 0));
             };
         }
     }

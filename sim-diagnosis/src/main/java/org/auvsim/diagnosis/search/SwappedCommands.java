@@ -95,9 +95,7 @@ public final class SwappedCommands {
         Optional<Component> a = component(one);
         Optional<Component> b = component(other);
         if (a.isPresent() && a.get() instanceof Fin fin) {
-            return b.isPresent()
-                    && b.get() instanceof Fin
-                    && largest(other) <= fin.maximumAngle();
+            return b.isPresent() && b.get() instanceof Fin && largest(other) <= fin.maximumAngle();
         }
         return a.map(Component::getClass).equals(b.map(Component::getClass));
     }

@@ -47,8 +47,7 @@ final class MissedAlone {
     /** The same model of the same runs, as if a channel had not been measured. */
     private static Judged without(Channel channel, Judged none, Noise noise) {
         Fit fit = none.fit();
-        List<MeasuredRun> runs =
-                fit.data().stream().map(of -> of.run().without(channel)).toList();
+        List<MeasuredRun> runs = fit.data().stream().map(of -> of.run().without(channel)).toList();
         return Descent.of(
                         new Fit(
                                 fit.stepping(),

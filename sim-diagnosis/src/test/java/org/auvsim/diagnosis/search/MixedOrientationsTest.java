@@ -24,8 +24,7 @@ class MixedOrientationsTest {
     private static final double HALF = Math.sqrt(0.5);
     private static final Surveyor AS_BELIEVED = new Surveyor(0, Vec3.ZERO, 1, 0);
 
-    private static Optional<String> notice(Surveyor of, UnaryOperator<Quat> told)
-            throws Exception {
+    private static Optional<String> notice(Surveyor of, UnaryOperator<Quat> told) throws Exception {
         return notice(of.run("run", new Random(4)).turned(told));
     }
 

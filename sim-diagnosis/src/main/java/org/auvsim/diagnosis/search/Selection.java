@@ -56,8 +56,8 @@ final class Selection {
     private final Screening screening;
     private final Tried tried;
 
-    /** Whether orientations are told in another way than was said. */
-    private boolean areTurned;
+    /** Whether orientations are told in another way than was said, once that was asked. */
+    private Optional<Boolean> areTurned = Optional.empty();
 
     /**
      * By columns of a screening, or else by a contest of models.
@@ -87,13 +87,13 @@ final class Selection {
     Search.Found found() {
         List<Cause> specific = specific();
         Judged best = searched(specific, cause -> true);
-        boolean isMissed = !best.isWhite() && !areTurned;
-        if (isMissed && specific.size() < library.size() && course.goesOn()) {
+        boolean areMore = specific.size() < library.size();
+        if (!best.isWhite() && areMore && course.goesOn() && !areTurned()) {
             Judged generic = searched(library, Cause::isGeneric);
             best = generic.score() < best.score() ? generic : best;
         }
         boolean isOpen = contest.isEmpty() && !best.isWhite();
-        List<Hypothesis> byRun = isOpen && !areTurned ? ofOneRun() : List.of();
+        List<Hypothesis> byRun = isOpen && !areTurned() ? ofOneRun() : List.of();
         if (haveChanged(byRun) || (isOpen && areMisread(best))) {
             return asItIs(best.isNone() ? best : tried.settled(best), byRun);
         }
@@ -192,7 +192,19 @@ final class Selection {
 
     /** Whether two commands are mixed up, or orientations: no cause is to explain that. */
     private boolean areMisread(Judged best) {
-        return areTurned || new SwappedCommands(none, noise, course).areNearer(best);
+        return areTurned() || new SwappedCommands(none, noise, course).areNearer(best);
+    }
+
+    /** Asked of a search by columns alone, once. */
+    private boolean areTurned() {
+        boolean is =
+                areTurned.orElseGet(
+                        () ->
+                                contest.isEmpty()
+                                        && course.goesOn()
+                                        && new MixedOrientations(none, course).areLikely());
+        areTurned = Optional.of(is);
+        return is;
     }
 
     /** What promises most to explain the run that the model misses most; nothing of only one. */
@@ -321,10 +333,7 @@ final class Selection {
         }
         Screen screen = screening.of(causes);
         Judged best = whole(tried.tournament(screen.starts(1, isNew), none, 0.3, 0.5));
-        if (!best.isWhite() && !areTurned && course.goesOn()) {
-            areTurned = new MixedOrientations(none, course).areLikely();
-        }
-        if (!best.isWhite() && !areTurned && course.goesOn()) {
+        if (!best.isWhite() && course.goesOn() && !areTurned()) {
             Judged pair = tried.tournament(screen.starts(2, isNew), best, 0.5, 0.6);
             best = tried.pruned(whole(pair));
         }

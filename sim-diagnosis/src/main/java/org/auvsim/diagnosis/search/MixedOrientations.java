@@ -60,9 +60,10 @@ public final class MixedOrientations {
 
         /** While positions are not, or the other way round. */
         OTHER_AXES(
-                "in the axes of north, east, down and forward, right, down, if positions are not,"
-                        + " or not in these, if they are",
-                "if so, turn them before");
+                "in the axes of north, east, down and forward, right, down, as compass headings"
+                    + " are, if positions are not, or not in these, if they are",
+                "are they? If so, turn them before; headings alone can be mapped with a scale of -1"
+                        + " and an offset of a quarter turn (--mapping)");
 
         private final String told;
         private final String remedy;

@@ -92,6 +92,11 @@ public record Judged(Fit fit, Outcome outcome, int told, double score) {
         return fit.hypothesis().causes().isEmpty();
     }
 
+    /** By how much its cost is above that of noise alone; below 0 where chance has it so. */
+    public double beyondNoise() {
+        return cost() - outcome.count();
+    }
+
     /** Squares of what is missed (standard deviations), and of what is known beside. */
     public double cost() {
         return outcome.cost();

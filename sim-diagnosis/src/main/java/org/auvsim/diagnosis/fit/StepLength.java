@@ -160,7 +160,7 @@ public final class StepLength {
      * less than what is missed anyway.
      */
     public static boolean doFor(Judged of) {
-        double beyondNoise = of.isWhite() ? 0 : of.cost() - of.outcome().count();
+        double beyondNoise = of.isWhite() ? 0 : of.beyondNoise();
         return isMovedByLess(of.fit(), LONG_SHARE * Math.sqrt(Math.max(1, beyondNoise)));
     }
 

@@ -61,7 +61,7 @@ public final class MixedOrientations {
         /** While positions are not, or the other way round. */
         OTHER_AXES(
                 "in the axes of north, east, down and forward, right, down, as compass headings"
-                    + " are, if positions are not, or not in these, if they are",
+                        + " are, if positions are not, or not in these, if they are",
                 "are they? If so, turn them before; headings alone can be mapped with a scale of -1"
                         + " and an offset of a quarter turn (--mapping)");
 
@@ -140,11 +140,7 @@ public final class MixedOrientations {
     /** Whether it predicts as many numbers, of which one that never changes is none, far better. */
     private boolean isFarNearer(Judged with) {
         return with.outcome().count() >= none.outcome().count()
-                && beyondNoise(with) < LEFT * beyondNoise(none);
-    }
-
-    private static double beyondNoise(Judged of) {
-        return of.cost() - of.outcome().count();
+                && with.beyondNoise() < LEFT * none.beyondNoise();
     }
 
     private static String words(Unmixed unmixed) {

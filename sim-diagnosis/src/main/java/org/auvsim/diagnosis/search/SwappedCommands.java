@@ -67,7 +67,7 @@ public final class SwappedCommands {
                 .map(pair -> swapped(pair.getFirst(), pair.getLast()))
                 .min(Comparator.comparingDouble(swap -> swap.with().cost()))
                 .map(Swap::further)
-                .filter(swap -> beyondNoise(swap.with()) < LEFT * beyondNoise(none));
+                .filter(swap -> swap.with().beyondNoise() < LEFT * none.beyondNoise());
     }
 
     /** Those of which each can do what the other was told. */
@@ -136,10 +136,6 @@ public final class SwappedCommands {
                         fit.windows(),
                         fit.knowledge());
         return new Swap(one, other, Descent.of(swapped).steps(FIRST_STEPS));
-    }
-
-    private static double beyondNoise(Judged of) {
-        return of.cost() - of.outcome().count();
     }
 
     private static String words(Swap swap) {

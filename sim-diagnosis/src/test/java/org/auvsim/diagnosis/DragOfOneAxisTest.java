@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -15,6 +16,7 @@ import java.util.Set;
  * A drag along x alone. Noise makes the drags along y and z, which are 0, negative in three of four
  * cases, which is no reason to refuse that along x.
  */
+@Tag("whole-search")
 class DragOfOneAxisTest {
     private static final double DRAG = 20;
 

@@ -12,12 +12,14 @@ import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.subject.MeasuredTorpedo;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
 import java.util.Set;
 
 /** A torpedo whose rudder is built in askew: it turns though it is told to go straight. */
+@Tag("whole-search")
 class FinOffsetTest {
     private static final double ASKEW = 0.04;
 

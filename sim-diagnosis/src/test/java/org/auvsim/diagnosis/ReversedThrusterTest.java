@@ -19,6 +19,7 @@ import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -29,6 +30,7 @@ import java.util.SplittableRandom;
  * A vehicle with two thrusters side by side, of which one is wired backwards. It moves in the
  * horizontal plane by equations of its own here.
  */
+@Tag("whole-search")
 class ReversedThrusterTest {
     private static final double MASS = 12;
     private static final double INERTIA = 1.1;

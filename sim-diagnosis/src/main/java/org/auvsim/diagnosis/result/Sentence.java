@@ -11,6 +11,8 @@ import java.util.List;
  * @param scope the causes that it is said of
  */
 public record Sentence(Opening opening, List<String> clauses, Scope scope) {
+    private static final String DOUBT = "but the notices cast doubt on the data: read them first";
+
     /** The list cannot be changed. */
     public Sentence {
         clauses = List.copyOf(clauses);
@@ -48,7 +50,7 @@ public record Sentence(Opening opening, List<String> clauses, Scope scope) {
 
     /** The same of runs whose numbers may not be what they are taken for. */
     public Sentence doubted() {
-        return and("but the notices cast doubt on the data: read them first");
+        return clauses.contains(DOUBT) ? this : and(DOUBT);
     }
 
     /**

@@ -25,7 +25,7 @@ import java.util.Optional;
  * Whether the model as it is predicts runs but for their orientations, and comes far nearer to
  * these once they are read otherwise: then they are told in another way than was said.
  */
-public final class MixedOrientations {
+final class MixedOrientations {
     /** Enough for the starts. */
     private static final int STEPS = 8;
 
@@ -38,7 +38,7 @@ public final class MixedOrientations {
     private final Course course;
 
     /** Of the model as it is believed, fitted. */
-    public MixedOrientations(Judged none, Course course) {
+    MixedOrientations(Judged none, Course course) {
         this.none = none;
         this.course = course;
     }
@@ -87,13 +87,8 @@ public final class MixedOrientations {
     private record Unmixed(Mix of, Judged with) {}
 
     /** What is to be said of it; empty where none does. */
-    public Optional<String> notice() {
+    Optional<String> notice() {
         return best().map(MixedOrientations::words);
-    }
-
-    /** Whether one does. */
-    boolean areLikely() {
-        return best().isPresent();
     }
 
     private Optional<Unmixed> best() {

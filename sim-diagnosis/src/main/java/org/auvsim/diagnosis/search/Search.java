@@ -81,6 +81,7 @@ public final class Search {
      * @param traces what causes leave in the data beside those of the best
      * @param byRun causes of which one explains each run by itself, but of other numbers; usually
      *     none
+     * @param misreading whether the runs are told in another way than they were read
      */
     public record Found(
             Judged none,
@@ -89,7 +90,8 @@ public final class Search {
             List<Judged> competitors,
             Traces traces,
             Noise noise,
-            List<Hypothesis> byRun) {
+            List<Hypothesis> byRun,
+            Misreading misreading) {
         /** The model, in steps that are short enough. */
         public Stepping stepping() {
             return none.fit().stepping();
@@ -97,7 +99,7 @@ public final class Search {
 
         /** The same, if none of what was found is true. */
         public Found nothing() {
-            return new Found(none, none, judged, List.of(), traces, noise, byRun);
+            return new Found(none, none, judged, List.of(), traces, noise, byRun, misreading);
         }
 
         /** The best, one of its causes left out. */

@@ -55,9 +55,7 @@ final class Selection {
     private final Noise noise;
     private final Screening screening;
     private final Tried tried;
-
-    /** Whether orientations are told in another way than was said, once that was asked. */
-    private Optional<Boolean> areTurned = Optional.empty();
+    private final Misreading misreading;
 
     /**
      * By columns of a screening, or else by a contest of models.
@@ -81,6 +79,7 @@ final class Selection {
         this.screening = new Screening(base, noise, library, none.outcome(), course);
         Aliasing aliasing = new Aliasing(screening, noise, course);
         this.tried = new Tried(none, noise, course, aliasing::undone);
+        this.misreading = new Misreading(none, noise, course);
     }
 
     /** Specific causes first; those that can imitate others only where none of those passes. */
@@ -94,7 +93,7 @@ final class Selection {
         }
         boolean isOpen = contest.isEmpty() && !best.isWhite();
         List<Hypothesis> byRun = isOpen && !areTurned() ? ofOneRun() : List.of();
-        if (haveChanged(byRun) || (isOpen && areMisread(best))) {
+        if (haveChanged(byRun) || (isOpen && misreading.isNearerThan(best))) {
             return asItIs(best.isNone() ? best : tried.settled(best), byRun);
         }
         if (isOpen) {
@@ -165,7 +164,8 @@ final class Selection {
                 choice.competitors(chosen),
                 chosen.hasCausesOf(found) ? traces : screening.traces(chosen),
                 noise,
-                List.of());
+                List.of(),
+                misreading);
     }
 
     /** Of runs that no set is to explain: something changed between them, or was mixed up. */
@@ -178,7 +178,8 @@ final class Selection {
                 choice.competitors(best),
                 screening.traces(best),
                 noise,
-                byRun);
+                byRun,
+                misreading);
     }
 
     /**
@@ -190,21 +191,9 @@ final class Selection {
                 .isPresent();
     }
 
-    /** Whether two commands are mixed up, or orientations: no cause is to explain that. */
-    private boolean areMisread(Judged best) {
-        return areTurned() || new SwappedCommands(none, noise, course).areNearer(best);
-    }
-
-    /** Asked of a search by columns alone, once. */
+    /** Whether orientations are told in another way, which no cause is to explain. */
     private boolean areTurned() {
-        boolean is =
-                areTurned.orElseGet(
-                        () ->
-                                contest.isEmpty()
-                                        && course.goesOn()
-                                        && new MixedOrientations(none, course).areLikely());
-        areTurned = Optional.of(is);
-        return is;
+        return contest.isEmpty() && course.goesOn() && misreading.isOfOrientations();
     }
 
     /** What promises most to explain the run that the model misses most; nothing of only one. */

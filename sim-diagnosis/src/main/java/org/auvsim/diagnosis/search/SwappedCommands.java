@@ -22,7 +22,7 @@ import java.util.stream.Stream;
  * Whether the model as it is comes far nearer to runs that nothing explains once two of their
  * commands are swapped: then the columns are mixed up, or the wires.
  */
-public final class SwappedCommands {
+final class SwappedCommands {
     /** Enough to see which pair it is. */
     private static final int FIRST_STEPS = 3;
 
@@ -37,31 +37,27 @@ public final class SwappedCommands {
     private final Course course;
 
     /** Of the model as it is believed, fitted. */
-    public SwappedCommands(Judged none, Noise noise, Course course) {
+    SwappedCommands(Judged none, Noise noise, Course course) {
         this.none = none;
         this.noise = noise;
         this.course = course;
     }
 
     /** Two commands, and how well the model does with each told what the other was. */
-    private record Swap(String one, String other, Judged with) {
-        Swap further() {
+    record Swap(String one, String other, Judged with) {
+        private Swap further() {
             return new Swap(one, other, Descent.of(with.fit()).steps(STEPS));
+        }
+
+        /** What is to be said of it. */
+        String notice() {
+            return "the model as it is predicts the runs far better if the commands of '%s' and '%s' are swapped: are these columns mixed up, or the wires of the vehicle? If so, rename the columns (--rename %s=%s,%s=%s)"
+                    .formatted(one, other, one, other, other, one);
         }
     }
 
-    /** What is to be said of it; empty where no two do. */
-    public Optional<String> notice() {
-        return best().map(SwappedCommands::words);
-    }
-
-    /** Whether that comes nearer than what was found otherwise. */
-    boolean areNearer(Judged found) {
-        return best().filter(swap -> swap.with().cost() < found.cost()).isPresent();
-    }
-
     /** The two that come nearest, if they come far nearer than none. */
-    private Optional<Swap> best() {
+    Optional<Swap> nearest() {
         return pairs().parallelStream()
                 .filter(_ -> course.goesOn())
                 .map(pair -> swapped(pair.getFirst(), pair.getLast()))
@@ -136,16 +132,5 @@ public final class SwappedCommands {
                         fit.windows(),
                         fit.knowledge());
         return new Swap(one, other, Descent.of(swapped).steps(FIRST_STEPS));
-    }
-
-    private static String words(Swap swap) {
-        return "the model as it is predicts the runs far better if the commands of '%s' and '%s' are swapped: are these columns mixed up, or the wires of the vehicle? If so, rename the columns (--rename %s=%s,%s=%s)"
-                .formatted(
-                        swap.one(),
-                        swap.other(),
-                        swap.one(),
-                        swap.other(),
-                        swap.other(),
-                        swap.one());
     }
 }

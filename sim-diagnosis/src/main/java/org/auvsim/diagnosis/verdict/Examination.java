@@ -194,23 +194,33 @@ public final class Examination {
                                 : List.of(),
                         usedHeldOut);
         List<DiagnosedRun> runs = runs(found, best, after);
-        return new Diagnosis(
-                model.body(),
-                conclusion,
-                new Evidence(
-                        causes.size(),
-                        Ranking.of(found, verdict != Verdict.UNEXPLAINED),
-                        alternatives,
-                        found.traces().identifiability(best.fit().hypothesis().causes()),
-                        new Menu(best.fit(), found.noise()).next(best, found.competitors())),
-                prediction,
-                runs,
-                extended(
-                        isExplained ? best.fit().variant() : model.variant(),
-                        conclusion.selected()),
-                new Notices(model, fit, heldOut, course).of(found, after, verdict, foretold),
-                seed,
-                course.goesOn());
+        Optional<LikelyReason> reason =
+                verdict == Verdict.UNEXPLAINED
+                        ? LikelyReason.of(found, after, course)
+                        : Optional.empty();
+        Diagnosis diagnosis =
+                new Diagnosis(
+                        model.body(),
+                        conclusion,
+                        new Evidence(
+                                causes.size(),
+                                Ranking.of(found, verdict != Verdict.UNEXPLAINED),
+                                alternatives,
+                                found.traces().identifiability(best.fit().hypothesis().causes()),
+                                new Menu(best.fit(), found.noise())
+                                        .next(best, found.competitors())),
+                        prediction,
+                        runs,
+                        extended(
+                                isExplained ? best.fit().variant() : model.variant(),
+                                conclusion.selected()),
+                        new Notices(model, fit, heldOut)
+                                .of(found, after, verdict, foretold, reason),
+                        seed,
+                        course.goesOn());
+        return reason.filter(LikelyReason::isMisreading).isPresent()
+                ? diagnosis.doubted()
+                : diagnosis;
     }
 
     private Conclusion conclusion(

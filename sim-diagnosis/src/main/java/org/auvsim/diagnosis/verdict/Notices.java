@@ -2,7 +2,6 @@ package org.auvsim.diagnosis.verdict;
 
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.math.Vec3;
-import org.auvsim.diagnosis.fit.Course;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.residual.HeavyTails;
@@ -14,10 +13,7 @@ import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
-import org.auvsim.diagnosis.search.MixedOrientations;
-import org.auvsim.diagnosis.search.RunByRun;
 import org.auvsim.diagnosis.search.Search;
-import org.auvsim.diagnosis.search.SwappedCommands;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
@@ -47,12 +43,10 @@ final class Notices {
     private final BelievedModel model;
     private final List<MeasuredRun> fit;
     private final List<MeasuredRun> all;
-    private final Course course;
 
     /** Of a model, the runs it was searched with, and those that judge. */
-    Notices(BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut, Course course) {
+    Notices(BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
         this.model = model;
-        this.course = course;
         this.fit = fit;
         this.all = new ArrayList<>(fit);
         all.addAll(heldOut);
@@ -62,8 +56,14 @@ final class Notices {
      * Steps that follow data which no model fits tell of that data, not of the scenario.
      *
      * @param heldOut what was found on the runs that judge
+     * @param reason why nothing explains the runs, where that can be seen
      */
-    List<String> of(Search.Found found, Judged heldOut, Verdict verdict, Foretold foretold) {
+    List<String> of(
+            Search.Found found,
+            Judged heldOut,
+            Verdict verdict,
+            Foretold foretold,
+            Optional<LikelyReason> reason) {
         List<String> notices = new ArrayList<>(overruled());
         leftOut().ifPresent(notices::add);
         boolean isTested = !foretold.gains().isEmpty();
@@ -92,15 +92,7 @@ final class Notices {
         if (verdict != Verdict.EXPLAINED) {
             all.forEach(run -> StatedStarts.notice(run, found.noise()).ifPresent(notices::add));
         }
-        if (verdict == Verdict.UNEXPLAINED) {
-            new SureStarts(found.stepping(), all, found.noise(), course)
-                    .notice()
-                    .or(() -> changed(found, heldOut))
-                    .or(() -> new SwappedCommands(found.none(), found.noise(), course).notice())
-                    .or(() -> new MixedOrientations(found.none(), course).notice())
-                    .or(() -> MissedAlone.notice(found.none(), found.noise()))
-                    .ifPresent(notices::add);
-        }
+        reason.map(LikelyReason::notice).ifPresent(notices::add);
         found.noise().notice().ifPresent(notices::add);
         notices.addAll(new NoisierRuns(found.noise(), found.best(), heldOut).notices());
         for (Misses of : Misses.of(all, found.noise())) {
@@ -148,12 +140,6 @@ final class Notices {
                 && !run.measures(Channel.VELOCITY)
                 && !run.measures(Channel.POSITION, 0)
                 && !run.measures(Channel.POSITION, 1);
-    }
-
-    private Optional<String> changed(Search.Found found, Judged heldOut) {
-        List<Misses> data = new ArrayList<>(found.none().fit().data());
-        data.addAll(heldOut.fit().data());
-        return new RunByRun(found.stepping(), data, found.noise(), course).notice(found.byRun());
     }
 
     /** Others that move: nobody measured how. */

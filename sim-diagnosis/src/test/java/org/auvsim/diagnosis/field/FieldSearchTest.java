@@ -14,6 +14,7 @@ import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.verdict.Examination;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -24,6 +25,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 
 /** What a place does is mapped, and what time does is not. */
+@Tag("whole-search")
 class FieldSearchTest {
     private static final Set<String> CAUSES = Set.of("linear_drag", "current_constant");
 

@@ -113,7 +113,8 @@ class AliasTest {
                         found.competitors(),
                         found.traces(),
                         found.noise(),
-                        found.byRun());
+                        found.byRun(),
+                        found.misreading());
         List<Ranked> ranked = Ranking.of(other, true);
 
         assertThat(ranked).hasSameSizeAs(Ranking.of(found, true));

@@ -12,6 +12,7 @@ import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.subject.Surveyor;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
@@ -19,6 +20,7 @@ import java.util.Optional;
 import java.util.Random;
 
 /** A model that is wrong in four ways at once, no two of which explain anything like the runs. */
+@Tag("whole-search")
 class SeveralCausesTest {
     private static final Surveyor SURVEYOR =
             new Surveyor(12.4, new Vec3(0.12, -0.08, 0), 0.85, 1.5);

@@ -27,7 +27,8 @@ class SwappedCommandsTest {
         Noise noise = Noise.of(runs);
         return new SwappedCommands(
                         AsBelieved.fitted(Surveyor.believed(), runs, noise), noise, Course.UNHEARD)
-                .notice();
+                .nearest()
+                .map(SwappedCommands.Swap::notice);
     }
 
     @Test
@@ -68,7 +69,7 @@ class SwappedCommandsTest {
                                         AsBelieved.fitted(model, runs, noise),
                                         noise,
                                         Course.UNHEARD)
-                                .notice())
+                                .nearest())
                 .isEmpty();
     }
 

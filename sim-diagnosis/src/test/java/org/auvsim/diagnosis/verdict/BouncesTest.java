@@ -16,6 +16,7 @@ import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.subject.Believed;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
@@ -26,6 +27,7 @@ import java.util.stream.IntStream;
  * Balls that are thrown without spin and bounce, by parabolas and impulses in closed form. What
  * swings or blows promises more than a contact does, as impacts tell little to first order.
  */
+@Tag("whole-search")
 class BouncesTest {
     private static final double RADIUS = 0.1;
     private static final double GRAVITY = 9.80665;

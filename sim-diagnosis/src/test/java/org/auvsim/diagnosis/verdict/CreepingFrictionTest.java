@@ -10,12 +10,14 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.subject.Believed;
 import org.auvsim.diagnosis.subject.Cart;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
 import java.util.Random;
 
 /** A cart on a rail with dry friction, which its motor overcomes now and then. */
+@Tag("whole-search")
 class CreepingFrictionTest {
     private static final double MASS = 10;
     private static final double THRUST = 20;

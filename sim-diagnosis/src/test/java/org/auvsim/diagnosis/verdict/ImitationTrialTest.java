@@ -19,6 +19,7 @@ import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.shooting.Stepping;
 import org.auvsim.diagnosis.subject.Cart;
 import org.auvsim.diagnosis.subject.MeasuredVehicle;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
@@ -27,6 +28,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /** What is proposed where no cause explains the runs is judged as causes are. */
+@Tag("whole-search")
 class ImitationTrialTest {
     /** A vehicle that tumbles too fast for its scenario's steps, its positions in feet. */
     private static MeasuredRun inFeet(Vec3 spin) throws Exception {

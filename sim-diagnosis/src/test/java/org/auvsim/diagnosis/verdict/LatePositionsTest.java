@@ -13,12 +13,14 @@ import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.subject.Surveyor;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
 import java.util.Random;
 
 /** A vehicle whose positions come late, as those of a receiver; its heading does not. */
+@Tag("whole-search")
 class LatePositionsTest {
     private static final int ROWS = 8;
 

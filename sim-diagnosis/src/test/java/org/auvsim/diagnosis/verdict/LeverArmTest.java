@@ -15,6 +15,7 @@ import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.subject.Surveyor;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
@@ -22,6 +23,7 @@ import java.util.Random;
 import java.util.function.IntFunction;
 
 /** A receiver tells where its antenna is, which is not the body's origin. */
+@Tag("whole-search")
 class LeverArmTest {
     private static final Vec3 ARM = new Vec3(0.7, -0.2, 0.4);
 

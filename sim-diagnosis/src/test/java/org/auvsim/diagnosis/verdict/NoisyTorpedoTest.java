@@ -25,6 +25,7 @@ import org.auvsim.diagnosis.search.Tried;
 import org.auvsim.diagnosis.shooting.Stepping;
 import org.auvsim.diagnosis.subject.MeasuredTorpedo;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
@@ -34,6 +35,7 @@ import java.util.Set;
  * A torpedo that begins at rest and is steered by a rudder, its position noisy: a few samples tell
  * its velocity so badly that windows which begin by them lead astray, as its heading is unstable.
  */
+@Tag("whole-search")
 class NoisyTorpedoTest {
     private List<MeasuredRun> runs;
     private Noise noise;

@@ -10,12 +10,14 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.subject.Believed;
 import org.auvsim.diagnosis.subject.FreeSphere;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
 import java.util.Random;
 
 /** A sphere coasts; by what it is slowed, it was in the run of the fit alone. */
+@Tag("whole-search")
 class NotBorneOutTest {
     private static final int SAMPLES = 6001;
     private static final double SPACING = 0.05;

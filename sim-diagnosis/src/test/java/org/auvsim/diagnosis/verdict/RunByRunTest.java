@@ -11,12 +11,14 @@ import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.subject.Surveyor;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
 import java.util.Random;
 
 /** A vehicle that fouls between its runs has no drag that explains all of them. */
+@Tag("whole-search")
 class RunByRunTest {
     private static MeasuredRun run(int seed, double quadratic, double turning) {
         return new Surveyor(quadratic, Vec3.ZERO, 1, turning).run("run" + seed, new Random(seed));

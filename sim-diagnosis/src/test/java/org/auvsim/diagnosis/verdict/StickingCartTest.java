@@ -13,6 +13,7 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.subject.Believed;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -22,6 +23,7 @@ import java.util.Random;
 /**
  * A cart whose motor often does not overcome its dry friction, so that it rests half of the time.
  */
+@Tag("whole-search")
 class StickingCartTest {
     private static final double MASS = 4;
     private static final double THRUST = 12;

@@ -17,6 +17,7 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.shooting.Stepping;
 import org.auvsim.diagnosis.subject.Surveyor;
 import org.auvsim.server.feedback.RigidMotion;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
@@ -26,6 +27,7 @@ import java.util.Optional;
 import java.util.Random;
 
 /** The model is right, but runs are said to begin somewhere else. */
+@Tag("whole-search")
 class SureStartsTest {
     private static final double STATED_TO = 0.002;
 

@@ -11,11 +11,13 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.subject.Believed;
 import org.auvsim.diagnosis.subject.MeasuredVehicle;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
 
 /** A vehicle that tumbles too fast for its scenario's time step. */
+@Tag("whole-search")
 class TimeStepNoticeTest {
     private static Diagnosis diagnosis(double positionUnit) throws Exception {
         BelievedModel coarse = MeasuredVehicle.model(0.05);

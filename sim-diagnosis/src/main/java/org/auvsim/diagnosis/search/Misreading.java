@@ -1,0 +1,40 @@
+package org.auvsim.diagnosis.search;
+
+import org.auvsim.diagnosis.fit.Course;
+import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.residual.Noise;
+
+import java.util.Optional;
+
+/**
+ * Whether runs are told in another way than they are read: orientations, or which command is which.
+ * Each is looked for once, when it is first asked for.
+ */
+public final class Misreading {
+    private final Once<Optional<String>> orientations;
+    private final Once<Optional<SwappedCommands.Swap>> commands;
+
+    /** Of runs that the model as it is believed was fitted to. */
+    Misreading(Judged none, Noise noise, Course course) {
+        this.orientations = new Once<>(() -> new MixedOrientations(none, course).notice());
+        this.commands = new Once<>(() -> new SwappedCommands(none, noise, course).nearest());
+    }
+
+    /**
+     * What is to be said of it; empty where the runs are read as they are told, or nobody knows.
+     */
+    public Optional<String> notice() {
+        return orientations.get().or(() -> commands.get().map(SwappedCommands.Swap::notice));
+    }
+
+    /** Whether orientations are told in another way. */
+    boolean isOfOrientations() {
+        return orientations.get().isPresent();
+    }
+
+    /** Whether the runs, read in another way, are nearer to the model than what was found. */
+    boolean isNearerThan(Judged found) {
+        return isOfOrientations()
+                || commands.get().filter(swap -> swap.with().cost() < found.cost()).isPresent();
+    }
+}

@@ -4,6 +4,7 @@ import org.auvsim.core.actuator.Fin;
 import org.auvsim.core.effect.Derivative;
 import org.auvsim.core.effect.HydrodynamicDerivatives;
 import org.auvsim.core.effect.ReferenceAxes;
+import org.auvsim.core.entity.WorldObjectDefinition;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -11,7 +12,8 @@ import java.util.List;
 /**
  * What the water does to the hull of a vehicle that fins steer: a slender body that goes ahead
  * lifts, as a wing of low aspect ratio, and the lift couples sway with yaw and heave with pitch
- * (Fossen 2021, chapter 6; Yasukawa &amp; Yoshimura 2015). In the plane in which a fin acts.
+ * (Fossen 2021, chapter 6; Yasukawa &amp; Yoshimura 2015). In the plane in which a fin acts, or of
+ * which the scenario states such derivatives, as of a glider.
  */
 final class HullCauses {
     private HullCauses() {}
@@ -19,13 +21,22 @@ final class HullCauses {
     static List<Cause> of(Setting s) {
         List<Fin> fins = FinCauses.fins(s.body());
         List<Cause> causes = new ArrayList<>();
-        if (fins.stream().anyMatch(fin -> !actsUpright(fin))) {
+        if (fins.stream().anyMatch(fin -> !actsUpright(fin)) || states(s.body(), "YN")) {
             causes.add(lift(s, "Yuv", "Yur", "Nuv", "Nur").about("sway and yaw"));
         }
-        if (fins.stream().anyMatch(HullCauses::actsUpright)) {
+        if (fins.stream().anyMatch(HullCauses::actsUpright) || states(s.body(), "ZM")) {
             causes.add(lift(s, "Zuw", "Zuq", "Muw", "Muq").about("heave and pitch"));
         }
         return causes;
+    }
+
+    /** Whether a hull has derivatives of one of these forces and torques. */
+    private static boolean states(WorldObjectDefinition body, String forces) {
+        return body.effect().stream()
+                .filter(HydrodynamicDerivatives.class::isInstance)
+                .map(HydrodynamicDerivatives.class::cast)
+                .flatMap(of -> of.derivative().stream())
+                .anyMatch(of -> forces.indexOf(of.name().charAt(0)) >= 0);
     }
 
     /** Whether its lift is nearer to the body's vertical than to its horizontal plane. */

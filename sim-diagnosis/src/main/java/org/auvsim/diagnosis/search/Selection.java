@@ -87,14 +87,14 @@ final class Selection {
         List<Cause> specific = specific();
         Judged best = searched(specific, cause -> true);
         boolean areMore = specific.size() < library.size();
-        if (!best.isWhite() && areMore && course.goesOn() && !areTurned()) {
+        if (!best.isWhite() && areMore && course.goesOn() && !areMisread(best)) {
             Judged generic = searched(library, Cause::isGeneric);
             best = generic.score() < best.score() ? generic : best;
         }
         boolean isOpen = contest.isEmpty() && !best.isWhite();
-        List<Hypothesis> byRun = isOpen && !areTurned() ? ofOneRun() : List.of();
+        List<Hypothesis> byRun = isOpen && !areMisread(best) ? ofOneRun() : List.of();
         if (haveChanged(byRun) || (isOpen && misreading.isNearerThan(best))) {
-            return asItIs(best.isNone() ? best : tried.settled(best), byRun);
+            return asItIs(best, byRun);
         }
         if (isOpen) {
             best = withMore(best, specific);
@@ -196,6 +196,16 @@ final class Selection {
         return contest.isEmpty() && course.goesOn() && misreading.isOfOrientations();
     }
 
+    /** The same, or commands, where much is missed with what was found. */
+    private boolean areMisread(Judged found) {
+        return areTurned()
+                || (contest.isEmpty() && !isNear(found) && misreading.isNearerThan(found));
+    }
+
+    private static boolean isNear(Judged found) {
+        return found.cost() < NEARLY * found.outcome().count();
+    }
+
     /** What promises most to explain the run that the model misses most; nothing of only one. */
     private List<Hypothesis> ofOneRun() {
         int runs = none.fit().data().size();
@@ -224,8 +234,7 @@ final class Selection {
      * stood for what another of its causes stands for: each is exchanged again beside it.
      */
     private Judged exchanged(Judged found, Traces traces) {
-        boolean isNear = found.cost() < NEARLY * found.outcome().count();
-        boolean isWorthIt = contest.isEmpty() && (hasRoom(found) || isNear);
+        boolean isWorthIt = contest.isEmpty() && (hasRoom(found) || found.isWhite());
         if (!isWorthIt) {
             return found;
         }
@@ -322,7 +331,7 @@ final class Selection {
         }
         Screen screen = screening.of(causes);
         Judged best = whole(tried.tournament(screen.starts(1, isNew), none, 0.3, 0.5));
-        if (!best.isWhite() && course.goesOn() && !areTurned()) {
+        if (!best.isWhite() && course.goesOn() && !areMisread(best)) {
             Judged pair = tried.tournament(screen.starts(2, isNew), best, 0.5, 0.6);
             best = tried.pruned(whole(pair));
         }

@@ -23,14 +23,20 @@ import java.util.stream.Stream;
  * commands are swapped: then the columns are mixed up, or the wires.
  */
 final class SwappedCommands {
-    /** Enough to see which pair it is. */
-    private static final int FIRST_STEPS = 3;
+    /** Enough to see which pairs it may be. */
+    private static final int FIRST_STEPS = 1;
+
+    /** So many of those go further. */
+    private static final int FEW = 3;
 
     /** Enough for the starts. */
     private static final int STEPS = 8;
 
     /** What is left of the squares of what is missed beyond noise; for there may be more wrong. */
     private static final double LEFT = 0.1;
+
+    private static final Comparator<Swap> NEAREST_FIRST =
+            Comparator.comparingDouble(swap -> swap.with().cost());
 
     private final Judged none;
     private final Noise noise;
@@ -61,8 +67,12 @@ final class SwappedCommands {
         return pairs().parallelStream()
                 .filter(_ -> course.goesOn())
                 .map(pair -> swapped(pair.getFirst(), pair.getLast()))
-                .min(Comparator.comparingDouble(swap -> swap.with().cost()))
+                .sorted(NEAREST_FIRST)
+                .limit(FEW)
+                .toList()
+                .parallelStream()
                 .map(Swap::further)
+                .min(NEAREST_FIRST)
                 .filter(swap -> swap.with().beyondNoise() < LEFT * none.beyondNoise());
     }
 

@@ -13,6 +13,7 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.KnownStart;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.diagnosis.subject.Believed;
 import org.auvsim.server.feedback.RigidMotion;
 import org.junit.jupiter.api.Test;
 
@@ -408,5 +409,27 @@ class LibraryTest {
                         "hull_lift (heave and pitch)");
         assertThat(library(VEHICLE).stream().map(Cause::id))
                 .doesNotContain("fin_gain", "fin_race", "hull_lift");
+    }
+
+    @Test
+    void hullsLiftWhereTheScenarioSaysSo() throws Exception {
+        BelievedModel glider =
+                Believed.model(
+                        """
+                        <scenario>
+                          <world-object name="glider" mass="50">
+                            <capsule radius="0.1" length="1.6"/>
+                            <hydrodynamic-derivatives>
+                              <derivative name="Zuw" value="-110"/>
+                              <derivative name="Xuu" value="-3"/>
+                            </hydrodynamic-derivatives>
+                          </world-object>
+                        </scenario>
+                        """,
+                        "glider");
+
+        assertThat(library(glider).stream().map(Cause::name))
+                .contains("hull_lift (heave and pitch)")
+                .doesNotContain("hull_lift (sway and yaw)");
     }
 }

@@ -32,6 +32,9 @@ final class UnseenHeading {
     private static final int YAW = 5;
     private static final int STEPS = 12;
 
+    /** So many headings are tried to the end. */
+    private static final int NEAREST = 2;
+
     /** So many samples tell where it is and how fast. */
     private static final int BEGINNING = 8;
 
@@ -85,15 +88,31 @@ final class UnseenHeading {
             return again(first);
         }
         Judged best =
-                IntStream.range(1, AROUND)
-                        .parallel()
-                        .mapToObj(i -> turned(stated, 2 * Math.PI * i / AROUND))
-                        .map(this::upright)
+                nearest(stated, first).parallelStream()
                         .map(this::whole)
                         .min(Comparator.comparingDouble(Judged::cost))
                         .filter(other -> other.cost() < first.cost())
                         .orElse(first);
         return fits(best) ? again(best) : tumbling().orElseGet(() -> again(best));
+    }
+
+    /** The run from those headings all around that come nearest to it within a few steps. */
+    private List<Misses> nearest(RigidMotion stated, Judged first) {
+        List<Window> windows = following(first.fit().data().getFirst());
+        return IntStream.range(1, AROUND)
+                .parallel()
+                .mapToObj(i -> 2 * Math.PI * i / AROUND)
+                .map(
+                        by ->
+                                near(
+                                        upright(turned(stated, by)),
+                                        windows.stream()
+                                                .map(w -> w.startingAt(turned(w.start(), by)))
+                                                .toList()))
+                .sorted(Comparator.comparingDouble(Judged::cost))
+                .limit(NEAREST)
+                .map(near -> near.fit().data().getFirst())
+                .toList();
     }
 
     private static boolean fits(Judged judged) {
@@ -164,8 +183,11 @@ final class UnseenHeading {
     }
 
     private Judged whole(Misses of, List<Window> windows) {
+        return Descent.of(near(of, windows)).steps(STEPS, Double.POSITIVE_INFINITY, course);
+    }
+
+    private Judged near(Misses of, List<Window> windows) {
         Fit fit = new Fit(stepping, List.of(of), hypothesis, List.of(windows), Knowledge.NONE);
-        Judged near = Refinement.approach(fit, 1, Double.POSITIVE_INFINITY, course).judged();
-        return Descent.of(near).steps(STEPS, Double.POSITIVE_INFINITY, course);
+        return Refinement.approach(fit, 1, Double.POSITIVE_INFINITY, course).judged();
     }
 }

@@ -2,6 +2,8 @@ package org.auvsim.diagnosis.reading;
 
 import org.auvsim.core.math.Vec3;
 
+import java.util.Optional;
+
 /** How columns of positions are mixed up, or told positive the other way. */
 enum MixedAxes {
     /** North and east, latitude and longitude. */
@@ -40,6 +42,16 @@ enum MixedAxes {
             case X -> new Vec3(-x, y, z);
             case Y -> new Vec3(x, -y, z);
             case Z -> new Vec3(x, y, -z);
+        };
+    }
+
+    /** The axis (0 to 2) that is positive the other way, if it is that. */
+    Optional<Integer> turnsRound() {
+        return switch (this) {
+            case X_AND_Y, Y_AND_Z, X_AND_Z -> Optional.empty();
+            case X -> Optional.of(0);
+            case Y -> Optional.of(1);
+            case Z -> Optional.of(2);
         };
     }
 

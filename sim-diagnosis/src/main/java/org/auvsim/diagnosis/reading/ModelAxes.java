@@ -6,9 +6,12 @@ import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 
 /**
@@ -50,15 +53,26 @@ final class ModelAxes {
                         .boxed()
                         .max(Comparator.comparingDouble(i -> runs.get(i).duration()))
                         .orElseThrow();
-        double asTold = misfit(runs.get(longest));
-        if (!(asTold >= FITS_NOT)) {
+        MeasuredRun run = runs.get(longest);
+        MeasuredAxes other = axes == MeasuredAxes.NED ? MeasuredAxes.ENU : MeasuredAxes.NED;
+        double asTold = misfit(run);
+        double limit = Math.min(FITS, asTold / BETTER);
+        if (asTold >= FITS_NOT) {
+            if (misfit(again.in(other).get(longest)) <= limit) {
+                return Optional.of(suspected(other));
+            }
+            Optional<Suspicion> mixed = mixed(run, limit);
+            if (mixed.isPresent()) {
+                return mixed;
+            }
+        }
+        Optional<MixedAxes> round = turnedRound(run);
+        if (round.isEmpty()) {
             return Optional.empty();
         }
-        double limit = Math.min(FITS, asTold / BETTER);
-        MeasuredAxes other = axes == MeasuredAxes.NED ? MeasuredAxes.ENU : MeasuredAxes.NED;
-        return misfit(again.in(other).get(longest)) <= limit
-                ? Optional.of(suspected(other))
-                : mixed(runs.get(longest), limit);
+        double ofRound = beyondNoise(run.placed(round.get()::unmixed));
+        boolean isOther = beyondNoise(again.in(other).get(longest)) < ofRound;
+        return Optional.of(isOther ? suspected(other) : round.get().suspicion());
     }
 
     /** The same of the columns of positions alone; of several mixes, that which fits best. */
@@ -66,13 +80,41 @@ final class ModelAxes {
         Suspicion best = null;
         double least = limit;
         for (MixedAxes mix : MixedAxes.values()) {
-            double misfit = misfit(run.placed(mix::unmixed));
+            MeasuredRun unmixed = run.placed(mix::unmixed);
+            double misfit = misfit(unmixed);
             if (misfit < least) {
                 least = misfit;
                 best = mix.suspicion();
             }
         }
         return Optional.ofNullable(best);
+    }
+
+    /**
+     * One axis alone that is positive the other way, where the model moves as told along others.
+     */
+    private Optional<MixedAxes> turnedRound(MeasuredRun run) {
+        return Arrays.stream(MixedAxes.values())
+                .filter(
+                        mix ->
+                                mix.turnsRound()
+                                        .filter(axis -> isTurned(run, mix, axis))
+                                        .isPresent())
+                .findFirst();
+    }
+
+    private boolean isTurned(MeasuredRun run, MixedAxes mix, int axis) {
+        List<Integer> others = new ArrayList<>(measured(run));
+        if (!others.remove(Integer.valueOf(axis)) || others.isEmpty()) {
+            return false;
+        }
+        double asTold = beyondNoise(run, List.of(axis));
+        if (asTold < FITS_NOT || !(beyondNoise(run, others) < FITS_NOT)) {
+            return false;
+        }
+        MeasuredRun turned = run.placed(mix::unmixed);
+        return beyondNoise(turned, List.of(axis)) <= Math.min(FITS, asTold / BETTER)
+                && beyondNoise(turned, others) < FITS_NOT;
     }
 
     private static Suspicion suspected(MeasuredAxes other) {
@@ -92,21 +134,44 @@ final class ModelAxes {
                 ", but it is explained in the axes in which it was read");
     }
 
-    /** The mean misfit of parts of a run, each begun as measured, as a share of what forces do. */
     private double misfit(MeasuredRun run) {
-        List<Integer> measured =
-                IntStream.range(0, 3)
-                        .filter(axis -> run.measures(Channel.POSITION, axis))
-                        .boxed()
-                        .toList();
+        return misfit(run, measured(run));
+    }
+
+    private double beyondNoise(MeasuredRun run) {
+        return beyondNoise(run, measured(run));
+    }
+
+    private static List<Integer> measured(MeasuredRun run) {
+        return IntStream.range(0, 3)
+                .filter(axis -> run.measures(Channel.POSITION, axis))
+                .boxed()
+                .toList();
+    }
+
+    /**
+     * The mean misfit of parts of a run along axes, each begun as measured, as a share of what
+     * forces do.
+     */
+    private double misfit(MeasuredRun run, List<Integer> axes) {
+        return ofParts(run, axes, trial -> trial.misfit(UnitTrial.AS_TOLD, axes));
+    }
+
+    /** The same less what noise leaves. */
+    private double beyondNoise(MeasuredRun run, List<Integer> axes) {
+        return ofParts(run, axes, trial -> trial.beyondNoise(axes));
+    }
+
+    private double ofParts(
+            MeasuredRun run, List<Integer> axes, ToDoubleFunction<UnitTrial> misfit) {
         int size = run.size() / PARTS;
-        if (measured.isEmpty() || size < UnitTrial.FEWEST) {
+        if (axes.isEmpty() || size < UnitTrial.FEWEST) {
             return Double.NaN;
         }
         double sum = 0;
         for (int part = 0; part < PARTS; part++) {
             UnitTrial trial = UnitTrial.of(model, run, part * size, (part + 1) * size - 1);
-            sum += trial.of(List.of()).misfit(UnitTrial.AS_TOLD, measured);
+            sum += misfit.applyAsDouble(trial.of(List.of()));
         }
         return sum / PARTS;
     }

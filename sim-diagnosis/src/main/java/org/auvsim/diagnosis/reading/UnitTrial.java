@@ -73,6 +73,11 @@ final class UnitTrial {
                     steps + o.steps);
         }
 
+        /** Squares of noise, as steps tell: 2 of each (von Neumann 1941). */
+        double noise() {
+            return steps / 2;
+        }
+
         /** What forces do, moving or at rest. */
         double forces() {
             return Math.max(simulated, fromRest);
@@ -296,7 +301,17 @@ final class UnitTrial {
     /** The misfit along axes, as a share of what forces do; infinite where that is lost. */
     double misfit(ModelUnits.Suspicion h, Collection<Integer> axes) {
         Bend of = bend(h, axes);
-        double share = Math.sqrt(of.misfit() / of.forces());
+        return share(of.misfit(), of);
+    }
+
+    /** The same of what is told, less what noise leaves. */
+    double beyondNoise(Collection<Integer> axes) {
+        Bend of = bend(AS_TOLD, axes);
+        return share(Math.max(0, of.misfit() - of.noise()), of);
+    }
+
+    private static double share(double squares, Bend of) {
+        double share = Math.sqrt(squares / of.forces());
         return Double.isNaN(share) ? Double.POSITIVE_INFINITY : share;
     }
 

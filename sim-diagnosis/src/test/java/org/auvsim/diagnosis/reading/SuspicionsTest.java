@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 import java.util.function.IntFunction;
 
 /** What may be right but looks wrong is told, with its place, and read as it is. */
@@ -131,6 +132,27 @@ class SuspicionsTest {
                 .hasSize(suspicions)
                 .allMatch(
                         notice -> notice.startsWith(at(": the model moves as this does if x is")));
+    }
+
+    /** By noise that is most of how the path bends in a third of the run. */
+    @ParameterizedTest
+    @CsvSource({"1, 0", "-1, 1"})
+    void heightsThatAreDepthsAreSeenThroughNoise(double sign, int suspicions) throws Exception {
+        Random random = new Random(3);
+        String text =
+                Rov.rows(
+                        "x,y,z,main,rudder",
+                        60,
+                        i -> {
+                            double along = 0.5 / 30 * 0.01 * i * i;
+                            double left = 3 * along + 0.012 * random.nextGaussian();
+                            double up = sign * 4 * along + 0.012 * random.nextGaussian();
+                            return "0," + left + "," + up + ",0,0";
+                        });
+
+        assertThat(Rov.read(folder, ColumnMapping.USUAL, text).notices())
+                .filteredOn(notice -> notice.contains("z were positive the other way"))
+                .hasSize(suspicions);
     }
 
     /** A push to the left and up that is told as one along other axes. */

@@ -30,6 +30,9 @@ final class ModelAxes {
 
     private static final double BETTER = 3;
 
+    /** The same of one axis alone, which little moves. */
+    private static final double BETTER_ALONE = 5;
+
     private static final int PARTS = 3;
 
     private final BelievedModel model;
@@ -113,7 +116,7 @@ final class ModelAxes {
             return false;
         }
         MeasuredRun turned = run.placed(mix::unmixed);
-        return beyondNoise(turned, List.of(axis)) <= Math.min(FITS, asTold / BETTER)
+        return beyondNoise(turned, List.of(axis)) <= Math.min(FITS, asTold / BETTER_ALONE)
                 && beyondNoise(turned, others) < FITS_NOT;
     }
 

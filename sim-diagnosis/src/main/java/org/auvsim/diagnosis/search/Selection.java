@@ -191,15 +191,15 @@ final class Selection {
                 .isPresent();
     }
 
-    /** Whether orientations are told in another way, which no cause is to explain. */
-    private boolean areTurned() {
-        return contest.isEmpty() && course.goesOn() && misreading.isOfOrientations();
-    }
-
-    /** The same, or commands, where much is missed with what was found. */
+    /**
+     * Whether orientations are told in another way, or commands where much is missed with what was
+     * found: no cause is to explain that.
+     */
     private boolean areMisread(Judged found) {
-        return areTurned()
-                || (contest.isEmpty() && !isNear(found) && misreading.isNearerThan(found));
+        return contest.isEmpty()
+                && course.goesOn()
+                && (misreading.isOfOrientations()
+                        || (!isNear(found) && misreading.isNearerThan(found)));
     }
 
     private static boolean isNear(Judged found) {

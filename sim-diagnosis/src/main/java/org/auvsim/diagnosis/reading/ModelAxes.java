@@ -58,7 +58,9 @@ final class ModelAxes {
                         .orElseThrow();
         MeasuredRun run = runs.get(longest);
         MeasuredAxes other = axes == MeasuredAxes.NED ? MeasuredAxes.ENU : MeasuredAxes.NED;
-        double asTold = misfit(run);
+        List<Integer> measured = measured(run);
+        List<UnitTrial> parts = parts(run);
+        double asTold = mean(parts, measured, trial -> trial.misfit(UnitTrial.AS_TOLD, measured));
         double limit = Math.min(FITS, asTold / BETTER);
         if (asTold >= FITS_NOT) {
             if (misfit(again.in(other).get(longest)) <= limit) {
@@ -69,12 +71,14 @@ final class ModelAxes {
                 return mixed;
             }
         }
-        Optional<MixedAxes> round = turnedRound(run);
+        Optional<MixedAxes> round = turnedRound(run, parts);
         if (round.isEmpty()) {
             return Optional.empty();
         }
-        double ofRound = beyondNoise(run.placed(round.get()::unmixed));
-        boolean isOther = beyondNoise(again.in(other).get(longest)) < ofRound;
+        MeasuredRun unmixed = run.placed(round.get()::unmixed);
+        MeasuredRun read = again.in(other).get(longest);
+        boolean isOther =
+                beyondNoise(parts(read), measured(read)) < beyondNoise(parts(unmixed), measured);
         return Optional.of(isOther ? suspected(other) : round.get().suspicion());
     }
 
@@ -83,8 +87,7 @@ final class ModelAxes {
         Suspicion best = null;
         double least = limit;
         for (MixedAxes mix : MixedAxes.values()) {
-            MeasuredRun unmixed = run.placed(mix::unmixed);
-            double misfit = misfit(unmixed);
+            double misfit = misfit(run.placed(mix::unmixed));
             if (misfit < least) {
                 least = misfit;
                 best = mix.suspicion();
@@ -96,27 +99,27 @@ final class ModelAxes {
     /**
      * One axis alone that is positive the other way, where the model moves as told along others.
      */
-    private Optional<MixedAxes> turnedRound(MeasuredRun run) {
+    private Optional<MixedAxes> turnedRound(MeasuredRun run, List<UnitTrial> asTold) {
         return Arrays.stream(MixedAxes.values())
                 .filter(
                         mix ->
                                 mix.turnsRound()
-                                        .filter(axis -> isTurned(run, mix, axis))
+                                        .filter(axis -> isTurned(run, asTold, mix, axis))
                                         .isPresent())
                 .findFirst();
     }
 
-    private boolean isTurned(MeasuredRun run, MixedAxes mix, int axis) {
+    private boolean isTurned(MeasuredRun run, List<UnitTrial> asTold, MixedAxes mix, int axis) {
         List<Integer> others = new ArrayList<>(measured(run));
-        if (!others.remove(Integer.valueOf(axis)) || others.isEmpty()) {
+        if (!others.remove(Integer.valueOf(axis))) {
             return false;
         }
-        double asTold = beyondNoise(run, List.of(axis));
-        if (asTold < FITS_NOT || !(beyondNoise(run, others) < FITS_NOT)) {
+        double told = beyondNoise(asTold, List.of(axis));
+        if (!(told >= FITS_NOT) || !(beyondNoise(asTold, others) < FITS_NOT)) {
             return false;
         }
-        MeasuredRun turned = run.placed(mix::unmixed);
-        return beyondNoise(turned, List.of(axis)) <= Math.min(FITS, asTold / BETTER_ALONE)
+        List<UnitTrial> turned = parts(run.placed(mix::unmixed));
+        return beyondNoise(turned, List.of(axis)) <= Math.min(FITS, told / BETTER_ALONE)
                 && beyondNoise(turned, others) < FITS_NOT;
     }
 
@@ -137,14 +140,6 @@ final class ModelAxes {
                 ", but it is explained in the axes in which it was read");
     }
 
-    private double misfit(MeasuredRun run) {
-        return misfit(run, measured(run));
-    }
-
-    private double beyondNoise(MeasuredRun run) {
-        return beyondNoise(run, measured(run));
-    }
-
     private static List<Integer> measured(MeasuredRun run) {
         return IntStream.range(0, 3)
                 .filter(axis -> run.measures(Channel.POSITION, axis))
@@ -152,30 +147,32 @@ final class ModelAxes {
                 .toList();
     }
 
-    /**
-     * The mean misfit of parts of a run along axes, each begun as measured, as a share of what
-     * forces do.
-     */
-    private double misfit(MeasuredRun run, List<Integer> axes) {
-        return ofParts(run, axes, trial -> trial.misfit(UnitTrial.AS_TOLD, axes));
-    }
-
-    /** The same less what noise leaves. */
-    private double beyondNoise(MeasuredRun run, List<Integer> axes) {
-        return ofParts(run, axes, trial -> trial.beyondNoise(axes));
-    }
-
-    private double ofParts(
-            MeasuredRun run, List<Integer> axes, ToDoubleFunction<UnitTrial> misfit) {
+    /** Parts of a run by the model, each begun as measured; none of a run that is too short. */
+    private List<UnitTrial> parts(MeasuredRun run) {
         int size = run.size() / PARTS;
-        if (axes.isEmpty() || size < UnitTrial.FEWEST) {
-            return Double.NaN;
-        }
-        double sum = 0;
-        for (int part = 0; part < PARTS; part++) {
-            UnitTrial trial = UnitTrial.of(model, run, part * size, (part + 1) * size - 1);
-            sum += misfit.applyAsDouble(trial.of(List.of()));
-        }
-        return sum / PARTS;
+        return size < UnitTrial.FEWEST
+                ? List.of()
+                : IntStream.range(0, PARTS)
+                        .map(part -> part * size)
+                        .mapToObj(from -> UnitTrial.of(model, run, from, from + size - 1))
+                        .map(trial -> trial.of(List.of()))
+                        .toList();
+    }
+
+    private double misfit(MeasuredRun run) {
+        List<Integer> axes = measured(run);
+        return mean(parts(run), axes, trial -> trial.misfit(UnitTrial.AS_TOLD, axes));
+    }
+
+    /** The mean misfit of parts less what noise leaves, as a share of what forces do. */
+    private static double beyondNoise(List<UnitTrial> parts, List<Integer> axes) {
+        return mean(parts, axes, trial -> trial.beyondNoise(axes));
+    }
+
+    private static double mean(
+            List<UnitTrial> parts, List<Integer> axes, ToDoubleFunction<UnitTrial> misfit) {
+        return axes.isEmpty()
+                ? Double.NaN
+                : parts.stream().mapToDouble(misfit).average().orElse(Double.NaN);
     }
 }

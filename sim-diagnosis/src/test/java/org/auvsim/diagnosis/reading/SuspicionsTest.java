@@ -134,6 +134,11 @@ class SuspicionsTest {
                         notice -> notice.startsWith(at(": the model moves as this does if x is")));
     }
 
+    /** How far a unit force has pushed it by a row (m). */
+    private static double pushed(int row) {
+        return 0.5 / 30 * 0.01 * row * row;
+    }
+
     /** By noise that is most of how the path bends in a third of the run. */
     @ParameterizedTest
     @CsvSource({"1, 0", "-1, 1"})
@@ -144,7 +149,7 @@ class SuspicionsTest {
                         "x,y,z,main,rudder",
                         60,
                         i -> {
-                            double along = 0.5 / 30 * 0.01 * i * i;
+                            double along = pushed(i);
                             double left = 3 * along + 0.012 * random.nextGaussian();
                             double up = sign * 4 * along + 0.012 * random.nextGaussian();
                             return "0," + left + "," + up + ",0,0";
@@ -172,7 +177,7 @@ class SuspicionsTest {
                         "x,y,z,main,rudder",
                         60,
                         i -> {
-                            double along = 0.5 / 30 * 0.01 * i * i;
+                            double along = pushed(i);
                             return x * along + "," + y * along + "," + z * along + ",0,0";
                         });
 

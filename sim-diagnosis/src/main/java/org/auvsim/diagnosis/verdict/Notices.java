@@ -88,6 +88,9 @@ final class Notices {
         }
         all.forEach(run -> notices.addAll(stuck(run, found.noise())));
         SpinUp.notice(model, fit, found.best().fit().hypothesis()).ifPresent(notices::add);
+        if (verdict == Verdict.EXPLAINED) {
+            notices.addAll(SlowSwing.notices(fit, found.best().fit().hypothesis()));
+        }
         assumedSpeed(verdict).ifPresent(notices::add);
         if (verdict != Verdict.EXPLAINED) {
             all.forEach(run -> StatedStarts.notice(run, found.noise()).ifPresent(notices::add));

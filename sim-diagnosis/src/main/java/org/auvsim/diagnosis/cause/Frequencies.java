@@ -30,7 +30,8 @@ final class Frequencies {
     }
 
     Parameter parameter() {
-        return new Parameter("omega", "rad/s", 1 / duration, 0.1 * LOWEST, 10 * HIGHEST);
+        return new Parameter(
+                Quantity.FREQUENCY, "rad/s", 1 / duration, 0.1 * LOWEST, 10 * HIGHEST);
     }
 
     double[] all() {

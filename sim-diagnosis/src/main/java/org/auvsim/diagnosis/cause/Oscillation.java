@@ -97,7 +97,7 @@ final class Oscillation {
                 new Quantity(name + ".x", unit, end.x()),
                 new Quantity(name + ".y", unit, end.y()),
                 new Quantity(name + ".z", unit, end.z()),
-                new Quantity("omega", "rad/s", theta[OMEGA]),
+                Quantity.frequency(theta[OMEGA]),
                 new Quantity("phase", "rad", phase));
     }
 

@@ -126,7 +126,7 @@ final class PeriodicCauses {
                                 List.of(
                                         new Quantity(
                                                 "amplitude", "N", StrictMath.hypot(t[0], t[1])),
-                                        new Quantity("omega", "rad/s", t[2]),
+                                        Quantity.frequency(t[2]),
                                         new Quantity("phase", "rad", phase(t, t[2], begin)),
                                         new Quantity(
                                                 "wave_number",
@@ -182,7 +182,7 @@ final class PeriodicCauses {
         return List.of(
                 new Quantity("amplitude", "N", force.amplitude()),
                 new Quantity("direction", "rad", force.direction()),
-                new Quantity("omega", "rad/s", force.angularFrequency()),
+                Quantity.frequency(force.angularFrequency()),
                 new Quantity("phase", "rad", force.phase()),
                 new Quantity("wave_number", "rad/m", force.waveNumber()));
     }

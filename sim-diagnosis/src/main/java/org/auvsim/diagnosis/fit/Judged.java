@@ -76,15 +76,9 @@ public record Judged(Fit fit, Outcome outcome, int told, double score) {
         return whiteness() < Whiteness.LIMIT;
     }
 
-    /** The largest deviate of the block sums over all runs. */
+    /** The largest deviate of the block sums over all runs, and of all of them together. */
     public double whiteness() {
-        double largest = 0;
-        for (int r = 0; r < fit.data().size(); r++) {
-            largest =
-                    Math.max(
-                            largest, Whiteness.largest(outcome.misses().get(r), fit.data().get(r)));
-        }
-        return largest;
+        return Whiteness.largest(outcome.misses(), fit.data());
     }
 
     /** Whether nothing is wrong with the model, by this. */

@@ -29,6 +29,10 @@ import java.util.function.BiFunction;
  * files are read row by row; of more rows than a diagnosis needs, some are left out, with a notice.
  */
 public final class RunReader {
+    private static final String IN_NED =
+            "runs are read in axes x north, y east, z down; all that is said of them, and the"
+                    + " scenario, is in x east, y north, z up, of the body in forward, left, up";
+
     /** What looks for numbers that count as not measured, each in what the ones before leave. */
     private static final List<BiFunction<Source, MeasuredRun, LeftOut>> FAULTS =
             List.of(Held::of, Clipped::of, Spikes::of);
@@ -77,12 +81,12 @@ public final class RunReader {
 
     /** What is to be known of all runs, however many. */
     List<String> notices() {
-        return mapping.axes() == MeasuredAxes.NED
-                ? List.of(
-                        "runs are read in axes x north, y east, z down; all that is said of them,"
-                                + " and the scenario, is in x east, y north, z up, of the body in"
-                                + " forward, left, up")
-                : List.of();
+        List<String> notices = new ArrayList<>();
+        MostDensity.notice(model).ifPresent(notices::add);
+        if (mapping.axes() == MeasuredAxes.NED) {
+            notices.add(IN_NED);
+        }
+        return notices;
     }
 
     /**

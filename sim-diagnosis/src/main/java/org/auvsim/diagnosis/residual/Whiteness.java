@@ -1,6 +1,10 @@
 package org.auvsim.diagnosis.residual;
 
+import org.apache.commons.math3.util.MathArrays;
+
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.IntStream;
 
 /**
@@ -10,6 +14,9 @@ import java.util.stream.IntStream;
  */
 public final class Whiteness {
     private static final int[] BLOCKS = {4, 8, 16, 32};
+
+    /** Of all channels together there are enough long ones, too. */
+    private static final int[] TOGETHER = {4, 8, 16, 32, 64, 128};
 
     /** Where more than this share of the squares lasts to the next sample, they may be motion. */
     private static final double LASTING = 0.5;
@@ -28,12 +35,36 @@ public final class Whiteness {
     private Whiteness() {}
 
     /**
-     * How unlikely the largest of the block sums is, as a normal deviate.
+     * How unlikely the largest of the block sums of any channel of runs is, or that of all of them
+     * together, as a normal deviate: what each channel hides in its noise many of them tell.
      *
-     * @param misses sample by sample
+     * @param misses of each run, sample by sample
      * @param of what they are of; what is stated of its errors may last, too
      */
-    public static double largest(double[] misses, Misses of) {
+    public static double largest(List<double[]> misses, List<Misses> of) {
+        List<double[]> all = new ArrayList<>();
+        double largest = 0;
+        for (int r = 0; r < of.size(); r++) {
+            largest = Math.max(largest, largest(misses.get(r), of.get(r), all));
+        }
+        for (int length : TOGETHER) {
+            double squares = 0;
+            int blocks = 0;
+            for (double[] values : all) {
+                squares += squares(values, length);
+                blocks += values.length / length;
+            }
+            largest = Math.max(largest, blocks < 2 ? 0 : deviate(squares, blocks));
+        }
+        return largest;
+    }
+
+    /**
+     * That of the channels of a run.
+     *
+     * @param scaled where they go, each by its own deviation
+     */
+    private static double largest(double[] misses, Misses of, List<double[]> scaled) {
         double largest = 0;
         for (int row = 0; row < of.rows().size(); row++) {
             double[] ofChannel = row(misses, row, of);
@@ -45,10 +76,12 @@ public final class Whiteness {
             if (!of.isStated(of.rows().get(row))) {
                 largest = Math.max(largest, beyondNoise(ofChannel));
             }
+            double[] byDeviation = MathArrays.scale(1 / deviation, ofChannel);
             for (int length : BLOCKS) {
-                largest = Math.max(largest, deviate(ofChannel, deviation, length));
+                largest = Math.max(largest, deviate(byDeviation, length));
             }
             largest = Math.max(largest, lasting(ofChannel, deviation));
+            scaled.add(byDeviation);
         }
         return largest;
     }
@@ -101,18 +134,22 @@ public final class Whiteness {
     }
 
     /** That of one channel over blocks of one length. */
-    private static double deviate(double[] values, double deviation, int length) {
+    private static double deviate(double[] values, int length) {
         int blocks = values.length / length;
-        double sum = 0;
-        for (int b = 0; b < blocks; b++) {
-            double mean = 0;
+        return blocks < 2 ? 0 : deviate(squares(values, length), blocks);
+    }
+
+    /** The sum of squares of the means over blocks, by their deviation. */
+    private static double squares(double[] values, int length) {
+        double squares = 0;
+        for (int b = 0; b < values.length / length; b++) {
+            double sum = 0;
             for (int k = 0; k < length; k++) {
-                mean += values[b * length + k];
+                sum += values[b * length + k];
             }
-            mean /= length * deviation / Math.sqrt(length);
-            sum += mean * mean;
+            squares += sum * sum / length;
         }
-        return blocks < 2 ? 0 : deviate(sum, blocks);
+        return squares;
     }
 
     /**

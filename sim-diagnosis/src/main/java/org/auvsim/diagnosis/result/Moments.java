@@ -24,9 +24,6 @@ public record Moments(List<MeasuredRun> runs) {
 
     private static final String FROM_THE_BEGINNING = " or from the beginning on";
 
-    /** What swings has a phase at the world's time 0. */
-    private static final String FREQUENCY = "omega";
-
     /** The list cannot be changed. */
     public Moments {
         runs = List.copyOf(runs);
@@ -37,10 +34,10 @@ public record Moments(List<MeasuredRun> runs) {
         return number.unit().equals("s") && NAMES.contains(number.name());
     }
 
-    /** Whether what a cause does depends on the world's time. */
+    /** Whether what a cause does depends on the world's time: what swings has a phase at 0. */
     public static boolean isTimed(Finding cause) {
         return cause.quantities().stream()
-                .anyMatch(number -> isMoment(number) || number.name().equals(FREQUENCY));
+                .anyMatch(number -> isMoment(number) || number.isFrequency());
     }
 
     /** Whether the runs begin far from 0. */

@@ -126,7 +126,7 @@ public final class Phrases {
         double omega = 0;
         for (int i = 0; i < finding.deviations().size(); i++) {
             Quantity of = finding.quantities().get(i);
-            if (of.name().equals("omega")) {
+            if (of.isFrequency()) {
                 omega = of.value();
             } else if (of.name().equals("wave_number")) {
                 double far = LIKELY * finding.deviations().get(i);

@@ -47,23 +47,24 @@ final class MixedOrientations {
     private enum Mix {
         /** From the world to the body, or angles that grow the other way round. */
         OPPOSITE(
-                "the other way round",
+                "their orientations are read the other way round",
                 "do the quaternions turn the world into the body, or do angles grow the other way?"
                         + " If so, map their columns with a scale of -1: qx, qy and qz, or the"
                         + " angles"),
 
         /** As many programs write them. */
         SCALAR_LAST(
-                "in the order x, y, z, w",
+                "their quaternions are read in the order x, y, z, w",
                 "are these the quaternions' columns? If so, rename them (--rename"
                         + " qw=qx,qx=qy,qy=qz,qz=qw)"),
 
         /** While positions are not, or the other way round. */
         OTHER_AXES(
-                "in the axes of north, east, down and forward, right, down, as compass headings"
-                        + " are, if positions are not, or not in these, if they are",
-                "are they? If so, turn them before; headings alone can be mapped with a scale of -1"
-                        + " and an offset of a quarter turn (--mapping)");
+                "orientations are read in axes other than positions are: one of them in east,"
+                        + " north, up, the other in north, east, down",
+                "are the headings those of a compass, from north clockwise, while positions are"
+                        + " x east, y north? If so, map headings with a scale of -1 and an offset"
+                        + " of a quarter turn (--mapping), or turn quaternions before");
 
         private final String told;
         private final String remedy;
@@ -139,7 +140,7 @@ final class MixedOrientations {
     }
 
     private static String words(Unmixed unmixed) {
-        return "the model as it is predicts the runs far better if their orientations are told %s: %s"
+        return "the model as it is predicts the runs far better if %s: %s"
                 .formatted(unmixed.of().told, unmixed.of().remedy);
     }
 }

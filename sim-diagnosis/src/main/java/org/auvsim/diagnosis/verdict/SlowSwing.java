@@ -24,7 +24,7 @@ final class SlowSwing {
             Cause cause = found.causes().get(c);
             for (Quantity quantity : cause.quantities(found.theta().get(c))) {
                 double period = 2 * Math.PI / Math.abs(quantity.value());
-                if (quantity.name().equals("omega") && period > shown) {
+                if (quantity.isFrequency() && period > shown) {
                     notices.add(notice(cause, period, shown));
                 }
             }

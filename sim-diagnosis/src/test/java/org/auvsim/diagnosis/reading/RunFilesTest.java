@@ -51,6 +51,17 @@ class RunFilesTest {
     }
 
     @Test
+    void aMassInGramsIsToldOnce() throws Exception {
+        RunReader inGrams = Rov.reader(Rov.SCENARIO.replace("mass=\"30\"", "mass=\"30000\""));
+
+        assertThat(RunFiles.read(inGrams, List.of(run("one", 0)), List.of(run("two", 1))).notices())
+                .singleElement()
+                .asString()
+                .startsWith("the scenario's 'Rov' has a mass of 30000 kg, but a sphere of")
+                .contains("no more than 5640 kg: is its mass in g");
+    }
+
+    @Test
     void runsToFitAreCutIntoPartsThatShareTheirBorders() throws Exception {
         RunFiles runs = RunFiles.read(reader, List.of(run("one", 0)), List.of(run("two", 5)));
         double whole = runs.fit().getFirst().duration();

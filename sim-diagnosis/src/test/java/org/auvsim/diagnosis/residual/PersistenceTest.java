@@ -193,7 +193,7 @@ class PersistenceTest {
             product += white[i] * white[i - 2];
         }
         assertThat(product / Outcome.squares(white)).isCloseTo(0, within(0.08));
-        assertThat(Whiteness.largest(white, misses)).isLessThan(Whiteness.LIMIT);
+        assertThat(Whiteness.largest(List.of(white), List.of(misses))).isLessThan(Whiteness.LIMIT);
         assertThat(noise.of(Channel.POSITION)).isCloseTo(NOISE, within(0.2 * NOISE));
     }
 }

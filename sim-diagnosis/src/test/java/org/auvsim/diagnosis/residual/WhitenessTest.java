@@ -11,11 +11,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 
 /** The deviate of a chi square against both distributions: it is as rare as it says. */
 class WhitenessTest {
+    private static double largest(double[] misses, Misses of) {
+        return Whiteness.largest(List.of(misses), List.of(of));
+    }
+
     /** Of a fix of the position in every tenth row. */
     @Test
     void noiseInSomeRowsIsNoise() {
@@ -29,7 +35,7 @@ class WhitenessTest {
         }
         MeasuredRun run = builder.build();
 
-        double largest = Whiteness.largest(fixes, new Misses(run, Noise.of(List.of(run))));
+        double largest = largest(fixes, new Misses(run, Noise.of(List.of(run))));
 
         assertThat(largest).isLessThan(2);
     }
@@ -60,7 +66,39 @@ class WhitenessTest {
         for (int k = 0; k < misses.length; k++) {
             misses[k] *= times / of.deviation(k);
         }
-        return Whiteness.largest(misses, of);
+        return largest(misses, of);
+    }
+
+    /** A swing of a third of the noise in each of nine channels. */
+    @Test
+    void whatEachChannelHidesInNoiseAllOfThemTell() {
+        List<double[]> misses = new ArrayList<>();
+        List<Misses> of = new ArrayList<>();
+        double largestAlone = 0;
+        for (int r = 0; r < 9; r++) {
+            misses.add(hidden(r, 0.33));
+            of.add(ofNoise());
+            largestAlone = Math.max(largestAlone, largest(misses.get(r), of.get(r)));
+        }
+        assertThat(largestAlone).isLessThan(Whiteness.LIMIT);
+        assertThat(Whiteness.largest(misses, of)).isGreaterThan(Whiteness.LIMIT);
+    }
+
+    private static Misses ofNoise() {
+        Random random = new Random(4);
+        MeasuredRunBuilder builder = MeasuredRun.named("run");
+        for (int k = 0; k < 400; k++) {
+            builder.at(0.1 * k).position(random.nextGaussian(), Double.NaN, Double.NaN);
+        }
+        MeasuredRun run = builder.build();
+        return new Misses(run, Noise.of(List.of(run)));
+    }
+
+    private static double[] hidden(int seed, double swing) {
+        Random random = new Random(seed);
+        double[] misses = new double[400];
+        Arrays.setAll(misses, k -> swing * Math.sin(0.05 * k + seed) + random.nextGaussian());
+        return misses;
     }
 
     @ParameterizedTest(name = "1 in 10 to the {1} of {0}")

@@ -30,8 +30,7 @@ final class Frequencies {
     }
 
     Parameter parameter() {
-        return new Parameter(
-                Quantity.FREQUENCY, "rad/s", 1 / duration, 0.1 * LOWEST, 10 * HIGHEST);
+        return new Parameter(Quantity.FREQUENCY, "rad/s", 1 / duration, 0.1 * LOWEST, 10 * HIGHEST);
     }
 
     double[] all() {

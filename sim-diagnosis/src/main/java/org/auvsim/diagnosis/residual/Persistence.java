@@ -275,9 +275,7 @@ record Persistence(List<Lasting> errors) {
             best = off(variances, kept) < off(variances, best) ? kept : best;
         }
         boolean isLike = off(variances, best) < chance && lasting(variances, best) > 0;
-        return isLike && best > LEAST_KEPT
-                ? OptionalDouble.of(best)
-                : OptionalDouble.empty();
+        return isLike && best > LEAST_KEPT ? OptionalDouble.of(best) : OptionalDouble.empty();
     }
 
     /** Largest share by which a variance is off that of an error that lasts and one that is new. */

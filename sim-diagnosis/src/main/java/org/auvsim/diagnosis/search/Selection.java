@@ -234,7 +234,7 @@ final class Selection {
      * stood for what another of its causes stands for: each is exchanged again beside it.
      */
     private Judged exchanged(Judged found, Traces traces) {
-        boolean isWorthIt = contest.isEmpty() && (hasRoom(found) || found.isWhite());
+        boolean isWorthIt = contest.isEmpty() && (!areSeveral(found) || found.isWhite());
         if (!isWorthIt) {
             return found;
         }

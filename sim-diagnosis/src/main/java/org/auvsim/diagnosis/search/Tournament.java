@@ -24,7 +24,8 @@ import java.util.stream.Stream;
  * All sets of causes come near to where they fit best, the best of them nearer, the best of those
  * to the end. What a set misses in blocks of windows, all starts free, is less than what it will
  * miss of whole runs. So once one set leaves nothing but noise, others are given up that miss far
- * more even so, and whose steps hardly lead on (branch and bound: Land &amp; Doig 1960).
+ * more even so, and whose steps hardly lead on (branch and bound: Land &amp; Doig 1960); and once
+ * several causes were found, those that miss more even so than these do of whole runs.
  */
 public final class Tournament {
     private static final int SECOND_ROUND = 10;
@@ -42,6 +43,9 @@ public final class Tournament {
 
     /** The same of few numbers. */
     private static final double HOPELESS_OF_FEW = 100;
+
+    /** So many causes come near to whatever can be explained. */
+    private static final int SEVERAL = 3;
 
     /** Windows of a block that is short, though not as short as it may be. */
     private static final int SHORT = 2;
@@ -71,7 +75,7 @@ public final class Tournament {
     /** Those of the last round. */
     List<Judged> last(List<Screen.Start> starts) {
         double hopeless = hopeless(otherwise);
-        List<Screen.Start> first = Double.isFinite(hopeless) ? List.of() : favourites(starts);
+        List<Screen.Start> first = otherwise.isWhite() ? List.of() : favourites(starts);
         List<Near> near =
                 new ArrayList<>(
                         near(first, starts.size(), hopeless).stream()
@@ -135,11 +139,16 @@ public final class Tournament {
         return from + (to - from) * done.getAndIncrement() / ofAll;
     }
 
-    /** The cost that is too large to become like that of one which leaves nothing but noise. */
+    /**
+     * The cost that is too large to become like that of one which leaves nothing but noise, or less
+     * than that of several causes.
+     */
     private static double hopeless(Judged judged) {
-        return judged.isWhite()
-                ? HOPELESS * judged.cost() + HOPELESS_OF_FEW
-                : Double.POSITIVE_INFINITY;
+        if (judged.isWhite()) {
+            return HOPELESS * judged.cost() + HOPELESS_OF_FEW;
+        }
+        boolean areSeveral = judged.fit().hypothesis().causes().size() >= SEVERAL;
+        return areSeveral ? judged.cost() + HOPELESS_OF_FEW : Double.POSITIVE_INFINITY;
     }
 
     private List<Near> best(List<Near> of, int most, int steps) {

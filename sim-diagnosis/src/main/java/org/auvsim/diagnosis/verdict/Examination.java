@@ -218,9 +218,10 @@ public final class Examination {
                                 .of(found, after, verdict, foretold, reason),
                         seed,
                         course.goesOn());
-        return reason.filter(LikelyReason::isMisreading).isPresent()
-                ? diagnosis.doubted()
-                : diagnosis;
+        boolean areMisread =
+                reason.filter(LikelyReason::isMisreading).isPresent()
+                        || (isExplained && QuarterTurn.notice(best.fit().hypothesis()).isPresent());
+        return areMisread ? diagnosis.doubted() : diagnosis;
     }
 
     private Conclusion conclusion(

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.verdict;
 
 import org.auvsim.core.entity.Behavior;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.fit.Hypothesis;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.residual.HeavyTails;
@@ -89,7 +90,9 @@ final class Notices {
         all.forEach(run -> notices.addAll(stuck(run, found.noise())));
         SpinUp.notice(model, fit, found.best().fit().hypothesis()).ifPresent(notices::add);
         if (verdict == Verdict.EXPLAINED) {
-            notices.addAll(SlowSwing.notices(fit, found.best().fit().hypothesis()));
+            Hypothesis best = found.best().fit().hypothesis();
+            notices.addAll(SlowSwing.notices(fit, best));
+            QuarterTurn.notice(best).ifPresent(notices::add);
         }
         assumedSpeed(verdict).ifPresent(notices::add);
         if (verdict != Verdict.EXPLAINED) {

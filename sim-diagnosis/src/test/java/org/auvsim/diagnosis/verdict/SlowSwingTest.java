@@ -2,17 +2,22 @@ package org.auvsim.diagnosis.verdict;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.diagnosis.Investigation;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.cause.Parameter;
 import org.auvsim.diagnosis.fit.Hypothesis;
+import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.subject.Believed;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
+import java.util.Random;
 
 /** Of a sled that was measured for 10 s. */
 class SlowSwingTest {
@@ -25,16 +30,22 @@ class SlowSwingTest {
         return run.build();
     }
 
+    private static BelievedModel model() throws Exception {
+        return Believed.model(
+                """
+                <scenario><time-step delta="0.05"/>
+                  <world-object name="sled" mass="2"><sphere radius="0.2"/></world-object>
+                </scenario>
+                """,
+                "sled");
+    }
+
+    private static Cause force(BelievedModel model, List<MeasuredRun> runs) {
+        return Library.named(List.of("periodic_force"), Library.of(model, runs)).getFirst();
+    }
+
     private static List<String> notices(List<MeasuredRun> runs, double omega) throws Exception {
-        BelievedModel model =
-                Believed.model(
-                        """
-                        <scenario><time-step delta="0.05"/>
-                          <world-object name="sled" mass="2"><sphere radius="0.2"/></world-object>
-                        </scenario>
-                        """,
-                        "sled");
-        Cause force = Library.named(List.of("periodic_force"), Library.of(model, runs)).getFirst();
+        Cause force = force(model(), runs);
         double[] theta =
                 force.guesses(runs).getFirst().theta().stream()
                         .mapToDouble(Double::doubleValue)
@@ -56,5 +67,42 @@ class SlowSwingTest {
     void oneThatTheyShowWholeIsNot() throws Exception {
         assertThat(notices(List.of(run(0)), 0.7)).isEmpty();
         assertThat(notices(List.of(run(0), run(20)), 0.3)).isEmpty(); // at two of its times
+    }
+
+    /** A diagnosis says so: it was pushed to and fro once in 16 s. */
+    @Test
+    void aDiagnosisTellsIt() throws Exception {
+        BelievedModel model = model();
+        MeasuredRun one = pushed(1);
+        MeasuredRun other = pushed(2);
+        List<Cause> causes = List.of(force(model, List.of(one, other)));
+
+        Diagnosis diagnosis =
+                new Investigation(model, List.of(one), List.of(other), causes, 1, Progress.SILENT)
+                        .diagnose();
+
+        assertThat(diagnosis.verdict()).isEqualTo(Verdict.EXPLAINED);
+        assertThat(diagnosis.notices()).anyMatch(said -> said.contains("the period of periodic_f"));
+    }
+
+    /** By a force of 0.5 N, from rest. */
+    private static MeasuredRun pushed(int seed) {
+        Random random = new Random(seed);
+        double omega = 2 * Math.PI / 16;
+        double way = 0.5 / (2 * omega * omega);
+        MeasuredRunBuilder run = MeasuredRun.named("run" + seed);
+        for (int k = 0; k <= 100; k++) {
+            double t = 0.1 * k;
+            run.at(t)
+                    .position(
+                            way * (omega * t - Math.sin(omega * t)) + noise(random),
+                            noise(random),
+                            noise(random));
+        }
+        return run.build();
+    }
+
+    private static double noise(Random random) {
+        return 0.003 * random.nextGaussian();
     }
 }

@@ -34,6 +34,13 @@ final class FindingTables {
     private static final int MOST_RANKED = 20;
     private static final int MOST_SENSORS = 3;
 
+    /** So many causes at once can imitate one. */
+    private static final int SEVERAL = 3;
+
+    private static final String MAY_IMITATE =
+            " But as many causes at once can imitate one that is not known: a run of another"
+                    + " manoeuvre, held out, would tell that.";
+
     private static final String SHARE =
             "The share is what goes of the misfit beyond noise when this cause is added last.";
 
@@ -222,8 +229,10 @@ final class FindingTables {
             return "No run is proposed: none of those considered would tell these causes apart."
                     + " Other sensors or independent knowledge would be needed.";
         }
-        return "Nothing is left open: no other known causes explain these runs about as well, so"
-                + " there is nothing that another run would have to tell apart.";
+        String none =
+                "No run is proposed: no other known causes explain these runs about as well, so"
+                        + " there is nothing that another run would have to tell apart.";
+        return of.selected().size() < SEVERAL ? none : none + MAY_IMITATE;
     }
 
     private static Block next(NextExperiment experiment) {

@@ -24,6 +24,9 @@ public record QuantityGroup(
     /** A number so many standard deviations from 0 is surely something else. */
     private static final double SURE = 3;
 
+    /** What is this share of a vector's largest number is what rounding leaves of 0. */
+    private static final double NOTHING = 1e-12;
+
     /** Deviations of so many times a vector's largest number say nothing of a component. */
     private static final double FAR = 10;
 
@@ -106,8 +109,9 @@ public record QuantityGroup(
         if (!isDetermined(i)) {
             return "not determined";
         }
-        return Numbers.uncertain(
-                values.get(i), deviations.isEmpty() ? Double.NaN : deviations.get(i));
+        double largest = values.stream().mapToDouble(Math::abs).max().orElseThrow();
+        double value = Math.abs(values.get(i)) <= NOTHING * largest ? 0 : values.get(i);
+        return Numbers.uncertain(value, deviations.isEmpty() ? Double.NaN : deviations.get(i));
     }
 
     private boolean isAnyDetermined() {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatIOException;
 
 import org.auvsim.diagnosis.result.Alternative;
 import org.auvsim.diagnosis.result.Diagnosis;
+import org.auvsim.diagnosis.result.Finding;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -147,7 +148,17 @@ class ReportTest {
     @Test
     void whereNothingIsLeftOpenThePageSaysSo() throws IOException {
         assertThat(page(Diagnoses.settled(Diagnoses.none())))
-                .contains("<h2>What to measure next</h2>", "<p>Nothing is left open: ");
+                .contains("<h2>What to measure next</h2>", "<p>No run is proposed: no other known")
+                .doesNotContain("can imitate one");
+    }
+
+    @Test
+    void severalCausesMayImitateOne() throws IOException {
+        Finding one = Diagnoses.explained().selected().getFirst();
+        Diagnosis three = Diagnoses.explained(List.of(one, one, one), 50, List.of());
+
+        assertThat(page(Diagnoses.settled(three)))
+                .contains("<p>No run is proposed: no other known", "can imitate one that is not");
     }
 
     @Test
@@ -155,7 +166,7 @@ class ReportTest {
         List<Alternative> drift = List.of(new Alternative(List.of("position_drift"), true, "", ""));
         assertThat(page(Diagnoses.settled(Diagnoses.explained(50, drift))))
                 .contains("<p>No run is proposed: none of those considered would tell")
-                .doesNotContain("Nothing is left open");
+                .doesNotContain("no other known");
     }
 
     @Test

@@ -37,6 +37,13 @@ class QuantityGroupTest {
         assertThat(text(List.of(0.1), List.of(Double.NaN))).isEqualTo("not determined");
     }
 
+    /** As of a current of a boat that is held at its height. */
+    @Test
+    void whatRoundingLeavesIsZero() {
+        assertThat(text(List.of(0.12, -0.07, 1.97e-20), List.of(0.01, 0.01, 0.0)))
+                .isEqualTo("(0.120 +- 0.010, -0.070 +- 0.010, 0) m/s");
+    }
+
     /** Of what explains nothing no deviations are known. */
     @Test
     void withoutDeviationsNoNumberIsToldOfWhatIsNone() {

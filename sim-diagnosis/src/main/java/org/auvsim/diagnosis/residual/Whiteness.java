@@ -15,9 +15,6 @@ import java.util.stream.IntStream;
 public final class Whiteness {
     private static final int[] BLOCKS = {4, 8, 16, 32};
 
-    /** Of all channels together there are enough long ones, too. */
-    private static final int[] TOGETHER = {4, 8, 16, 32, 64, 128};
-
     /** Where more than this share of the squares lasts to the next sample, they may be motion. */
     private static final double LASTING = 0.5;
 
@@ -47,7 +44,7 @@ public final class Whiteness {
         for (int r = 0; r < of.size(); r++) {
             largest = Math.max(largest, largest(misses.get(r), of.get(r), all));
         }
-        for (int length : TOGETHER) {
+        for (int length : BLOCKS) {
             double squares = 0;
             int blocks = 0;
             for (double[] values : all) {

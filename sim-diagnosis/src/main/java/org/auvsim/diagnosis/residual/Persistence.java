@@ -35,12 +35,6 @@ record Persistence(List<Lasting> errors) {
     /** Five standard deviations of a ratio of two variances are this over the root of how many. */
     private static final double CHANCE = 20;
 
-    /** Three and a half: all four variances have to be as they are where something lasts, too. */
-    private static final double LEAST_LASTING = 14;
-
-    /** What of an error stays from row to row; less of it is what chance makes. */
-    private static final double LEAST_KEPT = 0.1;
-
     /** The square of a step over the variance of what it leaves out. */
     private static final double STEPS = 12;
 
@@ -265,7 +259,7 @@ record Persistence(List<Lasting> errors) {
     /** How much of an error is left in the next row; empty if none that lasts is told. */
     private static OptionalDouble kept(double[] variances, int count) {
         double chance = CHANCE / Math.sqrt(count);
-        boolean lasts = variances[1] > (1 + LEAST_LASTING / Math.sqrt(count)) * variances[0];
+        boolean lasts = variances[1] > (1 + chance) * variances[0];
         boolean isForgotten = variances[3] < (1 + chance) * MOST_OF_ERRORS * variances[1];
         if (!lasts || !isForgotten) {
             return OptionalDouble.empty();
@@ -274,8 +268,9 @@ record Persistence(List<Lasting> errors) {
         for (double kept = STEP; kept < MOST_KEPT; kept += STEP) {
             best = off(variances, kept) < off(variances, best) ? kept : best;
         }
-        boolean isLike = off(variances, best) < chance && lasting(variances, best) > 0;
-        return isLike && best > LEAST_KEPT ? OptionalDouble.of(best) : OptionalDouble.empty();
+        return off(variances, best) < chance && lasting(variances, best) > 0
+                ? OptionalDouble.of(best)
+                : OptionalDouble.empty();
     }
 
     /** Largest share by which a variance is off that of an error that lasts and one that is new. */

@@ -11,7 +11,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.function.IntToDoubleFunction;
@@ -38,20 +37,6 @@ class PersistenceTest {
                 List.of(
                         run(motion, errors(kept, 1), errors(kept, 2)),
                         run(motion, errors(kept, 3), errors(kept, 4))));
-    }
-
-    /** One axis of three runs. */
-    private static Persistence ofShort(double kept, long seed) {
-        List<MeasuredRun> runs = new ArrayList<>();
-        for (int r = 0; r < 3; r++) {
-            IntToDoubleFunction errors = errors(kept, 3 * seed + r);
-            MeasuredRunBuilder run = MeasuredRun.named("short");
-            for (int k = 0; k < 201; k++) {
-                run.at(INTERVAL * k).position(errors.applyAsDouble(k), Double.NaN, Double.NaN);
-            }
-            runs.add(run.build());
-        }
-        return Persistence.of(runs);
     }
 
     private static MeasuredRun run(
@@ -122,19 +107,6 @@ class PersistenceTest {
             MeasuredRun run = run(_ -> 0, errors(0, 2 * seed), errors(0, 2 * seed + 1));
             assertThat(Persistence.of(List.of(run)).errors()).isEmpty();
         }
-    }
-
-    /** Of a pendulum's ten seconds: left out, what lasts is taken for motion that is missed. */
-    @Test
-    void shortRunsTellMostlyWhatLasts() {
-        int found = 0;
-        int falsely = 0;
-        for (int seed = 0; seed < 500; seed++) {
-            found += ofShort(0.5, seed).errors().size();
-            falsely += ofShort(0, seed).errors().size();
-        }
-        assertThat(found).isGreaterThan(300);
-        assertThat(falsely).isLessThan(2);
     }
 
     /** Rows that are unevenly far apart, or in steps, or have errors that are stated. */

@@ -1,8 +1,5 @@
 package org.auvsim.diagnosis.residual;
 
-import org.apache.commons.math3.util.MathArrays;
-
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -39,29 +36,60 @@ public final class Whiteness {
      * @param of what they are of; what is stated of its errors may last, too
      */
     public static double largest(List<double[]> misses, List<Misses> of) {
-        List<double[]> all = new ArrayList<>();
+        BlockSums together = new BlockSums();
         double largest = 0;
         for (int r = 0; r < of.size(); r++) {
-            largest = Math.max(largest, largest(misses.get(r), of.get(r), all));
+            largest = Math.max(largest, largest(misses.get(r), of.get(r), together));
         }
-        for (int length : BLOCKS) {
-            double squares = 0;
-            int blocks = 0;
-            for (double[] values : all) {
-                squares += squares(values, length);
-                blocks += values.length / length;
+        return Math.max(largest, together.largest());
+    }
+
+    /** Sums of squares of the means over blocks, by their deviation, and how many, by length. */
+    private static final class BlockSums {
+        private final double[] squares = new double[BLOCKS.length];
+        private final int[] blocks = new int[BLOCKS.length];
+
+        /** Those of a channel. */
+        void add(double[] values, double deviation) {
+            for (int i = 0; i < BLOCKS.length; i++) {
+                int length = BLOCKS[i];
+                int count = values.length / length;
+                double sum = 0;
+                for (int b = 0; b < count; b++) {
+                    double ofBlock = 0;
+                    for (int k = 0; k < length; k++) {
+                        ofBlock += values[b * length + k];
+                    }
+                    sum += ofBlock * ofBlock;
+                }
+                squares[i] += sum / (length * deviation * deviation);
+                blocks[i] += count;
             }
-            largest = Math.max(largest, blocks < 2 ? 0 : deviate(squares, blocks));
         }
-        return largest;
+
+        void add(BlockSums other) {
+            for (int i = 0; i < BLOCKS.length; i++) {
+                squares[i] += other.squares[i];
+                blocks[i] += other.blocks[i];
+            }
+        }
+
+        /** The largest deviate of any length. */
+        double largest() {
+            double largest = 0;
+            for (int i = 0; i < BLOCKS.length; i++) {
+                largest = Math.max(largest, blocks[i] < 2 ? 0 : deviate(squares[i], blocks[i]));
+            }
+            return largest;
+        }
     }
 
     /**
      * That of the channels of a run.
      *
-     * @param scaled where they go, each by its own deviation
+     * @param together where their blocks are counted, too
      */
-    private static double largest(double[] misses, Misses of, List<double[]> scaled) {
+    private static double largest(double[] misses, Misses of, BlockSums together) {
         double largest = 0;
         for (int row = 0; row < of.rows().size(); row++) {
             double[] ofChannel = row(misses, row, of);
@@ -73,12 +101,11 @@ public final class Whiteness {
             if (!of.isStated(of.rows().get(row))) {
                 largest = Math.max(largest, beyondNoise(ofChannel));
             }
-            double[] byDeviation = MathArrays.scale(1 / deviation, ofChannel);
-            for (int length : BLOCKS) {
-                largest = Math.max(largest, deviate(byDeviation, length));
-            }
+            BlockSums sums = new BlockSums();
+            sums.add(ofChannel, deviation);
+            together.add(sums);
+            largest = Math.max(largest, sums.largest());
             largest = Math.max(largest, lasting(ofChannel, deviation));
-            scaled.add(byDeviation);
         }
         return largest;
     }
@@ -128,25 +155,6 @@ public final class Whiteness {
         return deviation > FAR_ABOVE_NOISE && correlation > LASTING
                 ? correlation * Math.sqrt(values.length)
                 : 0;
-    }
-
-    /** That of one channel over blocks of one length. */
-    private static double deviate(double[] values, int length) {
-        int blocks = values.length / length;
-        return blocks < 2 ? 0 : deviate(squares(values, length), blocks);
-    }
-
-    /** The sum of squares of the means over blocks, by their deviation. */
-    private static double squares(double[] values, int length) {
-        double squares = 0;
-        for (int b = 0; b < values.length / length; b++) {
-            double sum = 0;
-            for (int k = 0; k < length; k++) {
-                sum += values[b * length + k];
-            }
-            squares += sum * sum / length;
-        }
-        return squares;
     }
 
     /**

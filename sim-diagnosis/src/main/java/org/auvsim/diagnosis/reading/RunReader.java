@@ -82,7 +82,7 @@ public final class RunReader {
     /** What is to be known of all runs, however many. */
     List<String> notices() {
         List<String> notices = new ArrayList<>();
-        MostDensity.notice(model).ifPresent(notices::add);
+        PossibleMass.notice(model).ifPresent(notices::add);
         if (mapping.axes() == MeasuredAxes.NED) {
             notices.add(IN_NED);
         }

@@ -22,7 +22,7 @@ final class Selection {
     private static final int MOST_CAUSES = 5;
 
     /** So many can imitate one with a place, a moment or a frequency. */
-    private static final int SEVERAL = 3;
+    static final int SEVERAL = 3;
 
     /** Of each level, so many causes are tried beside others. */
     private static final int FORWARD = 2;
@@ -230,7 +230,7 @@ final class Selection {
     }
 
     /**
-     * Where as many as there may be miss something, others will, too. What was exchanged may have
+     * Where several miss something, others in their place will, too. What was exchanged may have
      * stood for what another of its causes stands for: each is exchanged again beside it.
      */
     private Judged exchanged(Judged found, Traces traces) {

@@ -44,9 +44,6 @@ public final class Tournament {
     /** The same of few numbers. */
     private static final double HOPELESS_OF_FEW = 100;
 
-    /** So many causes come near to whatever can be explained. */
-    private static final int SEVERAL = 3;
-
     /** Windows of a block that is short, though not as short as it may be. */
     private static final int SHORT = 2;
 
@@ -147,7 +144,7 @@ public final class Tournament {
         if (judged.isWhite()) {
             return HOPELESS * judged.cost() + HOPELESS_OF_FEW;
         }
-        boolean areSeveral = judged.fit().hypothesis().causes().size() >= SEVERAL;
+        boolean areSeveral = judged.fit().hypothesis().causes().size() >= Selection.SEVERAL;
         return areSeveral ? judged.cost() + HOPELESS_OF_FEW : Double.POSITIVE_INFINITY;
     }
 

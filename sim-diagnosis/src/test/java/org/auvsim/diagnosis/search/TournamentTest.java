@@ -19,6 +19,7 @@ import java.util.List;
 class TournamentTest {
     private static final double DRAG = 5;
     private static final double GUESSED_GAIN = -0.3;
+    private static final double GUESSED_ZONE = 0.05;
 
     private final Cart cart = new Cart(1, DRAG, 0);
     private Judged none;
@@ -64,6 +65,24 @@ class TournamentTest {
         assertThat(alone.isWhite()).isFalse();
         assertThat(number(alone)).isNotEqualTo(GUESSED_GAIN);
         assertThat(alone.cost()).isLessThan(Judged.of(gain.fit().whole()).cost());
+    }
+
+    /** Three causes nearly explain the run, two of them by nothing; the favourite does not. */
+    @Test
+    void whatMissesMoreThanSeveralCausesDoIsGivenUp() throws Exception {
+        Hypothesis several =
+                new Hypothesis(
+                        List.of(
+                                cart.cause("linear_drag"),
+                                cart.cause("quadratic_drag"),
+                                cart.cause("thruster_gain")),
+                        List.of(new double[] {4.99}, new double[] {0}, new double[] {0}));
+        Judged found = Judged.of(cart.fit(several).whole());
+        Screen.Start other = start(cart.cause("thruster_deadzone"), GUESSED_ZONE, 0.5);
+
+        assertThat(found.isWhite()).isFalse();
+        assertThat(number(of(other, last(found, List.of(gain, other))))).isEqualTo(GUESSED_ZONE);
+        assertThat(number(of(other, last(none, List.of(gain, other))))).isNotEqualTo(GUESSED_ZONE);
     }
 
     private static List<Judged> last(Judged otherwise, List<Screen.Start> starts) {

@@ -5,12 +5,12 @@ import org.auvsim.diagnosis.model.BelievedModel;
 
 import java.util.Optional;
 
-/** Whether a body could be made of anything that there is. */
-final class MostDensity {
+/** Whether a body has a mass that matter may have. */
+final class PossibleMass {
     /** Osmium (kg/m^3; CRC Handbook of Chemistry and Physics). */
     private static final double OSMIUM = 22590;
 
-    private MostDensity() {}
+    private PossibleMass() {}
 
     /** That the mass of the model's body may be told in grams; a sphere holds all of its volume. */
     static Optional<String> notice(BelievedModel model) {

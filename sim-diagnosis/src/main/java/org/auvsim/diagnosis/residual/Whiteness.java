@@ -41,7 +41,7 @@ public final class Whiteness {
         for (int r = 0; r < of.size(); r++) {
             largest = Math.max(largest, largest(misses.get(r), of.get(r), together));
         }
-        return Math.max(largest, together.largest());
+        return Math.max(largest, together.largestBeyondShort());
     }
 
     /** Sums of squares of the means over blocks, by their deviation, and how many, by length. */
@@ -76,9 +76,22 @@ public final class Whiteness {
 
         /** The largest deviate of any length. */
         double largest() {
+            return largest(1);
+        }
+
+        /**
+         * The same beyond what the shortest blocks have, as do longer ones of errors that last for
+         * a row or two: those of a sensor, of which many channels would tell the least.
+         */
+        double largestBeyondShort() {
+            return blocks[0] == 0 ? 0 : largest(Math.max(1, squares[0] / blocks[0]));
+        }
+
+        private double largest(double usual) {
             double largest = 0;
             for (int i = 0; i < BLOCKS.length; i++) {
-                largest = Math.max(largest, blocks[i] < 2 ? 0 : deviate(squares[i], blocks[i]));
+                double deviate = blocks[i] < 2 ? 0 : deviate(squares[i] / usual, blocks[i]);
+                largest = Math.max(largest, deviate);
             }
             return largest;
         }

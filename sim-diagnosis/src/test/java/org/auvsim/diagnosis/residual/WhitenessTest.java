@@ -84,6 +84,22 @@ class WhitenessTest {
         assertThat(Whiteness.largest(misses, of)).isGreaterThan(Whiteness.LIMIT);
     }
 
+    /** A tenth of an error stays from row to row, as that of a filtered sensor. */
+    @Test
+    void ofErrorsThatHardlyLastManyChannelsSayNothing() {
+        List<double[]> misses = new ArrayList<>();
+        List<Misses> of = new ArrayList<>();
+        for (int r = 0; r < 30; r++) {
+            double[] errors = hidden(r, 0);
+            for (int k = 1; k < errors.length; k++) {
+                errors[k] += 0.1 * errors[k - 1];
+            }
+            misses.add(errors);
+            of.add(ofNoise());
+        }
+        assertThat(Whiteness.largest(misses, of)).isLessThan(Whiteness.LIMIT);
+    }
+
     private static Misses ofNoise() {
         Random random = new Random(4);
         MeasuredRunBuilder builder = MeasuredRun.named("run");

@@ -62,9 +62,10 @@ final class MixedOrientations {
         OTHER_AXES(
                 "orientations are read in axes other than positions are: one of them in east,"
                         + " north, up, the other in north, east, down",
-                "are the headings those of a compass, from north clockwise, while positions are"
-                        + " x east, y north? If so, map headings with a scale of -1 and an offset"
-                        + " of a quarter turn (--mapping), or turn quaternions before");
+                "are headings clockwise from north, as a compass has them, and positions x east, y"
+                        + " north, or headings from east towards north and positions x north, y"
+                        + " east? If so, map headings with a scale of -1 and an offset of a quarter"
+                        + " turn (--mapping), or turn quaternions before");
 
         private final String told;
         private final String remedy;

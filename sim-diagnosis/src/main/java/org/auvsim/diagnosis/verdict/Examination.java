@@ -107,9 +107,12 @@ public final class Examination {
             Search.Found all =
                     new Search(model, allRuns(), causes, contest, course.more(ALL_SEARCHED))
                             .found();
-            LeaveOneOut turns = new LeaveOneOut(all.best(), course);
-            if (isConvincing(all, found, turns) && judgement.isNews(all)) {
-                return diagnosis(judgement.convinced(all), Optional.of(turns));
+            if (judgement.isNews(all) && !all.best().isNone()) {
+                LeaveOneOut turns = new LeaveOneOut(all.best(), course);
+                Foretold byTurns = Foretold.byTurns(asBelieved(all), turns, all.noise());
+                if (isConvincing(all, found, turns, byTurns)) {
+                    return diagnosis(judgement.convinced(all), Optional.of(byTurns));
+                }
             }
         }
         Diagnosis diagnosis = diagnosis(judgement.orAsBelieved(), Optional.empty());
@@ -146,17 +149,19 @@ public final class Examination {
     }
 
     /**
-     * Whether what all runs say can be believed, though none was held out: what had to be given up
-     * for it must be made up for by each run, left out in turn, where they can judge one another.
+     * Whether what all runs say can be believed, though none was held out: where they can judge one
+     * another, much of it must be foretold of each by the others, and what had to be given up for
+     * it must be made up for by each.
      */
-    private boolean isConvincing(Search.Found all, Search.Found ofFit, LeaveOneOut turns) {
+    private boolean isConvincing(
+            Search.Found all, Search.Found ofFit, LeaveOneOut turns, Foretold byTurns) {
         Judged best = all.best();
-        return !best.isNone()
-                && best.isWhite()
+        return best.isWhite()
                 && !Undoing.isIn(all.none(), best.fit().hypothesis())
-                && (ofFit.best().isNone()
-                        || !LeaveOneOut.canJudge(allRuns())
-                        || Trial.holdsLeftOut(all.none(), best, turns));
+                && (!LeaveOneOut.canJudge(allRuns())
+                        || (byTurns.isMuchOf(all.none(), best)
+                                && (ofFit.best().isNone()
+                                        || Trial.holdsLeftOut(all.none(), best, turns))));
     }
 
     private List<MeasuredRun> allRuns() {
@@ -168,10 +173,11 @@ public final class Examination {
     /**
      * What was found, in all its parts.
      *
-     * @param turns where the fit runs alone had nothing to say and all were searched with
+     * @param byTurns each run by the others, where those of the fit alone had nothing to say and
+     *     all were searched with
      */
-    private Diagnosis diagnosis(Judgement judgement, Optional<LeaveOneOut> turns) {
-        boolean usedHeldOut = turns.isPresent();
+    private Diagnosis diagnosis(Judgement judgement, Optional<Foretold> byTurns) {
+        boolean usedHeldOut = byTurns.isPresent();
         Search.Found found = judgement.found();
         Judged best = found.best();
         Judged after = judgement.after();
@@ -179,8 +185,7 @@ public final class Examination {
         boolean isExplained = verdict == Verdict.EXPLAINED;
         List<Alternative> alternatives = isExplained ? alternatives(found) : List.of();
         Foretold foretold =
-                turns.map(of -> Foretold.byTurns(asBelieved(found), of, found.noise()))
-                        .orElseGet(() -> Foretold.of(judgement.before(), after, found.noise()));
+                byTurns.orElseGet(() -> Foretold.of(judgement.before(), after, found.noise()));
         Sentences sentences =
                 new Sentences(foretold.gains(), usedHeldOut, foretold.isBetter())
                         .with(new Moments(allRuns()));

@@ -12,6 +12,7 @@ import org.auvsim.diagnosis.run.Channel;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -19,11 +20,14 @@ import java.util.stream.Stream;
  *
  * @param gains root mean square errors by channel, in its unit, without and with what was found,
  *     both from the starts that suit what was found
- * @param isBetter whether they are foretold better with it than chance alone would have it
+ * @param gain by how much twice the logarithm of their likelihood grows
  */
-record Foretold(Map<Channel, Gain> gains, boolean isBetter) {
-    /** Twice the logarithm of the likelihood grows by more for a number two deviations off. */
+record Foretold(Map<Channel, Gain> gains, double gain) {
+    /** It grows by more for a number two deviations off. */
     private static final double CHANCE = 4;
+
+    /** Nearly all of what a true cause gains is foretold, of what fits one run by chance little. */
+    private static final double SHARE = 0.4;
 
     /**
      * Held-out runs.
@@ -40,6 +44,23 @@ record Foretold(Map<Channel, Gain> gains, boolean isBetter) {
         return of(before.predictions(), after.predictions(), noise);
     }
 
+    /** Whether it is better than chance alone would have it. */
+    boolean isBetter() {
+        return gain > CHANCE;
+    }
+
+    /** Whether it gains much of what the causes gain where they are fitted to all these runs. */
+    boolean isMuchOf(Judged none, Judged fitted) {
+        return gain > SHARE * (deviance(runByRun(none)) - deviance(runByRun(fitted)));
+    }
+
+    private static List<Judged> runByRun(Judged of) {
+        return IntStream.range(0, of.fit().data().size())
+                .mapToObj(of.fit()::ofRun)
+                .map(Judged::of)
+                .toList();
+    }
+
     private static Foretold of(List<Judged> before, List<Judged> after, Noise noise) {
         Map<Channel, Squares> without = errors(after.stream().map(j -> j.fit().asBelieved()));
         Map<Channel, Squares> with = errors(after.stream().map(Judged::fit));
@@ -52,7 +73,7 @@ record Foretold(Map<Channel, Gain> gains, boolean isBetter) {
                             rootMeanSquare(with, channel),
                             noise.of(channel)));
         }
-        return new Foretold(gains, deviance(before) - deviance(after) > CHANCE);
+        return new Foretold(gains, deviance(before) - deviance(after));
     }
 
     /** Of all runs together. */

@@ -31,9 +31,6 @@ final class Trial {
     /** A channel may be missed by so many times what it is missed by in the runs of the fit. */
     private static final double MOST_RATIO = 1.3;
 
-    /** Above this the residuals of a held-out run have a memory. */
-    private static final double LIMIT = 5;
-
     private final Stepping stepping;
     private final List<Misses> data;
     private final Noise noise;
@@ -100,7 +97,7 @@ final class Trial {
 
     /** Whether what is missed of other runs, parameters held to what the fit says, is noise. */
     private static boolean holds(Judged prediction, Judged fitted) {
-        return prediction.whiteness() < LIMIT
+        return prediction.isWhite()
                 && worstRatio(prediction.outcome(), fitted.outcome()) < MOST_RATIO;
     }
 

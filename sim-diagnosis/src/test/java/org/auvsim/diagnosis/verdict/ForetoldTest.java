@@ -2,11 +2,19 @@ package org.auvsim.diagnosis.verdict;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.diagnosis.fit.Course;
 import org.auvsim.diagnosis.fit.Descent;
+import org.auvsim.diagnosis.fit.Fit;
+import org.auvsim.diagnosis.fit.Following;
 import org.auvsim.diagnosis.fit.Hypothesis;
 import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.fit.LeaveOneOut;
+import org.auvsim.diagnosis.fit.Progress;
+import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.run.Channel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.shooting.Stepping;
 import org.auvsim.diagnosis.subject.Cart;
 import org.junit.jupiter.api.Test;
 
@@ -36,6 +44,38 @@ class ForetoldTest {
         assertThat(foretold.gains().get(Channel.POSITION))
                 .satisfies(gain -> assertThat(gain.after()).isLessThan(gain.before()))
                 .satisfies(gain -> assertThat(gain.after()).isGreaterThan(0.95 * gain.before()));
+    }
+
+    /**
+     * A weak motor is foretold of each run by the others, unless one run alone was driven by it.
+     */
+    @Test
+    void whatOneRunAloneAsksForNoneForetells() throws Exception {
+        Cart weak = new Cart(0.98, 1e-5, 0);
+        Cart strong = new Cart(1, 1e-5, 0);
+
+        assertThat(isForetold(List.of(weak, weak, weak))).isTrue();
+        assertThat(isForetold(List.of(strong, strong, weak))).isFalse();
+    }
+
+    private static boolean isForetold(List<Cart> carts) throws Exception {
+        List<MeasuredRun> runs = carts.stream().map(Cart::run).toList();
+        Noise noise = Noise.of(runs);
+        Hypothesis weak =
+                new Hypothesis(List.of(CART.cause("thruster_gain")), List.of(new double[] {-0.01}));
+        Judged none = fitted(Hypothesis.NONE, runs, noise);
+        Judged found = fitted(weak, runs, noise);
+        Course course = new Course(Progress.SILENT);
+        return Foretold.byTurns(
+                        new LeaveOneOut(none, course), new LeaveOneOut(found, course), noise)
+                .isMuchOf(none, found);
+    }
+
+    private static Judged fitted(Hypothesis hypothesis, List<MeasuredRun> runs, Noise noise)
+            throws Exception {
+        Stepping stepping = Stepping.exact(Cart.believed());
+        Fit fit = Following.of(stepping, hypothesis, Misses.of(runs, noise), noise);
+        return Descent.of(fit.whole()).steps(8);
     }
 
     @Test

@@ -45,12 +45,14 @@ public final class Descent {
 
     /** From a fit of one window a run. */
     public static Descent of(Fit start) {
-        return new Descent(Place.of(start));
+        return new Descent(Place.of(start.asSeen()));
     }
 
     /** The same of one that was judged. */
     public static Descent of(Judged start) {
-        return new Descent(Place.of(start));
+        Fit seen = start.fit().asSeen();
+        boolean isTheSame = seen.equals(start.fit());
+        return new Descent(isTheSame ? Place.of(start) : Place.of(seen));
     }
 
     /** The same, derivatives known of the neighbourhood. */

@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.fit;
 
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.model.Sensing;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.residual.Outcome;
@@ -15,6 +16,7 @@ import org.auvsim.diagnosis.shooting.WindowDerivatives.Moves;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -75,6 +77,27 @@ public record Fit(
     /** The same with parameters of which something is known. */
     public Fit knowing(Knowledge other) {
         return new Fit(stepping, data, hypothesis, windows, other);
+    }
+
+    /** The same runs as its sensors see them: {@link Misses#seen}. */
+    Fit asSeen() {
+        Sensing sensing = variant().sensing();
+        List<Misses> seen =
+                IntStream.range(0, data.size())
+                        .parallel()
+                        .mapToObj(
+                                r -> sensing.isPrompt() ? data.get(r).allSeen() : seen(r, sensing))
+                        .toList();
+        return seen.equals(data) ? this : new Fit(stepping, seen, hypothesis, windows, knowledge);
+    }
+
+    private Misses seen(int run, Sensing sensing) {
+        Shooting shooting = shooting(data.get(run).allSeen());
+        double[] misses =
+                windows.get(run).stream()
+                        .flatMapToDouble(w -> Arrays.stream(shooting.misses(w, shooting.motion(w))))
+                        .toArray();
+        return data.get(run).seen(sensing, misses);
     }
 
     /**

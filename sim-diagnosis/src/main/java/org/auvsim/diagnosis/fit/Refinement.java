@@ -38,7 +38,7 @@ public final class Refinement {
      * more than that, and hardly less than a step before.
      */
     public static Near approach(Fit start, int perBlock, double hopeless, Course course) {
-        Simulated at = Simulated.of(start);
+        Simulated at = Simulated.of(start.asSeen());
         int longest = start.longest();
         Judged best = whole(at);
         Tangents tangents = Tangents.of(at);

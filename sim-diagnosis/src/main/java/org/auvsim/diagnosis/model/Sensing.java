@@ -116,6 +116,19 @@ public record Sensing(
         return told;
     }
 
+    /** Whether everything is told at once. */
+    public boolean isPrompt() {
+        return delay == 0 && positionDelay == 0;
+    }
+
+    /**
+     * Whether what is told at a sample of a run is of a time between its first row and its last.
+     */
+    public boolean isWithin(MeasuredRun run, int sample, boolean isPosition) {
+        double then = run.time(sample) - delay - (isPosition ? positionDelay : 0);
+        return then >= run.time(0) && then <= run.time(run.size() - 1);
+    }
+
     private static boolean isLost(RigidMotion motion) {
         return Double.isNaN(motion.position().x());
     }

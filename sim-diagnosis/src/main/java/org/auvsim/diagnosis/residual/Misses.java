@@ -24,6 +24,12 @@ import java.util.stream.IntStream;
  * each channel that was measured at all, 0 in samples that have no number there.
  */
 public final class Misses {
+    /** Mean squares of what is beyond a run that are more than noise. */
+    private static final double MOST_OF_NOISE = 2;
+
+    /** At least so much of a run must be seen: of the rest a late sensor could tell anything. */
+    private static final double MOST_UNSEEN = 0.25;
+
     private final MeasuredRun run;
     private final List<Row> rows = new ArrayList<>();
 
@@ -41,6 +47,9 @@ public final class Misses {
 
     /** By sample and row: whether it is a number that tells nothing of how right a motion is. */
     private final boolean[] outliers;
+
+    /** By sample and row: whether it counts as noise whatever the motion, see {@link #seen}. */
+    private final boolean[] unseen;
 
     private final double independent;
 
@@ -69,6 +78,7 @@ public final class Misses {
         weights = new double[run.size() * rows.size()];
         deviations = new double[weights.length];
         outliers = new boolean[weights.length];
+        unseen = new boolean[weights.length];
         for (int k = 0; k < run.size(); k++) {
             for (int r = 0; r < rows.size(); r++) {
                 Row row = rows.get(r);
@@ -83,7 +93,7 @@ public final class Misses {
         independent = countIndependent();
     }
 
-    private Misses(Misses of, double[] weights, boolean[] outliers) {
+    private Misses(Misses of, double[] weights, boolean[] outliers, boolean[] unseen) {
         this.run = of.run;
         this.deviations = of.deviations;
         this.rows.addAll(of.rows);
@@ -91,6 +101,7 @@ public final class Misses {
         this.whitenings.addAll(of.whitenings);
         this.weights = weights;
         this.outliers = outliers;
+        this.unseen = unseen;
         this.independent = countIndependent();
     }
 
@@ -100,7 +111,41 @@ public final class Misses {
         for (int i = 0; i < product.length; i++) {
             product[i] *= factors[i];
         }
-        return new Misses(this, product, areOutliers);
+        return new Misses(this, product, areOutliers, unseen);
+    }
+
+    /**
+     * The same to sensors that are late or ahead, which tell of times before the first row and
+     * after the last: when nobody knows what was done to the body, or how it was held. Where
+     * motions that go on evenly there miss more than noise, these numbers count as noise from now
+     * on.
+     *
+     * @param misses of all samples, row by row
+     */
+    public Misses seen(Sensing sensing, double[] misses) {
+        boolean[] beyond = new boolean[weights.length];
+        double sum = 0;
+        int count = 0;
+        for (int i = 0; i < beyond.length; i++) {
+            boolean isPosition = rows.get(i % rows.size()).channel() == Channel.POSITION;
+            boolean isWithin = sensing.isWithin(run, i / rows.size(), isPosition);
+            if (isMeasured(i) && !isWithin) {
+                beyond[i] = true;
+                sum += misses[i] * misses[i];
+                count++;
+            }
+        }
+        boolean isMissed = sum > MOST_OF_NOISE * count && count <= MOST_UNSEEN * count();
+        return withUnseen(isMissed ? beyond : new boolean[beyond.length]);
+    }
+
+    /** The same, every number told as the motion has it. */
+    public Misses allSeen() {
+        return withUnseen(new boolean[unseen.length]);
+    }
+
+    private Misses withUnseen(boolean[] other) {
+        return Arrays.equals(unseen, other) ? this : new Misses(this, weights, outliers, other);
     }
 
     /** Whether what is missed of a sample tells of what is missed of those after it. */
@@ -233,9 +278,9 @@ public final class Misses {
         return weights[index] > 0;
     }
 
-    /** Whether there is a number that is no outlier: one of those that errors are told of. */
+    /** Whether there is a number that errors are told of. */
     public boolean counts(int index) {
-        return isMeasured(index) && !outliers[index];
+        return isMeasured(index) && !outliers[index] && !unseen[index];
     }
 
     /** A miss as {@link #plain} has it in the channel's unit, however little it weighs. */
@@ -244,8 +289,8 @@ public final class Misses {
     }
 
     /**
-     * Numbers of the run of which no errors are told: outliers, and all that counts as not
-     * measured.
+     * Numbers of the run of which no errors are told: outliers, those of times beyond it, and all
+     * that counts as not measured.
      */
     public Set<Reading> uncounted() {
         Set<Reading> uncounted = new HashSet<>();
@@ -254,7 +299,8 @@ public final class Misses {
                 int row = rows.indexOf(new Row(channel, axis));
                 for (int k = 0; k < run.size(); k++) {
                     boolean isMeasured = !Double.isNaN(run.value(channel, k, axis));
-                    if (isMeasured && (row < 0 || outliers[k * rows.size() + row])) {
+                    int index = k * rows.size() + row;
+                    if (isMeasured && (row < 0 || outliers[index] || unseen[index])) {
                         uncounted.add(new Reading(channel, k, axis));
                     }
                 }
@@ -283,6 +329,7 @@ public final class Misses {
                 whitenings.get(r).get().apply(misses, weights, run, from, r, rows.size());
             }
         }
+        neutralise(misses, from);
         return misses;
     }
 
@@ -293,7 +340,17 @@ public final class Misses {
         for (int k = 0; k < samples; k++) {
             write(from + k, told[k], misses, k * rows.size());
         }
+        neutralise(misses, from);
         return misses;
+    }
+
+    /** What is not seen is missed by a standard deviation, now to one side, now to the other. */
+    private void neutralise(double[] misses, int from) {
+        for (int i = 0; i < misses.length; i++) {
+            if (unseen[from * rows.size() + i] && !Double.isNaN(misses[i])) {
+                misses[i] = (from + i / rows.size()) % 2 == 0 ? 1 : -1;
+            }
+        }
     }
 
     /**

@@ -121,24 +121,8 @@ public final class Search {
         }
     }
 
-    /**
-     * What is found. Beside sensors that are late or ahead, what they tell of times beyond the runs
-     * might be taken for another cause: then the same is searched without that.
-     */
-    public Found found() {
-        Found found = inStepsThatDo();
-        Fit best = found.best().fit();
-        List<MeasuredRun> seen = Seen.of(runs, best.variant().sensing());
-        boolean mayMislead = best.hypothesis().causes().size() > 1 && !seen.equals(runs);
-        return mayMislead && found.best().isWhite() && course.goesOn()
-                ? new Search(model, seen, library, contest, course.more(END), _ -> found.stepping())
-                        .selection()
-                        .foundAgain(found)
-                : found;
-    }
-
     /** What is found, again in shorter steps, or in those to each sample, if it would need them. */
-    private Found inStepsThatDo() {
+    public Found found() {
         Found found = selection().found();
         Fit best = found.best().fit();
         if (!course.goesOn()) {

@@ -60,6 +60,20 @@ class SensingTest {
         }
     }
 
+    @Test
+    void whatIsOldMayBeOfATimeBeforeTheRun() {
+        MeasuredRun run = run();
+        Sensing late = Sensing.EXACT.delayed(0.05).withLatePositions(0.1);
+
+        assertThat(Sensing.EXACT.isPrompt()).isTrue();
+        assertThat(late.isPrompt()).isFalse();
+        assertThat(late.isWithin(run, 0, false)).isFalse();
+        assertThat(late.isWithin(run, 1, false)).isTrue();
+        assertThat(late.isWithin(run, 1, true)).isFalse();
+        assertThat(late.isWithin(run, 2, true)).isTrue();
+        assertThat(Sensing.EXACT.delayed(-0.05).isWithin(run, SAMPLES - 1, true)).isFalse();
+    }
+
     /** What is old is what was; before the first sample and after the last it went on evenly. */
     @ParameterizedTest
     @ValueSource(doubles = {0.1, 0.23, 0.6, -0.37})

@@ -8,7 +8,6 @@ import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.fit.Course;
 import org.auvsim.diagnosis.fit.Hypothesis;
 import org.auvsim.diagnosis.fit.Progress;
-import org.auvsim.diagnosis.model.Sensing;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
@@ -23,7 +22,7 @@ import java.util.Set;
 /**
  * The way of a cart is told 0.5 s ahead of its commands: of the last five rows nobody knows them.
  */
-class SeenTest {
+class BeyondTheEndTest {
     private static final double ACCELERATION = 2;
     private static final double SPACING = 0.1;
     private static final int SAMPLES = 200;
@@ -51,19 +50,6 @@ class SeenTest {
         Hypothesis best = found.best().fit().hypothesis();
         assertThat(best.causes()).extracting(Cause::id).containsExactly("clock_offset");
         assertThat(Math.abs(best.numbers()[0])).isCloseTo(AHEAD * SPACING, within(0.002));
-    }
-
-    @Test
-    void numbersOfTimesBeyondTheRunAreLeftOut() {
-        MeasuredRun run = run(1);
-
-        MeasuredRun seen = Seen.of(List.of(run), Sensing.EXACT.delayed(-0.25)).getFirst();
-
-        assertThat(seen.samples(Channel.POSITION, 0)).endsWith(SAMPLES - 5, SAMPLES - 4);
-        assertThat(seen.size()).isEqualTo(SAMPLES);
-        MeasuredRun late = Seen.of(List.of(run), Sensing.EXACT.withLatePositions(0.15)).getFirst();
-        assertThat(late.samples(Channel.POSITION, 0)).startsWith(2, 3).endsWith(SAMPLES - 1);
-        assertThat(Seen.of(List.of(run), Sensing.EXACT)).containsExactly(run);
     }
 
     /** At full thrust to and fro; the last turn is one row after the last. */

@@ -220,7 +220,7 @@ public final class Examination {
                                 isExplained ? best.fit().variant() : model.variant(),
                                 conclusion.selected()),
                         new Notices(model, fit, heldOut)
-                                .of(found, after, verdict, foretold, reason),
+                                .of(found, after, verdict, conclusion.selected(), foretold, reason),
                         seed,
                         course.goesOn());
         boolean areMisread =

@@ -14,7 +14,7 @@ import java.util.Optional;
 
 /**
  * What the model as it is believed misses of one channel alone, while it predicts all others to
- * their noise, once that one does not pull at the starts: most often it is what measures it.
+ * their noise, once that one does not pull at the starts: often it is what measures it.
  */
 final class MissedAlone {
     /** Enough for the starts. */
@@ -36,8 +36,17 @@ final class MissedAlone {
         return missed.size() != 1
                 ? Optional.empty()
                 : Optional.of(
-                        "the model as it is predicts everything but the %s to the noise: look at what measures it, which may be late, turned or off, or have errors that last (lasting-error of its columns, --mapping)"
-                                .formatted(missed.getFirst().words()));
+                        "the model as it is predicts everything but the %s to the noise: either %s, or look at what measures it, which may be late, turned or off, or have errors that last (lasting-error of its columns, --mapping)"
+                                .formatted(
+                                        missed.getFirst().words(), otherwise(missed.getFirst())));
+    }
+
+    /** What might be wrong with the model instead. */
+    private static String otherwise(Channel missed) {
+        return switch (missed) {
+            case POSITION, VELOCITY -> "a force acts that does not turn the body";
+            case ORIENTATION, ANGULAR_VELOCITY -> "a torque acts that does not move the body";
+        };
     }
 
     private static boolean isMeasured(Judged none, Channel channel) {

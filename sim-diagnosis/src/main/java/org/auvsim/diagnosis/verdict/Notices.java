@@ -10,6 +10,7 @@ import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.residual.StatedStarts;
 import org.auvsim.diagnosis.result.Axis;
+import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
@@ -57,12 +58,14 @@ final class Notices {
      * Steps that follow data which no model fits tell of that data, not of the scenario.
      *
      * @param heldOut what was found on the runs that judge
+     * @param selected the causes that are named
      * @param reason why nothing explains the runs, where that can be seen
      */
     List<String> of(
             Search.Found found,
             Judged heldOut,
             Verdict verdict,
+            List<Finding> selected,
             Foretold foretold,
             Optional<LikelyReason> reason) {
         List<String> notices = new ArrayList<>(overruled());
@@ -88,6 +91,7 @@ final class Notices {
             notices.add(TOO_FEW + few);
         }
         all.forEach(run -> notices.addAll(stuck(run, found.noise())));
+        notices.addAll(LooseStrength.notices(selected));
         SpinUp.notice(model, fit, found.best().fit().hypothesis()).ifPresent(notices::add);
         if (verdict == Verdict.EXPLAINED) {
             Hypothesis best = found.best().fit().hypothesis();

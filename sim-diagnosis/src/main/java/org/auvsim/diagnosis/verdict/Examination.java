@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.verdict;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.fit.Course;
+import org.auvsim.diagnosis.fit.Hypothesis;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.fit.LeaveOneOut;
 import org.auvsim.diagnosis.fit.Progress;
@@ -176,7 +177,9 @@ public final class Examination {
      * @param byTurns each run by the others, where those of the fit alone had nothing to say and
      *     all were searched with
      */
-    private Diagnosis diagnosis(Judgement judgement, Optional<Foretold> byTurns) {
+    private Diagnosis diagnosis(Judgement judged, Optional<Foretold> byTurns) {
+        Hypothesis selected = judged.found().best().fit().hypothesis();
+        Judgement judgement = SlowSwing.isTrend(fit, selected) ? judged.denied() : judged;
         boolean usedHeldOut = byTurns.isPresent();
         Search.Found found = judgement.found();
         Judged best = found.best();

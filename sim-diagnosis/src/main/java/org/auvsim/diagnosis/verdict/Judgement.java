@@ -56,6 +56,11 @@ record Judgement(
         return isNone ? new Judgement(found.nothing(), trial, before, before, true, true) : this;
     }
 
+    /** The same, where what was found is no cause that is known. */
+    Judgement denied() {
+        return new Judgement(found, trial, before, after, false, false);
+    }
+
     /** Whether the fit is content and the held-out runs are not. */
     boolean isOfTwoMinds() {
         return found.best().isWhite() && !agrees;

@@ -92,10 +92,12 @@ final class Notices {
         }
         all.forEach(run -> notices.addAll(stuck(run, found.noise())));
         notices.addAll(LooseStrength.notices(selected));
-        SpinUp.notice(model, fit, found.best().fit().hypothesis()).ifPresent(notices::add);
-        if (verdict == Verdict.EXPLAINED) {
-            Hypothesis best = found.best().fit().hypothesis();
+        Hypothesis best = found.best().fit().hypothesis();
+        SpinUp.notice(model, fit, best).ifPresent(notices::add);
+        if (verdict == Verdict.EXPLAINED || SlowSwing.isTrend(fit, best)) {
             notices.addAll(SlowSwing.notices(fit, best));
+        }
+        if (verdict == Verdict.EXPLAINED) {
             QuarterTurn.notice(best).ifPresent(notices::add);
         }
         assumedSpeed(verdict).ifPresent(notices::add);

@@ -45,6 +45,10 @@ class SlowSwingTest {
     }
 
     private static List<String> notices(List<MeasuredRun> runs, double omega) throws Exception {
+        return SlowSwing.notices(runs, swing(runs, omega));
+    }
+
+    private static Hypothesis swing(List<MeasuredRun> runs, double omega) throws Exception {
         Cause force = force(model(), runs);
         double[] theta =
                 force.guesses(runs).getFirst().theta().stream()
@@ -52,7 +56,7 @@ class SlowSwingTest {
                         .toArray();
         int at = force.parameters().stream().map(Parameter::name).toList().indexOf("omega");
         theta[at] = omega;
-        return SlowSwing.notices(runs, Hypothesis.NONE.and(force, theta));
+        return Hypothesis.NONE.and(force, theta);
     }
 
     @Test
@@ -67,6 +71,48 @@ class SlowSwingTest {
     void oneThatTheyShowWholeIsNot() throws Exception {
         assertThat(notices(List.of(run(0)), 0.7)).isEmpty();
         assertThat(notices(List.of(run(0), run(20)), 0.3)).isEmpty(); // at two of its times
+    }
+
+    @Test
+    void oneOfWhichTheyShowNoQuarterIsATrend() throws Exception {
+        List<MeasuredRun> runs = List.of(run(0));
+
+        assertThat(SlowSwing.isTrend(runs, swing(runs, 0.15))).isTrue();
+        assertThat(SlowSwing.isTrend(runs, swing(runs, 0.16))).isFalse();
+        assertThat(SlowSwing.isTrend(runs, Hypothesis.NONE)).isFalse();
+    }
+
+    /** Pushed ever harder: how hard in the end of a swing nobody has seen. */
+    @Test
+    void aForceThatGrowsIsNoSwing() throws Exception {
+        BelievedModel model = model();
+        List<MeasuredRun> fit = List.of(pushedEverHarder(1), pushedEverHarder(2));
+        List<Cause> causes = List.of(force(model, fit));
+
+        Diagnosis diagnosis =
+                new Investigation(
+                                model,
+                                fit,
+                                List.of(pushedEverHarder(3)),
+                                causes,
+                                1,
+                                Progress.SILENT)
+                        .diagnose();
+
+        assertThat(diagnosis.verdict()).isEqualTo(Verdict.UNEXPLAINED);
+        assertThat(diagnosis.selected()).isEmpty();
+        assertThat(diagnosis.notices()).anyMatch(said -> said.contains("the period of periodic_f"));
+    }
+
+    /** By 0.05 N more each second, from rest. */
+    private static MeasuredRun pushedEverHarder(int seed) {
+        Random random = new Random(seed);
+        MeasuredRunBuilder run = MeasuredRun.named("run" + seed);
+        for (int k = 0; k <= 100; k++) {
+            double t = 0.1 * k;
+            run.at(t).position(0.05 * t * t * t / 12 + noise(random), noise(random), noise(random));
+        }
+        return run.build();
     }
 
     /** A diagnosis says so: it was pushed to and fro once in 16 s. */

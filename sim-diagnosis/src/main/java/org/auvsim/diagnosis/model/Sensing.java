@@ -121,12 +121,9 @@ public record Sensing(
         return delay == 0 && positionDelay == 0;
     }
 
-    /**
-     * Whether what is told at a sample of a run is of a time between its first row and its last.
-     */
-    public boolean isWithin(MeasuredRun run, int sample, boolean isPosition) {
-        double then = run.time(sample) - delay - (isPosition ? positionDelay : 0);
-        return then >= run.time(0) && then <= run.time(run.size() - 1);
+    /** How old what is told of a channel is (s); below 0: how far ahead. */
+    public double age(Channel channel) {
+        return channel == Channel.POSITION ? delay + positionDelay : delay;
     }
 
     private static boolean isLost(RigidMotion motion) {

@@ -24,12 +24,6 @@ import java.util.stream.IntStream;
  * each channel that was measured at all, 0 in samples that have no number there.
  */
 public final class Misses {
-    /** Mean squares of what is beyond a run that are more than noise. */
-    private static final double MOST_OF_NOISE = 2;
-
-    /** At least so much of a run must be seen: of the rest a late sensor could tell anything. */
-    private static final double MOST_UNSEEN = 0.25;
-
     private final MeasuredRun run;
     private final List<Row> rows = new ArrayList<>();
 
@@ -115,28 +109,13 @@ public final class Misses {
     }
 
     /**
-     * The same to sensors that are late or ahead, which tell of times before the first row and
-     * after the last: when nobody knows what was done to the body, or how it was held. Where
-     * motions that go on evenly there miss more than noise, these numbers count as noise from now
-     * on.
+     * The same to sensors that are late or ahead: of what they tell of times beyond the run all
+     * that this misses by more than noise counts as noise from now on, whatever the motion.
      *
      * @param misses of all samples, row by row
      */
     public Misses seen(Sensing sensing, double[] misses) {
-        boolean[] beyond = new boolean[weights.length];
-        double sum = 0;
-        int count = 0;
-        for (int i = 0; i < beyond.length; i++) {
-            boolean isPosition = rows.get(i % rows.size()).channel() == Channel.POSITION;
-            boolean isWithin = sensing.isWithin(run, i / rows.size(), isPosition);
-            if (isMeasured(i) && !isWithin) {
-                beyond[i] = true;
-                sum += misses[i] * misses[i];
-                count++;
-            }
-        }
-        boolean isMissed = sum > MOST_OF_NOISE * count && count <= MOST_UNSEEN * count();
-        return withUnseen(isMissed ? beyond : new boolean[beyond.length]);
+        return withUnseen(Unseen.of(this, sensing, misses));
     }
 
     /** The same, every number told as the motion has it. */

@@ -61,17 +61,14 @@ class SensingTest {
     }
 
     @Test
-    void whatIsOldMayBeOfATimeBeforeTheRun() {
-        MeasuredRun run = run();
+    void placesMayBeOlderThanAllElse() {
         Sensing late = Sensing.EXACT.delayed(0.05).withLatePositions(0.1);
 
-        assertThat(Sensing.EXACT.isPrompt()).isTrue();
+        assertThat(late.age(Channel.POSITION)).isCloseTo(0.15, within(1e-12));
+        assertThat(late.age(Channel.VELOCITY)).isEqualTo(0.05);
         assertThat(late.isPrompt()).isFalse();
-        assertThat(late.isWithin(run, 0, false)).isFalse();
-        assertThat(late.isWithin(run, 1, false)).isTrue();
-        assertThat(late.isWithin(run, 1, true)).isFalse();
-        assertThat(late.isWithin(run, 2, true)).isTrue();
-        assertThat(Sensing.EXACT.delayed(-0.05).isWithin(run, SAMPLES - 1, true)).isFalse();
+        assertThat(Sensing.EXACT.withLatePositions(0.1).isPrompt()).isFalse();
+        assertThat(Sensing.EXACT.isPrompt()).isTrue();
     }
 
     /** What is old is what was; before the first sample and after the last it went on evenly. */

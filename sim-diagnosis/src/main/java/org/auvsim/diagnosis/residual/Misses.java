@@ -109,10 +109,10 @@ public final class Misses {
     }
 
     /**
-     * The same to sensors that are late or ahead: of what they tell of times beyond the run all
-     * that this misses by more than noise counts as noise from now on, whatever the motion.
+     * The same to sensors that are late or ahead: where they tell of times beyond the run and that
+     * is missed by more than noise, it counts as noise from now on, whatever the motion.
      *
-     * @param misses of all samples, row by row
+     * @param misses of all samples, row by row, in standard deviations, as if all were seen
      */
     public Misses seen(Sensing sensing, double[] misses) {
         return withUnseen(Unseen.of(this, sensing, misses));

@@ -198,7 +198,7 @@ public final class Examination {
                         found.noise().byChannel(),
                         foretold.gains(),
                         course.goesOn()
-                                ? judgement.trial().horizons(best.fit().variant())
+                                ? judgement.trial().horizons(after, best.fit().variant())
                                 : List.of(),
                         usedHeldOut);
         List<DiagnosedRun> runs = runs(found, best, after);

@@ -145,8 +145,8 @@ final class Trial {
         return Double.isFinite(heldOut.cost()) ? worst : Double.POSITIVE_INFINITY;
     }
 
-    /** Errors by how far ahead is predicted. */
-    List<HorizonGain> horizons(Variant after) {
-        return new Horizons(stepping, noise).gains(data, after);
+    /** Errors by how far ahead a variant predicts the runs, as a prediction sees them. */
+    List<HorizonGain> horizons(Judged prediction, Variant after) {
+        return new Horizons(stepping, noise).gains(prediction.fit().data(), after);
     }
 }

@@ -8,6 +8,7 @@ import org.auvsim.core.entity.Block;
 import org.auvsim.core.entity.BodyEffect;
 import org.auvsim.core.world.World;
 import org.auvsim.diagnosis.fit.Hypothesis;
+import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.residual.Noise;
@@ -34,7 +35,8 @@ class HorizonsTest {
         Trial trial = new Trial(Stepping.exact(Cart.believed()), runs, Noise.of(runs));
         Hypothesis weaker =
                 new Hypothesis(List.of(cart.cause("thruster_gain")), List.of(new double[] {-0.2}));
-        List<HorizonGain> gains = trial.horizons(weaker.in(Cart.believed().variant()));
+        List<HorizonGain> gains =
+                trial.horizons(trial.prediction(weaker), weaker.in(Cart.believed().variant()));
 
         assertThat(gains).hasSizeGreaterThan(2);
         assertThat(gains)
@@ -97,7 +99,8 @@ class HorizonsTest {
         List<MeasuredRun> runs = List.of(new Cart(1, 1e-5, 0).run());
         Trial trial = new Trial(Stepping.exact(pushed), runs, Noise.of(runs));
 
-        List<HorizonGain> gains = trial.horizons(Cart.believed().variant());
+        List<HorizonGain> gains =
+                trial.horizons(trial.prediction(Hypothesis.NONE), Cart.believed().variant());
 
         assertThat(ofPosition(gains.getFirst()).before()).isFinite();
         assertThat(ofPosition(gains.getLast()).before()).isInfinite();
@@ -115,12 +118,13 @@ class HorizonsTest {
                         .mapToObj(i -> run.part("part " + i, 30 * i, 30 * i + 29))
                         .toList();
         Trial trial = new Trial(Stepping.exact(Cart.believed()), runs, Noise.of(runs));
+        Judged prediction = trial.prediction(Hypothesis.NONE);
         Variant believed = Cart.believed().variant();
 
         List<List<HorizonGain>> gains = new ArrayList<>();
         for (int processors : List.of(1, 2, 8)) {
             try (ForkJoinPool pool = new ForkJoinPool(processors)) {
-                gains.add(pool.submit(() -> trial.horizons(believed)).get());
+                gains.add(pool.submit(() -> trial.horizons(prediction, believed)).get());
             }
         }
 

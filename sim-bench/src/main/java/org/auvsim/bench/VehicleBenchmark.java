@@ -135,6 +135,7 @@ public class VehicleBenchmark {
                 lag,
                 0,
                 0,
+                0,
                 Optional.empty(),
                 Optional.empty(),
                 Optional.empty(),

@@ -156,7 +156,7 @@ class AdministrationTest {
                             <orientation w="1.0" x="0.0" y="0.0" z="0.0"/>
                             <velocity x="0.0" y="0.0" z="0.0"/>
                             <angular-velocity x="0.0" y="0.0" z="0.0"/>
-                            <propulsor name="Tail" maximum-thrust="10.0" level="0.5" lag="0.0" dead-zone="0.0" reaction-torque="0.0">
+                            <propulsor name="Tail" maximum-thrust="10.0" level="0.5" lag="0.0" dead-zone="0.0" reaction-torque="0.0" advance-loss="0.0">
                               <position x="0.0" y="0.0" z="0.0"/>
                               <direction x="1.0" y="0.0" z="0.0"/>
                             </propulsor>

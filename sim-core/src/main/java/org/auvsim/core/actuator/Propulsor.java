@@ -16,7 +16,10 @@ import java.util.Optional;
  *
  * <p>A commanded level passes the dead zone, then the lag; the level reached decides thrust, speed
  * of the rotor and power. Without lag, rotor and curve it pushes with {@code level * maximumThrust}
- * at once.
+ * at once. A screw that moves ahead through the water bites less: of the thrust T that it has at
+ * rest it loses {@code advanceLoss * sqrt(|T| * maximumThrust) * u}, u (m/s) being its speed along
+ * the direction relative to the water, as T goes with the square of its revolutions and the loss
+ * with these (the bilinear model of Blanke 1981).
  *
  * @param maximumThrust thrust (N) at level 1; with a thrust curve the limit (N) at which thrust
  *     saturates, ahead and astern
@@ -28,6 +31,9 @@ import java.util.Optional;
  * @param deadZone commanded levels up to this do nothing; from there on they grow evenly to 1
  * @param reactionTorque on the body about the direction, for each newton of thrust (N m/N); that of
  *     a propeller that is right-handed about its direction is negative
+ * @param advanceLoss share of the maximum thrust that it loses at full revolutions for each metre
+ *     per second that it moves ahead through the water (s/m): one by the speed at which a screw at
+ *     full revolutions pushes no more; 0: thrust is the same at any speed
  * @param rotor what spins in it; needs a lag
  * @param powerDraw what it draws from a battery
  * @param condition what it does otherwise than it should; empty: nothing
@@ -43,6 +49,7 @@ public record Propulsor(
         @Unit("s") @Default("0.0") double lag,
         @Default("0.0") double deadZone,
         @Unit("m") @Default("0.0") double reactionTorque,
+        @Unit("s/m") @Default("0.0") double advanceLoss,
         Optional<Rotor> rotor,
         Optional<PowerDraw> powerDraw,
         Optional<Condition> condition,
@@ -62,6 +69,7 @@ public record Propulsor(
         Domain.require(
                 0 <= deadZone && deadZone < 1, of, "dead zone", deadZone, "0 to below 1", "");
         Domain.finite(of, "reaction torque", reactionTorque, "N m/N");
+        Domain.atLeast0(of, "advance loss", advanceLoss, "s/m");
         if (rotor.isPresent() && lag == 0) {
             throw new IllegalArgumentException(
                     "propulsor '%s' has a rotor and so needs a lag above 0 s: to spin up at once would"
@@ -81,6 +89,7 @@ public record Propulsor(
                 position,
                 direction,
                 Optional.empty(),
+                0,
                 0,
                 0,
                 0,
@@ -123,6 +132,7 @@ public record Propulsor(
                 lag,
                 deadZone,
                 reactionTorque,
+                advanceLoss,
                 rotor,
                 draw,
                 condition,
@@ -141,6 +151,7 @@ public record Propulsor(
                 lag,
                 deadZone,
                 reactionTorque,
+                advanceLoss,
                 rotor,
                 powerDraw,
                 Optional.of(other),
@@ -159,6 +170,26 @@ public record Propulsor(
                 otherLag,
                 deadZone,
                 reactionTorque,
+                advanceLoss,
+                rotor,
+                powerDraw,
+                condition,
+                reached);
+    }
+
+    /** The same that loses another share of its thrust by advance (s/m). */
+    public Propulsor advancing(double otherLoss) {
+        return new Propulsor(
+                name,
+                maximumThrust,
+                level,
+                position,
+                direction,
+                thrustCurve,
+                lag,
+                deadZone,
+                reactionTorque,
+                otherLoss,
                 rotor,
                 powerDraw,
                 condition,
@@ -214,13 +245,21 @@ public record Propulsor(
         return Math.copySign(beyond / (1 - deadZone), level);
     }
 
-    /** Thrust (N) at a time (s), along the direction. */
+    /** Thrust (N) at a time (s), along the direction, at rest in the water. */
     public double thrustAt(double time) {
-        return thrust(levelAt(time), time);
+        return thrust(levelAt(time), time, 0);
     }
 
-    private double thrust(double level, double time) {
-        double sound = soundThrust(turning(level));
+    /** The same at a level, and at a speed of advance (m/s). */
+    private double thrust(double level, double time, double advance) {
+        double atRest = thrustAtRest(turning(level));
+        double sound =
+                advance == 0
+                        ? atRest
+                        : atRest
+                                - advanceLoss
+                                        * Math.sqrt(Math.abs(atRest) * maximumThrust)
+                                        * advance;
         return condition.isEmpty() ? sound : sound * condition.get().shareAt(time);
     }
 
@@ -229,7 +268,7 @@ public record Propulsor(
         return condition.isEmpty() ? level : condition.get().turning(level);
     }
 
-    private double soundThrust(double level) {
+    private double thrustAtRest(double level) {
         if (thrustCurve.isEmpty()) {
             return level * maximumThrust;
         }
@@ -240,10 +279,10 @@ public record Propulsor(
     @Override
     public Optional<Wrench> constantPush() {
         boolean changes = condition.isPresent() && condition.get().failure().isPresent();
-        if (rotor.isPresent() || (lag > 0 && reached.isPresent()) || changes) {
+        if (rotor.isPresent() || (lag > 0 && reached.isPresent()) || changes || advanceLoss > 0) {
             return Optional.empty();
         }
-        double thrust = thrust(target(), 0);
+        double thrust = thrust(target(), 0, 0);
         Vec3 force = direction.times(thrust);
         Vec3 torque = position.cross(force);
         return Optional.of(
@@ -258,7 +297,8 @@ public record Propulsor(
     public void add(Block b, int i) {
         Lag course = course();
         double left = Lag.left(lag, sinceCommand(b.time), b.exponentials);
-        double thrust = thrust(course.level(left), b.time);
+        double advance = advanceLoss == 0 ? 0 : advance(b, i);
+        double thrust = thrust(course.level(left), b.time, advance);
         double fx = direction.x() * thrust;
         double fy = direction.y() * thrust;
         double fz = direction.z() * thrust;
@@ -289,5 +329,19 @@ public record Propulsor(
                         - position.y() * fx
                         + along * direction.z()
                         - (b.bodyWx[i] * hy - b.bodyWy[i] * hx));
+    }
+
+    /** Its speed (m/s) along the direction, relative to the water around the body. */
+    private double advance(Block b, int i) {
+        double wx = b.vx[i] - b.ux[i];
+        double wy = b.vy[i] - b.uy[i];
+        double wz = b.vz[i] - b.uz[i];
+        double vx = b.rxx[i] * wx + b.ryx[i] * wy + b.rzx[i] * wz;
+        double vy = b.rxy[i] * wx + b.ryy[i] * wy + b.rzy[i] * wz;
+        double vz = b.rxz[i] * wx + b.ryz[i] * wy + b.rzz[i] * wz;
+        vx += b.bodyWy[i] * position.z() - b.bodyWz[i] * position.y();
+        vy += b.bodyWz[i] * position.x() - b.bodyWx[i] * position.z();
+        vz += b.bodyWx[i] * position.y() - b.bodyWy[i] * position.x();
+        return vx * direction.x() + vy * direction.y() + vz * direction.z();
     }
 }

@@ -33,6 +33,7 @@ class BatteryGaugeTest {
                 0,
                 0,
                 0,
+                0,
                 Optional.empty(),
                 Optional.of(new PowerDraw("cells", watts, 0, true)),
                 Optional.empty(),

@@ -52,6 +52,7 @@ final class ThrusterCauses {
         }
         causes.add(deadZone());
         causes.add(lag(s));
+        causes.add(advance(s));
         return causes;
     }
 
@@ -163,5 +164,19 @@ final class ThrusterCauses {
                                         "tau", "s", 0.1, 0, Math.max(1, s.path().duration() / 4))),
                         (v, t) -> with(v, _ -> true, p -> p.mounted(p.direction(), p.lag() + t[0])))
                 .from(List.of(Change.secant(0.1), Change.secant(0.5)));
+    }
+
+    /**
+     * Screws that bite less, the faster they go ahead. At a steady level that is as drag along the
+     * body, and more thrust at rest, which are believed before it.
+     */
+    private static Change advance(Setting s) {
+        double speed = s.path().speed();
+        double most = s.propulsors().stream().mapToDouble(Propulsor::advanceLoss).min().orElse(0);
+        return Change.of(
+                        "thruster_advance",
+                        List.of(new Parameter("loss", "s/m", 0.1 / speed, -most, 100 / speed)),
+                        (v, t) -> with(v, _ -> true, p -> p.advancing(p.advanceLoss() + t[0])))
+                .asGeneric();
     }
 }

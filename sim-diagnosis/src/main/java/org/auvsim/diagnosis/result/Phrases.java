@@ -70,6 +70,10 @@ public final class Phrases {
         put("thruster_gain", "The thrust of %s is wrong", "%s %3$s backwards");
         put("thruster_deadzone", "A dead zone of %s is missing");
         put("thruster_lag", "A lag of %s is missing");
+        put(
+                "thruster_advance",
+                "The thrust of %s falls with speed",
+                "The thrust of %s falls less with speed than modelled");
         put(TURNED, "The direction of %s is wrong");
         put("thruster_loss", "Thrust of %s is lost");
         put("propeller_imbalance", "A propeller is out of balance");

@@ -62,6 +62,7 @@ class LibraryTest {
                         "thruster_gain",
                         "thruster_deadzone",
                         "thruster_lag",
+                        "thruster_advance",
                         "thruster_misalignment",
                         "thruster_loss",
                         "magnetic",

@@ -36,6 +36,13 @@ class ThrusterEquationsTest extends CauseEquationsContract {
         return new Vector3D(newtons, 0, 0);
     }
 
+    /** What is left of a thrust at the speed of its place through still water. */
+    private static Vector3D biting(double atRest, Now now, double side) {
+        Vector3D place = new Vector3D(-0.4, side, 0);
+        Vector3D through = now.toBody(now.velocity()).add(now.turning().crossProduct(place));
+        return ahead(atRest - 0.3 * Math.sqrt(atRest * 20) * through.getX());
+    }
+
     @Override
     Stream<CauseCase> cases() {
         Rotation yawed = new Rotation(Vector3D.PLUS_K, 0.3, RotationConvention.VECTOR_OPERATOR);
@@ -56,6 +63,11 @@ class ThrusterEquationsTest extends CauseEquationsContract {
                                 n -> ahead(12 * (1 - Math.exp(-n.time() / 0.5))),
                                 n -> ahead(8 * (1 - Math.exp(-n.time() / 0.5)))),
                         0.5),
+                cause(
+                        "thruster_advance",
+                        THRUSTERS,
+                        thrusts(n -> biting(12, n, 0.15), n -> biting(8, n, -0.15)),
+                        0.3),
                 about(
                         "starboard",
                         cause(

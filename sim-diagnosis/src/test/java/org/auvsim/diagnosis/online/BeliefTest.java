@@ -143,6 +143,7 @@ class BeliefTest {
                 0,
                 0,
                 0,
+                0,
                 Optional.empty(),
                 Optional.of(new PowerDraw(battery, 20, 0, true)),
                 Optional.empty(),

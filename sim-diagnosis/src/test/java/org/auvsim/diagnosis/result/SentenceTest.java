@@ -209,6 +209,8 @@ class SentenceTest {
         "restitution, e, 1, 'The restitution of impacts is wrong: e 0.85 +- 0.02'",
         "thruster_misalignment, tilt, rad, 'The direction of all thrusters is wrong: tilt 0.85 +-"
                 + " 0.02 rad'",
+        "thruster_advance, loss, s/m, 'The thrust of all thrusters falls with speed: loss 0.85 +-"
+                + " 0.02 s/m'",
         "thruster_lag, tau, s, 'A lag of all thrusters is missing: 0.85 +- 0.02 s'"
     })
     void theOnlyNumberSaysWhatItIs(String cause, String name, String unit, String words) {

@@ -44,6 +44,7 @@ final class ActuatorFigures {
                                 lag,
                                 0,
                                 0,
+                                0,
                                 Optional.empty(),
                                 Optional.empty(),
                                 Optional.empty(),

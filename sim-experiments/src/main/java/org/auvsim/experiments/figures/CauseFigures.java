@@ -78,6 +78,7 @@ final class CauseFigures {
         position("thruster_gain", VEHICLE, -0.1);
         position("thruster_deadzone", VEHICLE, 0.05);
         position("thruster_lag", VEHICLE, 0.5);
+        position("thruster_advance", VEHICLE, 0.2);
         turn("thruster_misalignment", VEHICLE, 0.03);
         turn("thruster_loss", VEHICLE, 1, 18);
     }

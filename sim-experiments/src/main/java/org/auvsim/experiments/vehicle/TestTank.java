@@ -71,6 +71,7 @@ final class TestTank {
                 p.lag(),
                 p.deadZone(),
                 p.reactionTorque(),
+                p.advanceLoss(),
                 p.rotor(),
                 Optional.empty(),
                 p.condition(),

@@ -1,0 +1,134 @@
+package org.auvsim.diagnosis;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import org.auvsim.auvsml.AuvsmlException;
+import org.auvsim.auvsml.document.ScenarioLoader;
+import org.auvsim.core.math.Quat;
+import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+
+import java.util.List;
+import java.util.SplittableRandom;
+
+/**
+ * A vehicle with two thrusters side by side that moves in the horizontal plane, by equations of its
+ * own here.
+ *
+ * @param port thrust (N) of the one to the left
+ * @param starboard likewise
+ */
+record TwinScrew(Screw port, Screw starboard) {
+    /** Thrust (N) by level and by the speed (m/s) that it goes ahead, which the model has not. */
+    interface Screw {
+        double thrust(double level, double advance);
+    }
+
+    private static final double MASS = 12;
+    private static final double INERTIA = 1.1;
+
+    /** N at full level. */
+    static final double THRUST = 20;
+
+    private static final double SIDE = 0.15;
+
+    /** N s^2/m^2 ahead and aside, N m s/rad. */
+    private static final double AHEAD = 9;
+
+    private static final double ASIDE = 30;
+    private static final double TURNING = 1.5;
+
+    private static final double INTERVAL = 0.1;
+    private static final int SAMPLES = 120;
+    private static final int SUBSTEPS = 200;
+    private static final double NOISE = 0.01;
+
+    /** As it is believed: both give what they should at any speed. */
+    static BelievedModel model() throws AuvsmlException {
+        String scenario =
+                """
+                <scenario><time-step delta="0.05"/>
+                  <world-object name="vehicle" mass="12">
+                    <box><size x="0.8" y="0.4" z="0.3"/></box>
+                    <inertia xx="0.5" yy="0.9" zz="1.1"/>
+                    <damping><quadratic x="9" y="30" z="30"/>
+                      <angular-linear x="1.5" y="1.5" z="1.5"/></damping>
+                    <propulsor name="port" maximum-thrust="20">
+                      <position x="0" y="0.15" z="0"/>
+                    </propulsor>
+                    <propulsor name="starboard" maximum-thrust="20">
+                      <position x="0" y="-0.15" z="0"/>
+                    </propulsor>
+                  </world-object>
+                </scenario>
+                """;
+        return new BelievedModel(
+                ScenarioLoader.load(TwinScrew.class.getClassLoader())
+                        .parse(scenario.getBytes(UTF_8)),
+                "vehicle");
+    }
+
+    /** Thrusters get other levels every 2 s, as drawn by a seed. */
+    MeasuredRun run(long seed) {
+        SplittableRandom lot = new SplittableRandom(seed);
+        MeasuredRunBuilder run =
+                MeasuredRun.named("run " + seed).commands(List.of("port", "starboard"));
+        double[] state = new double[6]; // x, y, heading, ahead, aside, turning
+        double left = 0;
+        double right = 0;
+        for (int k = 0; k < SAMPLES; k++) {
+            if (k % 20 == 0) {
+                left = 0.2 + 0.6 * lot.nextDouble();
+                right = left + 0.2 * lot.nextDouble() - 0.1;
+            }
+            run.at(k * INTERVAL)
+                    .position(
+                            state[0] + NOISE * lot.nextGaussian(),
+                            state[1] + NOISE * lot.nextGaussian(),
+                            NOISE * lot.nextGaussian())
+                    .orientation(
+                            Quat.ofAxisAngle(
+                                    new Vec3(0, 0, 1), state[2] + NOISE * lot.nextGaussian()))
+                    .command(0, left)
+                    .command(1, right);
+            for (int j = 0; j < SUBSTEPS; j++) {
+                move(state, left, right);
+            }
+        }
+        return run.build();
+    }
+
+    /** By the midpoint rule. */
+    private void move(double[] state, double left, double right) {
+        double h = INTERVAL / SUBSTEPS;
+        double[] half = state.clone();
+        add(half, rates(state, left, right), h / 2);
+        add(state, rates(half, left, right), h);
+    }
+
+    private static void add(double[] state, double[] rates, double time) {
+        for (int i = 0; i < state.length; i++) {
+            state[i] += time * rates[i];
+        }
+    }
+
+    private double[] rates(double[] s, double left, double right) {
+        double cos = Math.cos(s[2]);
+        double sin = Math.sin(s[2]);
+        double ahead = s[3];
+        double aside = s[4];
+        double turning = s[5];
+        double pushLeft = port.thrust(left, ahead - SIDE * turning);
+        double pushRight = starboard.thrust(right, ahead + SIDE * turning);
+        return new double[] {
+            cos * ahead - sin * aside,
+            sin * ahead + cos * aside,
+            turning,
+            (pushLeft + pushRight - AHEAD * Math.abs(ahead) * ahead) / MASS + turning * aside,
+            -ASIDE * Math.abs(aside) * aside / MASS - turning * ahead,
+            (SIDE * (pushRight - pushLeft) - TURNING * turning) / INERTIA
+        };
+    }
+}

@@ -3,7 +3,9 @@ package org.auvsim.diagnosis;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.auvsim.core.actuator.Condition;
 import org.auvsim.core.actuator.Propulsor;
+import org.auvsim.core.actuator.Sag;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.model.BelievedModel;
@@ -12,52 +14,75 @@ import org.auvsim.diagnosis.result.Finding;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.api.Test;
 
 import java.util.List;
 
-/** Screws that bite less, the faster the vehicle goes. */
+/** Screws whose thrust is not by what they are told alone. */
 @Tag("whole-search")
 class FallingThrustTest {
     private static final double LOSS = 0.25;
+    private static final double FADE = 0.03;
+    private static final long SEED = 1;
 
     /** Thrust goes with the square of the revolutions, and what is lost of it with these. */
-    private static double thrust(double level, double advance) {
+    private static double biting(double level, double advance) {
         double revolutions = Math.copySign(Math.sqrt(Math.abs(level)), level);
         double bollard = TwinScrew.THRUST * revolutions * Math.abs(revolutions);
         return bollard - LOSS * TwinScrew.THRUST * Math.abs(revolutions) * advance;
     }
 
-    @ParameterizedTest(name = "seed {0}")
-    @ValueSource(longs = {1, 2})
-    void isNamedAndNotASumOfDrags(long seed) throws Exception {
-        TwinScrew vehicle = new TwinScrew(FallingThrustTest::thrust, FallingThrustTest::thrust);
-        BelievedModel model = TwinScrew.model();
-        List<MeasuredRun> fit = List.of(vehicle.run(seed), vehicle.run(seed + 10));
+    private static double fading(double level, double time) {
+        return TwinScrew.THRUST * (1 - FADE * time) * level;
+    }
 
-        Diagnosis of =
-                new Investigation(
-                                model,
-                                fit,
-                                List.of(vehicle.run(seed + 20)),
-                                Library.of(model, fit),
-                                seed,
-                                Progress.SILENT)
-                        .diagnose();
+    @Test
+    void whatFallsWithSpeedIsNoSumOfDrags() throws Exception {
+        Diagnosis of = diagnosis((level, _, advance) -> biting(level, advance));
 
-        assertThat(of.verdict()).as(of.sentence()).isEqualTo(Verdict.EXPLAINED);
-        assertThat(of.selected()).extracting(Finding::name).containsExactly("thruster_advance");
-        Finding found = of.selected().getFirst();
-        assertThat(found.quantities().getFirst().value())
-                .isCloseTo(LOSS, within(3 * found.deviations().getFirst()));
+        double loss = found(of, "thruster_advance", LOSS);
         assertThat(of.sentence()).startsWith("The thrust of all thrusters falls with speed: loss ");
-        Propulsor port =
-                of.extended()
-                        .world()
-                        .object("vehicle")
-                        .component(Propulsor.class, "port")
-                        .orElseThrow();
-        assertThat(port.advanceLoss()).isEqualTo(found.quantities().getFirst().value());
+        assertThat(port(of).advanceLoss()).isEqualTo(loss);
+    }
+
+    @Test
+    void whatFallsWithTimeIsNoGain() throws Exception {
+        Diagnosis of = diagnosis((level, time, _) -> fading(level, time));
+
+        double fade = found(of, "thruster_fade", FADE);
+        assertThat(of.sentence()).startsWith("The thrust of all thrusters fades: fade ");
+        assertThat(port(of).condition().flatMap(Condition::sag)).contains(new Sag(0, fade));
+    }
+
+    private static Diagnosis diagnosis(TwinScrew.Screw screw) throws Exception {
+        TwinScrew vehicle = new TwinScrew(screw, screw);
+        BelievedModel model = TwinScrew.model();
+        List<MeasuredRun> fit = List.of(vehicle.run(SEED), vehicle.run(SEED + 10));
+        return new Investigation(
+                        model,
+                        fit,
+                        List.of(vehicle.run(SEED + 20)),
+                        Library.of(model, fit),
+                        SEED,
+                        Progress.SILENT)
+                .diagnose();
+    }
+
+    /** The number of a cause that alone is named, and near the true one. */
+    private static double found(Diagnosis of, String cause, double truth) {
+        assertThat(of.verdict()).as(of.sentence()).isEqualTo(Verdict.EXPLAINED);
+        assertThat(of.selected()).extracting(Finding::name).containsExactly(cause);
+        Finding found = of.selected().getFirst();
+        double number = found.quantities().getFirst().value();
+        assertThat(number).isCloseTo(truth, within(3 * found.deviations().getFirst()));
+        return number;
+    }
+
+    private static Propulsor port(Diagnosis of) {
+        return of.extended()
+                .world()
+                .object("vehicle")
+                .component(Propulsor.class, "port")
+                .orElseThrow();
     }
 }

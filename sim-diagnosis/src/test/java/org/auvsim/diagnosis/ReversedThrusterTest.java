@@ -26,8 +26,8 @@ class ReversedThrusterTest {
     void isFound(long seed) throws Exception {
         TwinScrew vehicle =
                 new TwinScrew(
-                        (level, _) -> -TwinScrew.THRUST * level,
-                        (level, _) -> TwinScrew.THRUST * level);
+                        (level, _, _) -> -TwinScrew.THRUST * level,
+                        (level, _, _) -> TwinScrew.THRUST * level);
         BelievedModel model = TwinScrew.model();
         List<MeasuredRun> fit = List.of(vehicle.run(seed), vehicle.run(seed + 10));
 

@@ -21,9 +21,9 @@ import java.util.SplittableRandom;
  * @param starboard likewise
  */
 record TwinScrew(Screw port, Screw starboard) {
-    /** Thrust (N) by level and by the speed (m/s) that it goes ahead, which the model has not. */
+    /** Thrust (N) by level, and by time (s) and speed ahead (m/s), by which the model has none. */
     interface Screw {
-        double thrust(double level, double advance);
+        double thrust(double level, double time, double advance);
     }
 
     private static final double MASS = 12;
@@ -75,7 +75,7 @@ record TwinScrew(Screw port, Screw starboard) {
         SplittableRandom lot = new SplittableRandom(seed);
         MeasuredRunBuilder run =
                 MeasuredRun.named("run " + seed).commands(List.of("port", "starboard"));
-        double[] state = new double[6]; // x, y, heading, ahead, aside, turning
+        double[] state = new double[7]; // x, y, heading, ahead, aside, turning, time
         double left = 0;
         double right = 0;
         for (int k = 0; k < SAMPLES; k++) {
@@ -120,15 +120,16 @@ record TwinScrew(Screw port, Screw starboard) {
         double ahead = s[3];
         double aside = s[4];
         double turning = s[5];
-        double pushLeft = port.thrust(left, ahead - SIDE * turning);
-        double pushRight = starboard.thrust(right, ahead + SIDE * turning);
+        double pushLeft = port.thrust(left, s[6], ahead - SIDE * turning);
+        double pushRight = starboard.thrust(right, s[6], ahead + SIDE * turning);
         return new double[] {
             cos * ahead - sin * aside,
             sin * ahead + cos * aside,
             turning,
             (pushLeft + pushRight - AHEAD * Math.abs(ahead) * ahead) / MASS + turning * aside,
             -ASIDE * Math.abs(aside) * aside / MASS - turning * ahead,
-            (SIDE * (pushRight - pushLeft) - TURNING * turning) / INERTIA
+            (SIDE * (pushRight - pushLeft) - TURNING * turning) / INERTIA,
+            1
         };
     }
 }

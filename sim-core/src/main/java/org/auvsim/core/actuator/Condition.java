@@ -7,7 +7,7 @@ import java.util.Optional;
 
 /**
  * What a propulsor does otherwise than its data sheet says: a worn or fouled screw, one that runs
- * backwards, friction of its shaft, a failure.
+ * backwards, friction of its shaft, a failure, a battery that empties.
  *
  * @param gain share of its thrust that it gives; above 1 it is stronger than it should; below 0 it
  *     runs backwards, as one that is wired wrongly (-1): it gives such a share of its thrust at the
@@ -15,11 +15,15 @@ import java.util.Optional;
  * @param lostLevel of each commanded level this much is lost, 0 to below 1: of level x, sign(x)
  *     max(|x| - lost, 0) is left, which then passes the dead zone
  * @param failure of some of what is left, from some time on
+ * @param sag by which what is left falls with time
  */
 public record Condition(
-        @Default("1.0") double gain, @Default("0.0") double lostLevel, Optional<Failure> failure) {
+        @Default("1.0") double gain,
+        @Default("0.0") double lostLevel,
+        Optional<Failure> failure,
+        Optional<Sag> sag) {
     /** As the data sheet says. */
-    public static final Condition SOUND = new Condition(1, 0, Optional.empty());
+    public static final Condition SOUND = new Condition(1, 0, Optional.empty(), Optional.empty());
 
     /**
      * A checked condition.
@@ -39,8 +43,36 @@ public record Condition(
 
     /** The share of its thrust that it gives at a time (s), to whichever side. */
     double shareAt(double time) {
-        double size = Math.abs(gain);
-        return failure.isEmpty() ? size : size * failure.get().leftAt(time);
+        double share = Math.abs(gain);
+        if (failure.isPresent()) {
+            share *= failure.get().leftAt(time);
+        }
+        return sag.isEmpty() ? share : share * sag.get().leftAt(time);
+    }
+
+    /** Whether that depends on the time. */
+    boolean changes() {
+        return failure.isPresent() || sag.isPresent();
+    }
+
+    /** The same with another gain. */
+    public Condition gaining(double otherGain) {
+        return new Condition(otherGain, lostLevel, failure, sag);
+    }
+
+    /** The same with another lost level. */
+    public Condition losing(double otherLevel) {
+        return new Condition(gain, otherLevel, failure, sag);
+    }
+
+    /** The same with a failure. */
+    public Condition failing(Failure how) {
+        return new Condition(gain, lostLevel, Optional.of(how), sag);
+    }
+
+    /** The same whose thrust falls with time. */
+    public Condition sagging(Sag how) {
+        return new Condition(gain, lostLevel, failure, Optional.of(how));
     }
 
     /** The level of the same propulsor in a sound condition that turns to the same side. */

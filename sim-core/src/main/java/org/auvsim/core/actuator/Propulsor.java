@@ -278,7 +278,7 @@ public record Propulsor(
 
     @Override
     public Optional<Wrench> constantPush() {
-        boolean changes = condition.isPresent() && condition.get().failure().isPresent();
+        boolean changes = condition.isPresent() && condition.get().changes();
         if (rotor.isPresent() || (lag > 0 && reached.isPresent()) || changes || advanceLoss > 0) {
             return Optional.empty();
         }

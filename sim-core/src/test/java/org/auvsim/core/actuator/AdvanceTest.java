@@ -20,8 +20,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-import java.util.Optional;
-
 /** A screw that bites less, the faster it goes ahead. */
 class AdvanceTest {
     private static final double LOSS = 0.4;
@@ -103,8 +101,7 @@ class AdvanceTest {
 
     @Test
     void aWornOneLosesByTheSameShare() {
-        Propulsor worn =
-                screw("screw", 1, Vec3.ZERO, AHEAD).in(new Condition(0.5, 0, Optional.empty()));
+        Propulsor worn = screw("screw", 1, Vec3.ZERO, AHEAD).in(Condition.SOUND.gaining(0.5));
         World world = Screws.world(worn);
 
         advance(world, 400);
@@ -119,6 +116,6 @@ class AdvanceTest {
                 .isThrownBy(() -> Screws.plain(1).advancing(-0.1))
                 .withMessage(
                         "the advance loss of propulsor 'screw' must be 0 s/m or more and finite,"
-                            + " but is -0.1 s/m");
+                                + " but is -0.1 s/m");
     }
 }

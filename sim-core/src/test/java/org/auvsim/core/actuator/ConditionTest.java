@@ -18,12 +18,12 @@ import java.util.Optional;
 
 class ConditionTest {
     private static Condition failing(double from, double left) {
-        return new Condition(1, 0, Optional.of(new Failure(from, left, 0.1)));
+        return Condition.SOUND.failing(new Failure(from, left, 0.1));
     }
 
     @Test
     void aWornScrewGivesAShareOfItsThrust() {
-        World world = Screws.world(Screws.plain(0.5).in(new Condition(0.8, 0, Optional.empty())));
+        World world = Screws.world(Screws.plain(0.5).in(Condition.SOUND.gaining(0.8)));
 
         advance(world, 20);
 
@@ -42,18 +42,17 @@ class ConditionTest {
                                 new ThrustTable.ThrustPoint(0, 0),
                                 new ThrustTable.ThrustPoint(1, 12)));
         Propulsor screw = Screws.lagging(commanded, 0, Optional.of(biting));
-        Condition backwards = new Condition(-1, 0, Optional.empty());
+        Condition backwards = Condition.SOUND.gaining(-1);
 
         assertThat(screw.in(backwards).thrustAt(0)).isCloseTo(thrust, within(1e-12));
-        assertThat(screw.in(new Condition(-0.5, 0, Optional.empty())).thrustAt(0))
+        assertThat(screw.in(Condition.SOUND.gaining(-0.5)).thrustAt(0))
                 .isCloseTo(0.5 * thrust, within(1e-12));
     }
 
     @Test
     void theWorldFeelsTheScrewThatRunsBackwards() {
         World ahead = Screws.world(Screws.plain(-0.5));
-        World backwards =
-                Screws.world(Screws.plain(0.5).in(new Condition(-1, 0, Optional.empty())));
+        World backwards = Screws.world(Screws.plain(0.5).in(Condition.SOUND.gaining(-1)));
 
         advance(ahead, 20);
         advance(backwards, 20);
@@ -64,7 +63,7 @@ class ConditionTest {
     @ParameterizedTest
     @CsvSource({"0.5, 0.3", "-0.5, -0.3", "0.2, 0", "-0.1, 0", "1, 0.8"})
     void someOfTheLevelIsLost(double commanded, double left) {
-        Propulsor screw = Screws.plain(commanded).in(new Condition(1, 0.2, Optional.empty()));
+        Propulsor screw = Screws.plain(commanded).in(Condition.SOUND.losing(0.2));
         assertThat(screw.levelAt(7)).isCloseTo(left, within(1e-15));
     }
 
@@ -81,16 +80,34 @@ class ConditionTest {
         assertThat(Screws.screw(world).thrustAt(0.6)).isEqualTo(0.25 * THRUST);
     }
 
+    /** m dv/dt = T (1 - fade (t - from)), until nothing is left. */
+    @ParameterizedTest
+    @CsvSource({"0.4, 0.2", "0.4, 1", "0.4, -0.5"})
+    void aSagTakesMoreAndMore(double from, double fade) {
+        World world =
+                Screws.world(Screws.plain(1).in(Condition.SOUND.sagging(new Sag(from, fade))));
+
+        advance(world, 60);
+
+        double falling = fade > 0 ? Math.min(world.time() - from, 1 / fade) : world.time() - from;
+        double expected = THRUST / MASS * (from + falling - fade * falling * falling / 2);
+        assertThat(body(world).velocity().x()).isCloseTo(expected, within(1e-9));
+        assertThat(Screws.screw(world).thrustAt(from)).isEqualTo(THRUST);
+    }
+
     @Test
     void whatIsOutOfRangeIsRefused() {
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> new Condition(Double.NaN, 0, Optional.empty()))
+                .isThrownBy(() -> Condition.SOUND.gaining(Double.NaN))
                 .withMessageContaining("the gain of the condition of a propulsor must be finite");
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> new Condition(1, 1, Optional.empty()))
+                .isThrownBy(() -> Condition.SOUND.losing(1))
                 .withMessageContaining("the lost level of the condition of a propulsor must be 0");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new Failure(1, -0.5, 0))
                 .withMessageContaining("the share left of the failure of a propulsor must be 0");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Sag(0, Double.NaN))
+                .withMessageContaining("the fade of the sag of a propulsor must be finite");
     }
 }

@@ -13,6 +13,7 @@ import org.auvsim.core.actuator.PowerDraw;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.actuator.Reached;
 import org.auvsim.core.actuator.Rotor;
+import org.auvsim.core.actuator.Sag;
 import org.auvsim.core.actuator.ThrustTable;
 import org.auvsim.core.actuator.ThrustTable.ThrustPoint;
 import org.auvsim.core.communication.AcousticModem;
@@ -129,8 +130,9 @@ class RefusedNumbersTest {
                 arguments("a kick", new Kick(X, 1, 1)),
                 arguments("anisotropic drag", new AnisotropicDrag(X)),
                 arguments("isotropic drag", new IsotropicDrag(1, 1, 1)),
-                arguments("the condition of a propulsor", new Condition(1, 0.5, Optional.empty())),
+                arguments("the condition of a propulsor", Condition.SOUND.losing(0.5)),
                 arguments("the failure of a propulsor", new Failure(1, 1, 1)),
+                arguments("the sag of a propulsor", new Sag(1, 1)),
                 arguments("a mooring", new Mooring(X, X, 1, 1, 1)),
                 arguments("a tether", new Tether(1, X, X, 1, 1, 1)),
                 arguments("a pivot friction", new PivotFriction(1, 1, 1)),

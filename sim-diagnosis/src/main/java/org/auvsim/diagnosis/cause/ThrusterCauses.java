@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.cause;
 import org.auvsim.core.actuator.Condition;
 import org.auvsim.core.actuator.Failure;
 import org.auvsim.core.actuator.Propulsor;
+import org.auvsim.core.actuator.Sag;
 import org.auvsim.core.entity.Component;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
@@ -10,7 +11,6 @@ import org.auvsim.diagnosis.model.Variant;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 
@@ -53,6 +53,7 @@ final class ThrusterCauses {
         causes.add(deadZone());
         causes.add(lag(s));
         causes.add(advance(s));
+        causes.add(fade(s));
         return causes;
     }
 
@@ -78,7 +79,7 @@ final class ThrusterCauses {
 
     private static Propulsor amplified(Propulsor p, double factor) {
         Condition c = condition(p);
-        return p.in(new Condition(c.gain() * factor, c.lostLevel(), c.failure()));
+        return p.in(c.gaining(c.gain() * factor));
     }
 
     /**
@@ -138,8 +139,7 @@ final class ThrusterCauses {
     }
 
     private static Propulsor failing(Propulsor p, Failure failure) {
-        Condition c = condition(p);
-        return p.in(new Condition(c.gain(), c.lostLevel(), Optional.of(failure)));
+        return p.in(condition(p).failing(failure));
     }
 
     private static Change deadZone() {
@@ -153,7 +153,7 @@ final class ThrusterCauses {
     private static Propulsor losing(Propulsor p, double width) {
         Condition c = condition(p);
         double lost = Math.min(0.99, c.lostLevel() + width);
-        return p.in(new Condition(c.gain(), lost, c.failure()));
+        return p.in(c.losing(lost));
     }
 
     private static Change lag(Setting s) {
@@ -178,5 +178,22 @@ final class ThrusterCauses {
                         List.of(new Parameter("loss", "s/m", 0.1 / speed, -most, 100 / speed)),
                         (v, t) -> with(v, _ -> true, p -> p.advancing(p.advanceLoss() + t[0])))
                 .asGeneric();
+    }
+
+    /** All that fade together, as the battery empties that they draw from. */
+    private static Change fade(Setting s) {
+        double begin = s.path().begin();
+        double most = 1 / (s.path().end() - begin);
+        return Change.of(
+                        "thruster_fade",
+                        List.of(new Parameter("fade", "1/s", 0.1 * most, -most, most)),
+                        (v, t) -> with(v, _ -> true, p -> fading(p, begin, t[0])))
+                .asGeneric();
+    }
+
+    private static Propulsor fading(Propulsor p, double begin, double fade) {
+        Condition c = condition(p);
+        Sag believed = c.sag().orElse(new Sag(begin, 0));
+        return p.in(c.sagging(new Sag(believed.from(), believed.fade() + fade)));
     }
 }

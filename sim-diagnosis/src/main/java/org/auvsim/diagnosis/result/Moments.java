@@ -22,6 +22,9 @@ public record Moments(List<MeasuredRun> runs) {
 
     private static final Set<String> NAMES = Set.of(BEGUN, "at");
 
+    /** What fades does so from the world's time at which the first run begins. */
+    private static final String FADE = "fade";
+
     private static final String FROM_THE_BEGINNING = " or from the beginning on";
 
     /** The list cannot be changed. */
@@ -37,7 +40,11 @@ public record Moments(List<MeasuredRun> runs) {
     /** Whether what a cause does depends on the world's time: what swings has a phase at 0. */
     public static boolean isTimed(Finding cause) {
         return cause.quantities().stream()
-                .anyMatch(number -> isMoment(number) || number.isFrequency());
+                .anyMatch(
+                        number ->
+                                isMoment(number)
+                                        || number.isFrequency()
+                                        || number.name().equals(FADE));
     }
 
     /** Whether the runs begin far from 0. */

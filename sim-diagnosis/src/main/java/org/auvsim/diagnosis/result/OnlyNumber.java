@@ -10,8 +10,8 @@ import java.util.Set;
 final class OnlyNumber {
     private static final String PURE = "1";
 
-    /** Angles about either axis have one unit, and that of a loss by speed says little. */
-    private static final Set<String> NAMED = Set.of("angle", "tilt", "loss");
+    /** Angles about either axis have one unit, and that of a share by speed or time says little. */
+    private static final Set<String> NAMED = Set.of("angle", "tilt", "loss", "fade");
 
     private OnlyNumber() {}
 

@@ -63,6 +63,7 @@ class LibraryTest {
                         "thruster_deadzone",
                         "thruster_lag",
                         "thruster_advance",
+                        "thruster_fade",
                         "thruster_misalignment",
                         "thruster_loss",
                         "magnetic",

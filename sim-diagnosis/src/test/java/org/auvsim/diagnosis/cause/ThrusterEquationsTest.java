@@ -68,6 +68,13 @@ class ThrusterEquationsTest extends CauseEquationsContract {
                         THRUSTERS,
                         thrusts(n -> biting(12, n, 0.15), n -> biting(8, n, -0.15)),
                         0.3),
+                cause(
+                        "thruster_fade",
+                        THRUSTERS,
+                        thrusts(
+                                n -> ahead(12 * (1 - 0.2 * n.time())),
+                                n -> ahead(8 * (1 - 0.2 * n.time()))),
+                        0.2),
                 about(
                         "starboard",
                         cause(

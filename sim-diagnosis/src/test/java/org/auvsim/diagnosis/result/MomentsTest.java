@@ -2,10 +2,14 @@ package org.auvsim.diagnosis.result;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.diagnosis.cause.Quantity;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 import java.util.List;
+import java.util.Optional;
 
 class MomentsTest {
     private static final double UNIX = 1_718_000_000;
@@ -53,5 +57,26 @@ class MomentsTest {
         assertThat(of(0).text(seconds("from", 430.05))).isEqualTo("430.05 +- 0.02 s");
         assertThat(of(0).text(403.21, "b")).isEqualTo("403 s of b");
         assertThat(of(UNIX).text(seconds("tau", 0.5))).isEqualTo("0.50 +- 0.02 s");
+    }
+
+    /** Where a clock is far from 0 the world of what depends on it must begin there, too. */
+    @ParameterizedTest
+    @CsvSource({
+        "thruster_fade, fade, 1/s, true",
+        "step_force, from, s, true",
+        "wave_forcing, omega, rad/s, true",
+        "thruster_lag, tau, s, false",
+        "thruster_advance, loss, s/m, false"
+    })
+    void someCausesDependOnTheWorldsTime(String cause, String name, String unit, boolean isTimed) {
+        Finding found =
+                new Finding(
+                        cause,
+                        Optional.empty(),
+                        List.of(new Quantity(name, unit, 0.5)),
+                        List.of(0.1),
+                        1,
+                        true);
+        assertThat(Moments.isTimed(found)).isEqualTo(isTimed);
     }
 }

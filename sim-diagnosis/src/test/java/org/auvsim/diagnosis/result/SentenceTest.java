@@ -211,6 +211,7 @@ class SentenceTest {
                 + " 0.02 rad'",
         "thruster_advance, loss, s/m, 'The thrust of all thrusters falls with speed: loss 0.85 +-"
                 + " 0.02 s/m'",
+        "thruster_fade, fade, 1/s, 'The thrust of all thrusters fades: fade 0.85 +- 0.02 1/s'",
         "thruster_lag, tau, s, 'A lag of all thrusters is missing: 0.85 +- 0.02 s'"
     })
     void theOnlyNumberSaysWhatItIs(String cause, String name, String unit, String words) {

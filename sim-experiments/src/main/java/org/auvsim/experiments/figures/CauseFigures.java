@@ -79,6 +79,7 @@ final class CauseFigures {
         position("thruster_deadzone", VEHICLE, 0.05);
         position("thruster_lag", VEHICLE, 0.5);
         position("thruster_advance", VEHICLE, 0.2);
+        position("thruster_fade", VEHICLE, 0.01);
         turn("thruster_misalignment", VEHICLE, 0.03);
         turn("thruster_loss", VEHICLE, 1, 18);
     }

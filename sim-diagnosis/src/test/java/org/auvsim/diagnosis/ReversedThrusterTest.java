@@ -27,7 +27,8 @@ class ReversedThrusterTest {
         TwinScrew vehicle =
                 new TwinScrew(
                         (level, _, _) -> -TwinScrew.THRUST * level,
-                        (level, _, _) -> TwinScrew.THRUST * level);
+                        (level, _, _) -> TwinScrew.THRUST * level,
+                        heading -> heading);
         BelievedModel model = TwinScrew.model();
         List<MeasuredRun> fit = List.of(vehicle.run(seed), vehicle.run(seed + 10));
 

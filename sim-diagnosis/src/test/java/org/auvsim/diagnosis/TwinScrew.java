@@ -12,6 +12,7 @@ import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.DoubleUnaryOperator;
 
 /**
  * A vehicle with two thrusters side by side that moves in the horizontal plane, by equations of its
@@ -19,8 +20,9 @@ import java.util.SplittableRandom;
  *
  * @param port thrust (N) of the one to the left
  * @param starboard likewise
+ * @param compass the heading (rad) that is measured, of the true one
  */
-record TwinScrew(Screw port, Screw starboard) {
+record TwinScrew(Screw port, Screw starboard, DoubleUnaryOperator compass) {
     /** Thrust (N) by level, and by time (s) and speed ahead (m/s), by which the model has none. */
     interface Screw {
         double thrust(double level, double time, double advance);
@@ -90,7 +92,8 @@ record TwinScrew(Screw port, Screw starboard) {
                             NOISE * lot.nextGaussian())
                     .orientation(
                             Quat.ofAxisAngle(
-                                    new Vec3(0, 0, 1), state[2] + NOISE * lot.nextGaussian()))
+                                    new Vec3(0, 0, 1),
+                                    compass.applyAsDouble(state[2]) + NOISE * lot.nextGaussian()))
                     .command(0, left)
                     .command(1, right);
             for (int j = 0; j < SUBSTEPS; j++) {

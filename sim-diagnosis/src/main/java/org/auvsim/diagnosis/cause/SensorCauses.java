@@ -33,6 +33,14 @@ final class SensorCauses {
                             "sensor_drift",
                             List.of(Parameter.signed("yaw_rate", "rad/s", perSecond)),
                             (v, t) -> v.sensed(sensing -> sensing.yawed(0, t[0]))));
+            causes.add(
+                    Change.of(
+                                    "compass_deviation",
+                                    List.of(
+                                            new Parameter("sine", "rad", 0.02, -1, 1),
+                                            new Parameter("cosine", "rad", 0.02, -1, 1)),
+                                    (v, t) -> v.sensed(sensing -> sensing.besideIron(t[0], t[1])))
+                            .asGeneric());
         }
         causes.add(
                 Change.of(

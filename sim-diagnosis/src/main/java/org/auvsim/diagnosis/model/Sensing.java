@@ -18,6 +18,7 @@ import org.auvsim.server.feedback.RigidMotion;
  * @param turn by which the sensors' axes are off the world's (rotation vector, rad)
  * @param yaw by which orientations are off about the vertical (rad)
  * @param yawRate by which that grows (rad/s)
+ * @param compass by which headings are off, on each by another angle
  * @param offset by which positions are off (m)
  * @param drift by which positions run away from the run's beginning on (m/s); a part goes on with
  *     what it was there
@@ -30,40 +31,96 @@ public record Sensing(
         Vec3 turn,
         double yaw,
         double yawRate,
+        CompassDeviation compass,
         Vec3 offset,
         Vec3 drift) {
     /** What is told is what is. */
     public static final Sensing EXACT =
-            new Sensing(0, 0, Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, 0, 0, Vec3.ZERO, Vec3.ZERO);
+            new Sensing(
+                    0,
+                    0,
+                    Vec3.ZERO,
+                    Vec3.ZERO,
+                    Vec3.ZERO,
+                    0,
+                    0,
+                    CompassDeviation.NONE,
+                    Vec3.ZERO,
+                    Vec3.ZERO);
 
     /** The same, older by a time (s). */
     public Sensing delayed(double more) {
         return new Sensing(
-                delay + more, positionDelay, arm, scale, turn, yaw, yawRate, offset, drift);
+                delay + more,
+                positionDelay,
+                arm,
+                scale,
+                turn,
+                yaw,
+                yawRate,
+                compass,
+                offset,
+                drift);
     }
 
     /** The same, its positions older by a time (s). */
     public Sensing withLatePositions(double more) {
         return new Sensing(
-                delay, positionDelay + more, arm, scale, turn, yaw, yawRate, offset, drift);
+                delay,
+                positionDelay + more,
+                arm,
+                scale,
+                turn,
+                yaw,
+                yawRate,
+                compass,
+                offset,
+                drift);
     }
 
     /** The same, of a point that is further from the body's origin (m, body). */
     public Sensing armed(Vec3 more) {
         return new Sensing(
-                delay, positionDelay, arm.plus(more), scale, turn, yaw, yawRate, offset, drift);
+                delay,
+                positionDelay,
+                arm.plus(more),
+                scale,
+                turn,
+                yaw,
+                yawRate,
+                compass,
+                offset,
+                drift);
     }
 
     /** The same, its coordinates larger by shares. */
     public Sensing scaled(Vec3 more) {
         return new Sensing(
-                delay, positionDelay, arm, scale.plus(more), turn, yaw, yawRate, offset, drift);
+                delay,
+                positionDelay,
+                arm,
+                scale.plus(more),
+                turn,
+                yaw,
+                yawRate,
+                compass,
+                offset,
+                drift);
     }
 
     /** The same, its axes turned on (rotation vector, rad). */
     public Sensing turned(Vec3 more) {
         return new Sensing(
-                delay, positionDelay, arm, scale, turn.plus(more), yaw, yawRate, offset, drift);
+                delay,
+                positionDelay,
+                arm,
+                scale,
+                turn.plus(more),
+                yaw,
+                yawRate,
+                compass,
+                offset,
+                drift);
     }
 
     /** The same, its orientations off by more (rad, rad/s) about the vertical. */
@@ -76,6 +133,24 @@ public record Sensing(
                 turn,
                 yaw + more,
                 yawRate + moreRate,
+                compass,
+                offset,
+                drift);
+    }
+
+    /**
+     * The same beside iron that turns with the body: more of the heading's sine and cosine (rad).
+     */
+    public Sensing besideIron(double sine, double cosine) {
+        return new Sensing(
+                delay,
+                positionDelay,
+                arm,
+                scale,
+                turn,
+                yaw,
+                yawRate,
+                compass.plus(sine, cosine),
                 offset,
                 drift);
     }
@@ -83,13 +158,31 @@ public record Sensing(
     /** The same, its positions off by more (m). */
     public Sensing shifted(Vec3 more) {
         return new Sensing(
-                delay, positionDelay, arm, scale, turn, yaw, yawRate, offset.plus(more), drift);
+                delay,
+                positionDelay,
+                arm,
+                scale,
+                turn,
+                yaw,
+                yawRate,
+                compass,
+                offset.plus(more),
+                drift);
     }
 
     /** The same, its positions running away faster (m/s). */
     public Sensing drifting(Vec3 more) {
         return new Sensing(
-                delay, positionDelay, arm, scale, turn, yaw, yawRate, offset, drift.plus(more));
+                delay,
+                positionDelay,
+                arm,
+                scale,
+                turn,
+                yaw,
+                yawRate,
+                compass,
+                offset,
+                drift.plus(more));
     }
 
     /**
@@ -133,7 +226,8 @@ public record Sensing(
     /** Velocities that sensors of the body tell in its axes are what they are, however told. */
     private RigidMotion of(RigidMotion then, RigidMotion before, double since, MeasuredRun run) {
         Quat axes = rotation(turn);
-        Quat heading = rotation(new Vec3(0, 0, yaw + yawRate * since)).times(axes);
+        double off = yaw + yawRate * since + compass.of(then.orientation());
+        Quat heading = rotation(new Vec3(0, 0, off)).times(axes);
         Vec3 p = before.position().plus(before.orientation().rotate(arm));
         Vec3 v = then.velocity();
         return new RigidMotion(

@@ -102,6 +102,7 @@ public final class Phrases {
         put("step_force", "A force that starts during the run is missing");
         put("impulse", "An impulse is missing");
         put("sensor_bias", "The measured heading is off");
+        put("compass_deviation", "The compass has a deviation");
         put("sensor_drift", "The measured heading drifts");
         put("position_drift", "The measured position drifts");
         put("sensor_offset", "The measured positions have a constant offset");

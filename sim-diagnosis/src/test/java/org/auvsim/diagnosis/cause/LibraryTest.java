@@ -78,6 +78,7 @@ class LibraryTest {
                         "impulse",
                         "sensor_bias",
                         "sensor_drift",
+                        "compass_deviation",
                         "sensor_lever_arm",
                         "sensor_scale",
                         "sensor_delay",

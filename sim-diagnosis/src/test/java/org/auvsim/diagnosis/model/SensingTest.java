@@ -93,6 +93,34 @@ class SensingTest {
                 motion.angularVelocity());
     }
 
+    /** As iron that turns with the body pulls it; gyroscopes and receivers do not mind. */
+    @Test
+    void aCompassBesideIronIsOffByAnotherAngleOnEachHeading() {
+        RigidMotion[] told = told(Sensing.EXACT.besideIron(0.3, -0.1), 0);
+
+        for (int k = 0; k < told.length; k++) {
+            double t = 0.1 * k;
+            double heading = 0.3 * t + 0.1 * t * t;
+            double off = 0.3 * Math.sin(heading) - 0.1 * Math.cos(heading);
+            RigidMotion then = motion(t);
+            assertNear(
+                    told[k],
+                    new RigidMotion(
+                            then.position(),
+                            Quat.ofAxisAngle(UP, heading + off),
+                            then.velocity(),
+                            then.angularVelocity()),
+                    1e-9);
+        }
+    }
+
+    @Test
+    void aBodyThatPointsUprightHasNoHeadingAndItsCompassNoDeviation() {
+        Quat upright = new Quat(0.5, 0.5, -0.5, 0.5);
+
+        assertThat(new CompassDeviation(0.3, 0.2).of(upright)).isZero();
+    }
+
     /** A receiver's fixes are old, while all else is told at once; the delays of both add up. */
     @ParameterizedTest
     @CsvSource({"0, 0.23", "0.1, 0.37"})

@@ -106,6 +106,7 @@ final class CauseFigures {
     private void ofSensors() {
         turn("sensor_bias", VEHICLE, 0.1);
         turn("sensor_drift", VEHICLE, 0.01);
+        turn("compass_deviation", VEHICLE, 0.1, 0.05);
         position("sensor_offset", VEHICLE, 0.05, 0, -0.1);
         position("sensor_lever_arm", VEHICLE, 0.4, 0.2, 0);
         position("sensor_scale", VEHICLE, 0.03, 0, -0.02);

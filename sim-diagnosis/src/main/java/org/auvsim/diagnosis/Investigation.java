@@ -10,8 +10,8 @@ import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.Split;
-import org.auvsim.diagnosis.search.Arena;
 import org.auvsim.diagnosis.search.SteadyParts;
+import org.auvsim.diagnosis.search.Way;
 import org.auvsim.diagnosis.shaking.Imbalance;
 import org.auvsim.diagnosis.shaking.SoundRuns;
 import org.auvsim.diagnosis.verdict.Examination;
@@ -29,6 +29,8 @@ import java.util.stream.Stream;
  * @param causes candidates
  * @param seed of what is drawn by lot
  * @param method how causes are searched for
+ * @param isThorough whether more causes than two at once are looked for where no fewer explain the
+ *     runs
  * @param sound runs that are known to be sound: what is normal of the body's shaking
  * @param progress is told how far it is
  */
@@ -39,6 +41,7 @@ public record Investigation(
         List<Cause> causes,
         long seed,
         Method method,
+        boolean isThorough,
         Optional<SoundRuns> sound,
         Progress progress) {
     private static final String NO_REFERENCE =
@@ -62,18 +65,35 @@ public record Investigation(
             List<Cause> causes,
             long seed,
             Progress progress) {
-        this(model, fit, heldOut, causes, seed, Method.SHOOTING, Optional.empty(), progress);
+        this(model, fit, heldOut, causes, seed, Method.SHOOTING, true, Optional.empty(), progress);
     }
 
     /** The same by another method. */
     public Investigation by(Method other) {
-        return new Investigation(model, fit, heldOut, causes, seed, other, sound, progress);
+        return new Investigation(
+                model, fit, heldOut, causes, seed, other, isThorough, sound, progress);
     }
 
     /** The same with runs that say what is normal of the body's shaking. */
     public Investigation comparedWith(SoundRuns reference) {
         return new Investigation(
-                model, fit, heldOut, causes, seed, method, Optional.of(reference), progress);
+                model,
+                fit,
+                heldOut,
+                causes,
+                seed,
+                method,
+                isThorough,
+                Optional.of(reference),
+                progress);
+    }
+
+    /**
+     * The same of data that may not be what they are taken for: more than two causes at once would
+     * imitate that.
+     */
+    public Investigation cursory() {
+        return new Investigation(model, fit, heldOut, causes, seed, method, false, sound, progress);
     }
 
     /**
@@ -97,13 +117,13 @@ public record Investigation(
                             causes,
                             seed,
                             method,
+                            isThorough,
                             sound,
                             progress)
                     .diagnose()
                     .noticing(List.of(split.notice()));
         }
-        Optional<Arena.Contest> contest =
-                method == Method.GENETIC ? Optional.of(new Evolution(seed)) : Optional.empty();
+        Way thorough = method == Method.GENETIC ? Way.by(new Evolution(seed)) : Way.THOROUGH;
         Course course = new Course(progress);
         course.at("following the runs", 0.01);
         SteadyParts toFit = SteadyParts.of(model, fit, course);
@@ -115,7 +135,7 @@ public record Investigation(
                                 toJudge.runs(),
                                 causes,
                                 seed,
-                                contest,
+                                isThorough ? thorough : thorough.cursory(),
                                 course::at)
                         .diagnosis(List.of(new FormulaSearch(seed), new FieldSearch()))
                         .noticing(toJudge.notices())

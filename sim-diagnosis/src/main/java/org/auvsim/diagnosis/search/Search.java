@@ -17,7 +17,6 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.shooting.Stepping;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Function;
 
 /** Looks for the causes that explain what a model misses of measured runs. */
@@ -34,23 +33,23 @@ public final class Search {
     private final Fit base;
     private final List<Cause> library;
     private final Course course;
-    private final Optional<Arena.Contest> contest;
+    private final Way way;
 
-    /** By columns of a screening, or else by a contest of models. */
+    /** Of a library, in some way. */
     public Search(
             BelievedModel model,
             List<MeasuredRun> runs,
             List<Cause> library,
-            Optional<Arena.Contest> contest,
+            Way way,
             Course course) {
-        this(model, runs, library, contest, course, StepLength::converged);
+        this(model, runs, library, way, course, StepLength::converged);
     }
 
     private Search(
             BelievedModel model,
             List<MeasuredRun> runs,
             List<Cause> library,
-            Optional<Arena.Contest> contest,
+            Way way,
             Course course,
             Function<Fit, Stepping> length) {
         this.model = model;
@@ -68,7 +67,7 @@ public final class Search {
                         : Following.again(asStated.in(stepping), noise, course);
         this.library = library;
         this.course = course;
-        this.contest = contest;
+        this.way = way;
     }
 
     /**
@@ -137,7 +136,7 @@ public final class Search {
     }
 
     private Found again(Found before, BelievedModel stepping, Function<Fit, Stepping> length) {
-        return new Search(stepping, runs, library, contest, course.more(END), length)
+        return new Search(stepping, runs, library, way, course.more(END), length)
                 .selection()
                 .foundAgain(before);
     }
@@ -147,6 +146,6 @@ public final class Search {
         Judged none =
                 Descent.of(Refinement.approach(base, 1))
                         .steps(NONE_STEPS, Double.POSITIVE_INFINITY, course);
-        return new Selection(base, none, noise, library, contest, course);
+        return new Selection(base, none, noise, library, way, course);
     }
 }

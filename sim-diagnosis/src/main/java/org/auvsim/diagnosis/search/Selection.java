@@ -51,6 +51,7 @@ final class Selection {
     private final Judged none;
     private final List<Cause> library;
     private final Optional<Arena.Contest> contest;
+    private final boolean isThorough;
     private final Course course;
     private final Noise noise;
     private final Screening screening;
@@ -58,23 +59,18 @@ final class Selection {
     private final Misreading misreading;
 
     /**
-     * By columns of a screening, or else by a contest of models.
+     * Out of a library, in some way.
      *
      * @param base what follows the measurement by the model as it is believed
      * @param none that model, fitted
      */
-    Selection(
-            Fit base,
-            Judged none,
-            Noise noise,
-            List<Cause> library,
-            Optional<Arena.Contest> contest,
-            Course course) {
+    Selection(Fit base, Judged none, Noise noise, List<Cause> library, Way way, Course course) {
         this.base = base;
         this.none = none;
         this.noise = noise;
         this.library = library;
-        this.contest = contest;
+        this.contest = way.contest();
+        this.isThorough = way.isThorough();
         this.course = course;
         this.screening = new Screening(base, noise, library, none.outcome(), course);
         Aliasing aliasing = new Aliasing(screening, noise, course);
@@ -96,10 +92,10 @@ final class Selection {
         if (haveChanged(byRun) || (isOpen && misreading.isNearerThan(best))) {
             return asItIs(best, byRun);
         }
-        if (isOpen) {
+        if (isOpen && isThorough) {
             best = withMore(best, specific);
         }
-        if (isOpen && !best.isWhite() && course.goesOn()) {
+        if (isOpen && isThorough && !best.isWhite() && course.goesOn()) {
             best = rescued(best, specific);
         }
         best = contest.isEmpty() ? plainer(best) : best;

@@ -28,8 +28,8 @@ import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.search.Alternatives;
-import org.auvsim.diagnosis.search.Arena;
 import org.auvsim.diagnosis.search.Search;
+import org.auvsim.diagnosis.search.Way;
 import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
@@ -64,13 +64,13 @@ public final class Examination {
     private final List<MeasuredRun> heldOut;
     private final List<Cause> causes;
     private final long seed;
-    private final Optional<Arena.Contest> contest;
+    private final Way way;
     private final Course course;
 
     /**
      * Of runs that are searched with and runs that only judge.
      *
-     * @param contest by which models are found; empty: by what causes leave in the data
+     * @param way how they are searched
      */
     public Examination(
             BelievedModel model,
@@ -78,14 +78,14 @@ public final class Examination {
             List<MeasuredRun> heldOut,
             List<Cause> causes,
             long seed,
-            Optional<Arena.Contest> contest,
+            Way way,
             Progress progress) {
         this.model = model;
         this.fit = begun(fit);
         this.heldOut = begun(heldOut);
         this.causes = causes;
         this.seed = seed;
-        this.contest = contest;
+        this.way = way;
         this.course = new Course(progress);
     }
 
@@ -100,14 +100,13 @@ public final class Examination {
 
     /** The same, with what imitates the misfit best where nothing that is known explains it. */
     public Diagnosis diagnosis(List<Imitator> imitators) {
-        Search.Found found = new Search(model, fit, causes, contest, course).found();
+        Search.Found found = new Search(model, fit, causes, way, course).found();
         course.at("judging by held-out runs", Search.END);
         Judgement judgement =
                 Judgement.of(found, new Trial(found.stepping(), heldOut, found.noise()));
         if (judgement.isOfTwoMinds() && areAsLong(fit, heldOut) && course.goesOn()) {
             Search.Found all =
-                    new Search(model, allRuns(), causes, contest, course.more(ALL_SEARCHED))
-                            .found();
+                    new Search(model, allRuns(), causes, way, course.more(ALL_SEARCHED)).found();
             if (judgement.isNews(all) && !all.best().isNone()) {
                 LeaveOneOut turns = new LeaveOneOut(all.best(), course);
                 Foretold byTurns = Foretold.byTurns(asBelieved(all), turns, all.noise());

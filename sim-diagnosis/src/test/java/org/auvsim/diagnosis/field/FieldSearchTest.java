@@ -13,6 +13,7 @@ import org.auvsim.diagnosis.result.Proposal;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.diagnosis.search.Way;
 import org.auvsim.diagnosis.verdict.Examination;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -20,7 +21,6 @@ import org.junit.jupiter.api.Timeout;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
 
@@ -49,7 +49,7 @@ class FieldSearchTest {
                         of.heldOut(),
                         of.causes(),
                         1,
-                        Optional.empty(),
+                        Way.THOROUGH,
                         Progress.SILENT)
                 .diagnosis(List.of(new FieldSearch()));
     }

@@ -20,7 +20,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -76,7 +75,7 @@ class AliasTest {
                                 runs,
                                 causes,
                                 1,
-                                Optional.empty(),
+                                Way.THOROUGH,
                                 Progress.SILENT)
                         .diagnosis();
 

@@ -17,7 +17,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.Random;
 
 /**
@@ -63,7 +62,7 @@ class AliasingTest {
                         .toList();
 
         Hypothesis found =
-                new Search(model, runs, periodic, Optional.empty(), new Course(Progress.SILENT))
+                new Search(model, runs, periodic, Way.THOROUGH, new Course(Progress.SILENT))
                         .found()
                         .best()
                         .fit()

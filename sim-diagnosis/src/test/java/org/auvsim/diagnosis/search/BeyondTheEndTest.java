@@ -15,7 +15,6 @@ import org.auvsim.diagnosis.subject.Cart;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 
@@ -39,12 +38,7 @@ class BeyondTheEndTest {
                         .toList();
 
         Search.Found found =
-                new Search(
-                                Cart.believed(),
-                                runs,
-                                causes,
-                                Optional.empty(),
-                                new Course(Progress.SILENT))
+                new Search(Cart.believed(), runs, causes, Way.THOROUGH, new Course(Progress.SILENT))
                         .found();
 
         Hypothesis best = found.best().fit().hypothesis();

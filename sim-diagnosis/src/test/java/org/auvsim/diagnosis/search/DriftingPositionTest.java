@@ -21,7 +21,6 @@ import org.junit.jupiter.api.Test;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Optional;
 import java.util.Random;
 
 /**
@@ -48,7 +47,7 @@ class DriftingPositionTest {
         assertThat(causes).hasSize(3);
 
         Hypothesis best =
-                new Search(model, runs, causes, Optional.empty(), new Course(Progress.SILENT))
+                new Search(model, runs, causes, Way.THOROUGH, new Course(Progress.SILENT))
                         .found()
                         .best()
                         .fit()

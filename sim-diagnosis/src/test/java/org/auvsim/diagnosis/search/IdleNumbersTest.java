@@ -14,7 +14,6 @@ import org.auvsim.diagnosis.subject.Cart;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 
 /** Of a body that moves along one line, a vector has two numbers that do nothing. */
@@ -28,7 +27,7 @@ class IdleNumbersTest {
         List<Cause> causes =
                 Library.of(onRails, runs).stream().filter(c -> IDS.contains(c.id())).toList();
         Course course = new Course(Progress.SILENT);
-        return new Search(onRails, runs, causes, Optional.empty(), course).found();
+        return new Search(onRails, runs, causes, Way.THOROUGH, course).found();
     }
 
     @Test

@@ -16,7 +16,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.Random;
 
 /** A model that is wrong in four ways at once, no two of which explain anything like the runs. */
@@ -34,8 +33,7 @@ class SeveralCausesTest {
         throw new AssertionError(label + " is not among " + of.causes());
     }
 
-    @Test
-    void allOfThemAreFound() throws Exception {
+    private static Search.Found found(Way way) throws Exception {
         BelievedModel model = Surveyor.believed();
         Random random = new Random(3);
         List<MeasuredRun> runs =
@@ -45,10 +43,12 @@ class SeveralCausesTest {
                         .filter(cause -> !cause.isGeneric())
                         .filter(cause -> cause.guesses(runs).size() <= 2)
                         .toList();
+        return new Search(model, runs, common, way, new Course(Progress.SILENT)).found();
+    }
 
-        Search.Found found =
-                new Search(model, runs, common, Optional.empty(), new Course(Progress.SILENT))
-                        .found();
+    @Test
+    void allOfThemAreFound() throws Exception {
+        Search.Found found = found(Way.THOROUGH);
 
         Hypothesis best = found.best().fit().hypothesis();
         assertThat(found.best().isWhite()).isTrue();
@@ -63,5 +63,17 @@ class SeveralCausesTest {
         assertThat(number(best, "current_constant")).isCloseTo(0.12, within(0.002));
         assertThat(number(best, "thruster_gain (port)")).isCloseTo(-0.15, within(0.001));
         assertThat(number(best, "rotational_drag")).isCloseTo(1.5, within(0.01));
+    }
+
+    /** Of data that reading doubts more causes would be doubted, too, and take their time. */
+    @Test
+    void noMoreThanTwoAreLookedForInAHurry() throws Exception {
+        Search.Found found = found(Way.THOROUGH.cursory());
+
+        assertThat(found.best().isWhite()).isFalse();
+        assertThat(found.judged())
+                .isNotEmpty()
+                .allSatisfy(
+                        set -> assertThat(set.fit().hypothesis().causes().size()).isLessThan(3));
     }
 }

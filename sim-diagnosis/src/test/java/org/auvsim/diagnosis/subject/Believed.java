@@ -9,10 +9,10 @@ import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.search.Way;
 import org.auvsim.diagnosis.verdict.Examination;
 
 import java.util.List;
-import java.util.Optional;
 
 /** Models that tests believe, and what runs say of them. */
 public final class Believed {
@@ -35,7 +35,7 @@ public final class Believed {
                         heldOut,
                         Library.named(List.of(cause), Library.of(model, fit)),
                         1,
-                        Optional.empty(),
+                        Way.THOROUGH,
                         Progress.SILENT)
                 .diagnosis();
     }

@@ -16,10 +16,10 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.search.Search;
+import org.auvsim.diagnosis.search.Way;
 import org.auvsim.diagnosis.shooting.Stepping;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.Random;
 
 /**
@@ -127,7 +127,7 @@ public record Cart(double gain, double drag, double current) {
     /** What the search finds among some causes. */
     public Search.Found found(List<Cause> causes) throws AuvsmlException {
         Course course = new Course(Progress.SILENT);
-        return new Search(believed(), List.of(run()), causes, Optional.empty(), course).found();
+        return new Search(believed(), List.of(run()), causes, Way.THOROUGH, course).found();
     }
 
     /** A fit whose windows follow the run under a hypothesis. */

@@ -9,11 +9,11 @@ import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.result.Alternative;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.search.Search;
+import org.auvsim.diagnosis.search.Way;
 import org.auvsim.diagnosis.subject.Cart;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
-import java.util.Optional;
 
 /** A cart with linear drag, whose speeds do not differ much. */
 class DragLawTest {
@@ -22,7 +22,7 @@ class DragLawTest {
     private static Search.Found found(MeasuredRun run) throws Exception {
         List<Cause> laws = List.of(CART.cause("linear_drag"), CART.cause("quadratic_drag"));
         Course course = new Course(Progress.SILENT);
-        return new Search(Cart.believed(), List.of(run), laws, Optional.empty(), course).found();
+        return new Search(Cart.believed(), List.of(run), laws, Way.THOROUGH, course).found();
     }
 
     private static MeasuredRun erring() {

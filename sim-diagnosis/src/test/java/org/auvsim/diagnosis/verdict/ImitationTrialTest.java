@@ -16,6 +16,7 @@ import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.diagnosis.search.Way;
 import org.auvsim.diagnosis.shooting.Stepping;
 import org.auvsim.diagnosis.subject.Cart;
 import org.auvsim.diagnosis.subject.MeasuredVehicle;
@@ -55,7 +56,7 @@ class ImitationTrialTest {
         List<Gain> gains = new ArrayList<>();
 
         Diagnosis of =
-                new Examination(coarse, fit, heldOut, causes, 1, Optional.empty(), Progress.SILENT)
+                new Examination(coarse, fit, heldOut, causes, 1, Way.THOROUGH, Progress.SILENT)
                         .diagnosis(
                                 List.of(
                                         (_, trial) -> {

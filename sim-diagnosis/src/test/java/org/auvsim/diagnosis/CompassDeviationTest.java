@@ -23,11 +23,8 @@ class CompassDeviationTest {
 
     @Test
     void isNoHeadingThatIsOffByAConstant() throws Exception {
-        TwinScrew.Screw sound = (level, _, _) -> TwinScrew.THRUST * level;
         TwinScrew vehicle =
-                new TwinScrew(
-                        sound,
-                        sound,
+                TwinScrew.SOUND.steering(
                         heading -> heading + SINE * Math.sin(heading) + COSINE * Math.cos(heading));
         BelievedModel model = TwinScrew.model();
         List<MeasuredRun> fit = List.of(vehicle.run(1), vehicle.run(11));

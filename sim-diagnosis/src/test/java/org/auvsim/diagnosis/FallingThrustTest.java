@@ -55,7 +55,7 @@ class FallingThrustTest {
     }
 
     private static Diagnosis diagnosis(TwinScrew.Screw screw) throws Exception {
-        TwinScrew vehicle = new TwinScrew(screw, screw, heading -> heading);
+        TwinScrew vehicle = TwinScrew.SOUND.pushing(screw, screw);
         BelievedModel model = TwinScrew.model();
         List<MeasuredRun> fit = List.of(vehicle.run(SEED), vehicle.run(SEED + 10));
         return new Investigation(

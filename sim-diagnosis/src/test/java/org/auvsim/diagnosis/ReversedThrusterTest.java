@@ -25,10 +25,8 @@ class ReversedThrusterTest {
     @ValueSource(longs = {1, 2})
     void isFound(long seed) throws Exception {
         TwinScrew vehicle =
-                new TwinScrew(
-                        (level, _, _) -> -TwinScrew.THRUST * level,
-                        (level, _, _) -> TwinScrew.THRUST * level,
-                        heading -> heading);
+                TwinScrew.SOUND.pushing(
+                        (level, _, _) -> -TwinScrew.THRUST * level, TwinScrew.SOUND.starboard());
         BelievedModel model = TwinScrew.model();
         List<MeasuredRun> fit = List.of(vehicle.run(seed), vehicle.run(seed + 10));
 

@@ -18,11 +18,33 @@ import java.util.function.DoubleUnaryOperator;
  * A vehicle with two thrusters side by side that moves in the horizontal plane, by equations of its
  * own here.
  *
- * @param port thrust (N) of the one to the left
+ * @param port thrust of the one to the left
  * @param starboard likewise
  * @param compass the heading (rad) that is measured, of the true one
+ * @param samples of a run, ten a second
+ * @param placeNoise standard deviation of positions (m)
+ * @param turnNoise that of headings (rad)
  */
-record TwinScrew(Screw port, Screw starboard, DoubleUnaryOperator compass) {
+public record TwinScrew(
+        Screw port,
+        Screw starboard,
+        DoubleUnaryOperator compass,
+        int samples,
+        double placeNoise,
+        double turnNoise) {
+    /** N at full level. */
+    static final double THRUST = 20;
+
+    /** As it is believed, measured well for 12 s. */
+    public static final TwinScrew SOUND =
+            new TwinScrew(
+                    (level, _, _) -> THRUST * level,
+                    (level, _, _) -> THRUST * level,
+                    heading -> heading,
+                    120,
+                    0.01,
+                    0.01);
+
     /** Thrust (N) by level, and by time (s) and speed ahead (m/s), by which the model has none. */
     interface Screw {
         double thrust(double level, double time, double advance);
@@ -30,9 +52,6 @@ record TwinScrew(Screw port, Screw starboard, DoubleUnaryOperator compass) {
 
     private static final double MASS = 12;
     private static final double INERTIA = 1.1;
-
-    /** N at full level. */
-    static final double THRUST = 20;
 
     private static final double SIDE = 0.15;
 
@@ -43,12 +62,25 @@ record TwinScrew(Screw port, Screw starboard, DoubleUnaryOperator compass) {
     private static final double TURNING = 1.5;
 
     private static final double INTERVAL = 0.1;
-    private static final int SAMPLES = 120;
     private static final int SUBSTEPS = 200;
-    private static final double NOISE = 0.01;
+
+    /** The same, its thrusters otherwise. */
+    TwinScrew pushing(Screw left, Screw right) {
+        return new TwinScrew(left, right, compass, samples, placeNoise, turnNoise);
+    }
+
+    /** The same, its heading measured otherwise. */
+    public TwinScrew steering(DoubleUnaryOperator otherwise) {
+        return new TwinScrew(port, starboard, otherwise, samples, placeNoise, turnNoise);
+    }
+
+    /** The same, measured so often, and so well. */
+    public TwinScrew measured(int many, double place, double turn) {
+        return new TwinScrew(port, starboard, compass, many, place, turn);
+    }
 
     /** As it is believed: both give what they should at any speed. */
-    static BelievedModel model() throws AuvsmlException {
+    public static BelievedModel model() throws AuvsmlException {
         String scenario =
                 """
                 <scenario><time-step delta="0.05"/>
@@ -73,27 +105,28 @@ record TwinScrew(Screw port, Screw starboard, DoubleUnaryOperator compass) {
     }
 
     /** Thrusters get other levels every 2 s, as drawn by a seed. */
-    MeasuredRun run(long seed) {
+    public MeasuredRun run(long seed) {
         SplittableRandom lot = new SplittableRandom(seed);
         MeasuredRunBuilder run =
                 MeasuredRun.named("run " + seed).commands(List.of("port", "starboard"));
         double[] state = new double[7]; // x, y, heading, ahead, aside, turning, time
         double left = 0;
         double right = 0;
-        for (int k = 0; k < SAMPLES; k++) {
+        for (int k = 0; k < samples; k++) {
             if (k % 20 == 0) {
                 left = 0.2 + 0.6 * lot.nextDouble();
                 right = left + 0.2 * lot.nextDouble() - 0.1;
             }
             run.at(k * INTERVAL)
                     .position(
-                            state[0] + NOISE * lot.nextGaussian(),
-                            state[1] + NOISE * lot.nextGaussian(),
-                            NOISE * lot.nextGaussian())
+                            state[0] + placeNoise * lot.nextGaussian(),
+                            state[1] + placeNoise * lot.nextGaussian(),
+                            placeNoise * lot.nextGaussian())
                     .orientation(
                             Quat.ofAxisAngle(
                                     new Vec3(0, 0, 1),
-                                    compass.applyAsDouble(state[2]) + NOISE * lot.nextGaussian()))
+                                    compass.applyAsDouble(state[2])
+                                            + turnNoise * lot.nextGaussian()))
                     .command(0, left)
                     .command(1, right);
             for (int j = 0; j < SUBSTEPS; j++) {

@@ -52,6 +52,11 @@ final class Screening {
         return new Screen(base, causes, guesses, asBelieved);
     }
 
+    /** Around where something fits whole runs best. */
+    Screen along(Judged fitted, List<Cause> causes) {
+        return new Screen(fitted.fit(), causes, guesses, asBelieved);
+    }
+
     /** Common causes that promise to explain one of the runs alone, the most promising first. */
     List<Hypothesis> ofRun(int run, List<Cause> library) {
         Fit alone = base.ofRun(run);

@@ -143,9 +143,20 @@ public final class Search {
 
     private Selection selection() {
         course.at("fitting the model as it is", 0.1);
-        Judged none =
-                Descent.of(Refinement.approach(base, 1))
-                        .steps(NONE_STEPS, Double.POSITIVE_INFINITY, course);
+        Judged none = begunAnew(nearby(Refinement.approach(base, 1)));
         return new Selection(base, none, noise, library, way, course);
+    }
+
+    private Judged nearby(Judged judged) {
+        return Descent.of(judged).steps(NONE_STEPS, Double.POSITIVE_INFINITY, course);
+    }
+
+    /** From new starts of the runs, if it misses something and less from there. */
+    private Judged begunAnew(Judged none) {
+        if (none.isWhite() || !course.goesOn()) {
+            return none;
+        }
+        Judged anew = nearby(Judged.of(Following.anew(none.fit(), noise, course)));
+        return anew.cost() < none.cost() ? anew : none;
     }
 }

@@ -8,6 +8,7 @@ import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.residual.Outcome;
 
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -327,11 +328,32 @@ final class Selection {
         }
         Screen screen = screening.of(causes);
         Judged best = whole(tried.tournament(screen.starts(1, isNew), none, 0.3, 0.5));
+        if (!best.isWhite() && course.goesOn()) {
+            List<Screen.Start> alone = along(none, causes).starts(1, isNew);
+            best = whole(tried.tournament(alone, best, 0.4, 0.5));
+        }
         if (!best.isWhite() && course.goesOn() && !areMisread(best)) {
-            Judged pair = tried.tournament(screen.starts(2, isNew), best, 0.5, 0.6);
-            best = tried.pruned(whole(pair));
+            List<Screen.Start> pairs = new ArrayList<>(screen.starts(2, isNew));
+            if (count(best) == 1) {
+                pairs.addAll(along(best, causes).starts(1, isNew));
+            }
+            best = tried.pruned(whole(tried.tournament(pairs, best, 0.5, 0.6)));
         }
         return best;
+    }
+
+    /**
+     * Common causes, one more each, around where something fits whole runs best: what is far off
+     * for sure, as a heading by half a radian, is hidden in the starts of windows that follow the
+     * measurement, and shows where the model goes another way.
+     */
+    private Screen along(Judged fitted, List<Cause> causes) {
+        List<Cause> of = fitted.fit().hypothesis().causes();
+        return screening.along(
+                fitted,
+                causes.stream()
+                        .filter(c -> !c.isAmong(of) && !screening.hasManyGuesses(c))
+                        .toList());
     }
 
     /**

@@ -50,7 +50,20 @@ final class Trial {
     Judged prediction(Hypothesis hypothesis, Course course) {
         Fit fit = Following.of(stepping, hypothesis.settled(), data, noise, course);
         Judged near = Refinement.approach(fit, 1, Double.POSITIVE_INFINITY, course).judged();
+        return begunAnew(arrived(near, course), course);
+    }
+
+    private static Judged arrived(Judged near, Course course) {
         return Descent.of(near).steps(STEPS, Double.POSITIVE_INFINITY, course);
+    }
+
+    /** From new starts of the runs, if it misses something and less from there. */
+    private Judged begunAnew(Judged of, Course course) {
+        if (of.isWhite() || !course.goesOn()) {
+            return of;
+        }
+        Judged anew = arrived(Judged.of(Following.anew(of.fit(), noise, course)), course);
+        return anew.cost() < of.cost() ? anew : of;
     }
 
     /**

@@ -57,6 +57,11 @@ final class Screen {
      */
     private static final double LACKING = 30;
 
+    /**
+     * What changes no more than this of all that is predicted (standard deviations) is rounding.
+     */
+    private static final double TRACELESS = 1e-4;
+
     private final Fit base;
     private final List<Seed> seeds;
     private final List<Cause> swept;
@@ -388,6 +393,10 @@ final class Screen {
      */
     private Promise promise(Gram gram, int[] columns, List<Seed> set, double without) {
         double[] factors = gram.solve(columns, bounds.of(columns(set)));
+        for (int i = 0; i < factors.length; i++) {
+            boolean isSeen = Math.abs(factors[i]) * gram.norm(columns[i]) > TRACELESS;
+            factors[i] = isSeen ? factors[i] : 0;
+        }
         int at = own;
         for (Seed seed : set) {
             int end = at + seed.guess().columns().size();

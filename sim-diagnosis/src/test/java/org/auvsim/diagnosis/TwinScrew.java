@@ -1,14 +1,12 @@
 package org.auvsim.diagnosis;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
-
 import org.auvsim.auvsml.AuvsmlException;
-import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
+import org.auvsim.diagnosis.subject.Believed;
 
 import java.util.List;
 import java.util.SplittableRandom;
@@ -81,7 +79,7 @@ public record TwinScrew(
 
     /** As it is believed: both give what they should at any speed. */
     public static BelievedModel model() throws AuvsmlException {
-        String scenario =
+        return Believed.model(
                 """
                 <scenario><time-step delta="0.05"/>
                   <world-object name="vehicle" mass="12">
@@ -97,10 +95,7 @@ public record TwinScrew(
                     </propulsor>
                   </world-object>
                 </scenario>
-                """;
-        return new BelievedModel(
-                ScenarioLoader.load(TwinScrew.class.getClassLoader())
-                        .parse(scenario.getBytes(UTF_8)),
+                """,
                 "vehicle");
     }
 

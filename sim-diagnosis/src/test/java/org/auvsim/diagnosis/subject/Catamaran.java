@@ -1,9 +1,6 @@
 package org.auvsim.diagnosis.subject;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
-
 import org.auvsim.auvsml.AuvsmlException;
-import org.auvsim.auvsml.document.ScenarioLoader;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.BelievedModel;
@@ -36,7 +33,7 @@ public final class Catamaran {
 
     /** As it is. */
     public static BelievedModel believed() throws AuvsmlException {
-        String scenario =
+        return Believed.model(
                 """
                 <scenario><time-step delta="0.05"/>
                   <world-object name="catamaran" mass="36">
@@ -55,10 +52,7 @@ public final class Catamaran {
                     </propulsor>
                   </world-object>
                 </scenario>
-                """;
-        return new BelievedModel(
-                ScenarioLoader.load(Catamaran.class.getClassLoader())
-                        .parse(scenario.getBytes(UTF_8)),
+                """,
                 "catamaran");
     }
 

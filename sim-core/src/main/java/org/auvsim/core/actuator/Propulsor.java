@@ -141,25 +141,24 @@ public record Propulsor(
 
     /** The same in another condition. */
     public Propulsor in(Condition other) {
-        return new Propulsor(
-                name,
-                maximumThrust,
-                level,
-                position,
-                direction,
-                thrustCurve,
-                lag,
-                deadZone,
-                reactionTorque,
-                advanceLoss,
-                rotor,
-                powerDraw,
-                Optional.of(other),
-                reached);
+        return built(direction, lag, advanceLoss, Optional.of(other));
     }
 
     /** The same in another direction (body axes), and following commands with another lag (s). */
     public Propulsor mounted(Vec3 otherDirection, double otherLag) {
+        return built(otherDirection, otherLag, advanceLoss, condition);
+    }
+
+    /** The same that loses another share of its thrust by advance (s/m). */
+    public Propulsor advancing(double otherLoss) {
+        return built(direction, lag, otherLoss, condition);
+    }
+
+    private Propulsor built(
+            Vec3 otherDirection,
+            double otherLag,
+            double otherLoss,
+            Optional<Condition> otherCondition) {
         return new Propulsor(
                 name,
                 maximumThrust,
@@ -170,29 +169,10 @@ public record Propulsor(
                 otherLag,
                 deadZone,
                 reactionTorque,
-                advanceLoss,
-                rotor,
-                powerDraw,
-                condition,
-                reached);
-    }
-
-    /** The same that loses another share of its thrust by advance (s/m). */
-    public Propulsor advancing(double otherLoss) {
-        return new Propulsor(
-                name,
-                maximumThrust,
-                level,
-                position,
-                direction,
-                thrustCurve,
-                lag,
-                deadZone,
-                reactionTorque,
                 otherLoss,
                 rotor,
                 powerDraw,
-                condition,
+                otherCondition,
                 reached);
     }
 

@@ -53,7 +53,7 @@ class FinOffsetTest {
 
     /** The first 24 s of a run. */
     private static MeasuredRun run(BelievedModel askew, int seed, double heading) {
-        return MeasuredTorpedo.run(askew, seed, heading, Vec3.ZERO).stretch(0, 240);
+        return MeasuredTorpedo.run(askew, seed, heading, Vec3.ZERO).stretch(0, 160);
     }
 
     /** Turned about its span, which points up. */

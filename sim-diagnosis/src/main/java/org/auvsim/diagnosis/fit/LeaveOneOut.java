@@ -6,10 +6,14 @@ import org.auvsim.diagnosis.shooting.Window;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /** Judges a model where all runs were searched with: each is predicted by what the others say. */
 public final class LeaveOneOut {
     private static final int STEPS = 6;
+
+    /** It grows by more for a number two deviations off. */
+    private static final double CHANCE = 4;
 
     private final Judged judged;
     private final Course course;
@@ -61,6 +65,19 @@ public final class LeaveOneOut {
             predictions.add(converged(alone.with(hypothesis, alone.windows()).knowing(known)));
         }
         return predictions;
+    }
+
+    /**
+     * Whether one run alone asks for more than a model with fewer causes has: without that, all
+     * others together do not.
+     */
+    public boolean restsOnOneRun(LeaveOneOut fewer) {
+        return IntStream.range(0, runs()).anyMatch(run -> gain(run, fewer) < CHANCE);
+    }
+
+    /** By how much twice the logarithm of the likelihood of all runs but one is more. */
+    private double gain(int run, LeaveOneOut fewer) {
+        return fewer.others(run).outcome().deviance() - others(run).outcome().deviance();
     }
 
     private int runs() {

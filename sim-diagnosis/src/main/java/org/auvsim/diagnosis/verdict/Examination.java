@@ -11,6 +11,7 @@ import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.residual.LocalMotion;
 import org.auvsim.diagnosis.residual.Misses;
+import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.result.Alternative;
 import org.auvsim.diagnosis.result.Approximation;
 import org.auvsim.diagnosis.result.Conclusion;
@@ -109,8 +110,8 @@ public final class Examination {
                     new Search(model, allRuns(), causes, way, course.more(ALL_SEARCHED)).found();
             if (judgement.isNews(all) && !all.best().isNone()) {
                 LeaveOneOut turns = new LeaveOneOut(all.best(), course);
-                Foretold byTurns = Foretold.byTurns(asBelieved(all), turns, all.noise());
-                if (isConvincing(all, found, turns, byTurns)) {
+                if (isConvincing(all, found, turns)) {
+                    Foretold byTurns = Foretold.byTurns(asBelieved(all), turns, all.noise());
                     return diagnosis(judgement.convinced(all), Optional.of(byTurns));
                 }
             }
@@ -150,18 +151,30 @@ public final class Examination {
 
     /**
      * Whether what all runs say can be believed, though none was held out: where they can judge one
-     * another, much of it must be foretold of each by the others, and what had to be given up for
-     * it must be made up for by each.
+     * another, much of what each cause gains must be foretold of each by the others, and what had
+     * to be given up for it must be made up for by each.
      */
-    private boolean isConvincing(
-            Search.Found all, Search.Found ofFit, LeaveOneOut turns, Foretold byTurns) {
+    private boolean isConvincing(Search.Found all, Search.Found ofFit, LeaveOneOut turns) {
         Judged best = all.best();
         return best.isWhite()
                 && !Undoing.isIn(all.none(), best.fit().hypothesis())
                 && (!LeaveOneOut.canJudge(allRuns())
-                        || (byTurns.isMuchOf(all.none(), best)
+                        || (isEachForetold(all, turns)
                                 && (ofFit.best().isNone()
                                         || Trial.holdsLeftOut(all.none(), best, turns))));
+    }
+
+    /** Whether much of what each cause gains beside the others is foretold of each run. */
+    private boolean isEachForetold(Search.Found all, LeaveOneOut turns) {
+        return IntStream.range(0, all.best().fit().hypothesis().causes().size())
+                .mapToObj(all::without)
+                .allMatch(others -> isForetold(all.best(), others, turns, all.noise()));
+    }
+
+    private boolean isForetold(Judged best, Judged others, LeaveOneOut turns, Noise noise) {
+        LeaveOneOut fewer = new LeaveOneOut(others, course);
+        return !turns.restsOnOneRun(fewer)
+                && Foretold.byTurns(fewer, turns, noise).isMuchOf(others, best);
     }
 
     private List<MeasuredRun> allRuns() {

@@ -29,11 +29,20 @@ public final class Believed {
     /** What runs say of a model that may have one cause wrong and nothing else. */
     public static Diagnosis suspectedOf(
             String cause, BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
+        return suspectedOf(List.of(cause), model, fit, heldOut);
+    }
+
+    /** The same of some causes. */
+    public static Diagnosis suspectedOf(
+            List<String> causes,
+            BelievedModel model,
+            List<MeasuredRun> fit,
+            List<MeasuredRun> heldOut) {
         return new Examination(
                         model,
                         fit,
                         heldOut,
-                        Library.named(List.of(cause), Library.of(model, fit)),
+                        Library.named(causes, Library.of(model, fit)),
                         1,
                         Way.THOROUGH,
                         Progress.SILENT)

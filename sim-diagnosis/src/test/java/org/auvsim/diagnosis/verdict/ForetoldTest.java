@@ -59,16 +59,39 @@ class ForetoldTest {
     }
 
     private static boolean isForetold(List<Cart> carts) throws Exception {
+        return isForetold(
+                carts, Hypothesis.NONE.and(CART.cause("thruster_gain"), new double[] {-0.01}), 0);
+    }
+
+    /**
+     * Water that flows in one run alone is not foretold beside a drag that is there in all, though
+     * both together are.
+     */
+    @Test
+    void aCauseIsAskedForWhatItGainsBesideAnother() throws Exception {
+        Cart still = new Cart(1, 2, 0);
+        Cart afloat = new Cart(1, 2, 0.05);
+        Hypothesis both =
+                Hypothesis.NONE
+                        .and(CART.cause("linear_drag"), new double[] {2})
+                        .and(CART.cause("current_constant"), new double[] {0.02, 0, 0});
+
+        assertThat(isForetold(List.of(still, still, afloat), both, 0)).isTrue();
+        assertThat(isForetold(List.of(still, still, afloat), both, 1)).isFalse();
+        assertThat(isForetold(List.of(afloat, afloat, afloat), both, 1)).isTrue();
+    }
+
+    /** Whether what one of the causes gains beside the others is. */
+    private static boolean isForetold(List<Cart> carts, Hypothesis causes, int cause)
+            throws Exception {
         List<MeasuredRun> runs = carts.stream().map(Cart::run).toList();
         Noise noise = Noise.of(runs);
-        Hypothesis weak =
-                new Hypothesis(List.of(CART.cause("thruster_gain")), List.of(new double[] {-0.01}));
-        Judged none = fitted(Hypothesis.NONE, runs, noise);
-        Judged found = fitted(weak, runs, noise);
         Course course = new Course(Progress.SILENT);
+        Judged others = fitted(causes.without(cause), runs, noise);
+        Judged found = fitted(causes, runs, noise);
         return Foretold.byTurns(
-                        new LeaveOneOut(none, course), new LeaveOneOut(found, course), noise)
-                .isMuchOf(none, found);
+                        new LeaveOneOut(others, course), new LeaveOneOut(found, course), noise)
+                .isMuchOf(others, found);
     }
 
     private static Judged fitted(Hypothesis hypothesis, List<MeasuredRun> runs, Noise noise)

@@ -3,13 +3,11 @@ package org.auvsim.diagnosis.verdict;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.core.math.Vec3;
-import org.auvsim.diagnosis.Investigation;
-import org.auvsim.diagnosis.cause.Library;
-import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.subject.Believed;
 import org.auvsim.diagnosis.subject.Surveyor;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -29,14 +27,7 @@ class RunByRunTest {
         List<MeasuredRun> fit = List.of(runs[0], runs[1]);
         List<String> some =
                 List.of("linear_drag", "quadratic_drag", "thruster_gain", "sensor_delay");
-        return new Investigation(
-                        model,
-                        fit,
-                        List.of(runs[2]),
-                        Library.named(some, Library.of(model, fit)),
-                        1,
-                        Progress.SILENT)
-                .diagnose();
+        return Believed.suspectedOf(some, model, fit, List.of(runs[2]));
     }
 
     @Test

@@ -2,12 +2,10 @@ package org.auvsim.diagnosis.verdict;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.auvsim.diagnosis.Investigation;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.cause.Parameter;
 import org.auvsim.diagnosis.fit.Hypothesis;
-import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Verdict;
@@ -87,17 +85,9 @@ class SlowSwingTest {
     void aForceThatGrowsIsNoSwing() throws Exception {
         BelievedModel model = model();
         List<MeasuredRun> fit = List.of(pushedEverHarder(1), pushedEverHarder(2));
-        List<Cause> causes = List.of(force(model, fit));
 
         Diagnosis diagnosis =
-                new Investigation(
-                                model,
-                                fit,
-                                List.of(pushedEverHarder(3)),
-                                causes,
-                                1,
-                                Progress.SILENT)
-                        .diagnose();
+                Believed.suspectedOf("periodic_force", model, fit, List.of(pushedEverHarder(3)));
 
         assertThat(diagnosis.verdict()).isEqualTo(Verdict.UNEXPLAINED);
         assertThat(diagnosis.selected()).isEmpty();
@@ -121,11 +111,9 @@ class SlowSwingTest {
         BelievedModel model = model();
         MeasuredRun one = pushed(1);
         MeasuredRun other = pushed(2);
-        List<Cause> causes = List.of(force(model, List.of(one, other)));
 
         Diagnosis diagnosis =
-                new Investigation(model, List.of(one), List.of(other), causes, 1, Progress.SILENT)
-                        .diagnose();
+                Believed.suspectedOf("periodic_force", model, List.of(one), List.of(other));
 
         assertThat(diagnosis.verdict()).isEqualTo(Verdict.EXPLAINED);
         assertThat(diagnosis.notices()).anyMatch(said -> said.contains("the period of periodic_f"));

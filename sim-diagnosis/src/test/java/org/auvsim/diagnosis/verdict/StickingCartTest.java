@@ -3,9 +3,6 @@ package org.auvsim.diagnosis.verdict;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import org.auvsim.diagnosis.Investigation;
-import org.auvsim.diagnosis.cause.Library;
-import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Finding;
@@ -30,7 +27,7 @@ class StickingCartTest {
     private static final double DRAG = 1.5;
     private static final double MU = 0.15;
     private static final double SPACING = 0.1;
-    private static final int SAMPLES = 400;
+    private static final int SAMPLES = 250;
     private static final int OF_LEVEL = 25;
     private static final double NOISE = 0.2;
     private static final int SUBSTEPS = 500;
@@ -104,15 +101,7 @@ class StickingCartTest {
                         "step_force",
                         "coulomb_friction");
 
-        Diagnosis diagnosis =
-                new Investigation(
-                                model,
-                                fit,
-                                List.of(run(seed + 2)),
-                                Library.named(some, Library.of(model, fit)),
-                                1,
-                                Progress.SILENT)
-                        .diagnose();
+        Diagnosis diagnosis = Believed.suspectedOf(some, model, fit, List.of(run(seed + 2)));
 
         assertThat(diagnosis.selected())
                 .extracting(Finding::cause)

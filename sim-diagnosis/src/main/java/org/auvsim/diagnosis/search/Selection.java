@@ -159,7 +159,7 @@ final class Selection {
                 chosen,
                 choice.judged(),
                 choice.competitors(chosen),
-                chosen.hasCausesOf(found) ? traces : screening.traces(chosen),
+                of -> of.hasCausesOf(found) ? traces : screening.traces(of),
                 noise,
                 List.of(),
                 misreading);
@@ -173,7 +173,7 @@ final class Selection {
                 best,
                 choice.judged(),
                 choice.competitors(best),
-                screening.traces(best),
+                screening::traces,
                 noise,
                 byRun,
                 misreading);

@@ -29,6 +29,13 @@ final class DragLaw {
 
     private DragLaw() {}
 
+    /** Whether two sets differ in the law of a drag alone. */
+    static boolean isAllTheyDifferIn(Judged one, Judged other) {
+        return OTHER.entrySet().stream()
+                .filter(law -> names(one).contains(law.getKey()))
+                .anyMatch(law -> names(other).equals(instead(names(one), law)));
+    }
+
     /**
      * The other law.
      *

@@ -11,7 +11,6 @@ import org.auvsim.diagnosis.model.BelievedModel;
 import org.auvsim.diagnosis.model.Variant;
 import org.auvsim.diagnosis.residual.LocalMotion;
 import org.auvsim.diagnosis.residual.Misses;
-import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.result.Alternative;
 import org.auvsim.diagnosis.result.Approximation;
 import org.auvsim.diagnosis.result.Conclusion;
@@ -57,6 +56,9 @@ public final class Examination {
     /** Errors that are such a share of those before are worth a model that explains nothing. */
     private static final double NEARER = 0.5;
 
+    /** So many causes imitate much in so many runs. */
+    private static final int SEVERAL = 3;
+
     /** Others may be such a share of theirs, as those that were no larger than noise. */
     private static final double NO_FARTHER = 1.1;
 
@@ -101,24 +103,30 @@ public final class Examination {
 
     /** The same, with what imitates the misfit best where nothing that is known explains it. */
     public Diagnosis diagnosis(List<Imitator> imitators) {
-        Search.Found found = new Search(model, fit, causes, way, course).found();
+        Search.Found ofFit = new Search(model, fit, causes, way, course).found();
         course.at("judging by held-out runs", Search.END);
-        Judgement judgement =
-                Judgement.of(found, new Trial(found.stepping(), heldOut, found.noise()));
+        Trial trial = new Trial(ofFit.stepping(), heldOut, ofFit.noise());
+        Search.Found found = new TieBreak(trial, course).decided(ofFit);
+        Judgement judgement = Judgement.of(found, trial);
         if (judgement.isOfTwoMinds() && areAsLong(fit, heldOut) && course.goesOn()) {
             Search.Found all =
                     new Search(model, allRuns(), causes, way, course.more(ALL_SEARCHED)).found();
             if (judgement.isNews(all) && !all.best().isNone()) {
                 LeaveOneOut turns = new LeaveOneOut(all.best(), course);
-                if (isConvincing(all, found, turns)) {
-                    Foretold byTurns = Foretold.byTurns(asBelieved(all), turns, all.noise());
+                Foretold byTurns = Foretold.byTurns(asBelieved(all), turns, all.noise());
+                if (isConvincing(all, found, turns, byTurns)) {
                     return diagnosis(judgement.convinced(all), Optional.of(byTurns));
                 }
             }
         }
         Diagnosis diagnosis = diagnosis(judgement.orAsBelieved(), Optional.empty());
-        ImitationTrial trial = new ImitationTrial(found.stepping(), heldOut, found.noise(), course);
-        return imitated(diagnosis, trial, imitators);
+        if (diagnosis.verdict() == Verdict.EXPLAINED) {
+            diagnosis = diagnosis.noticing(TieBreak.notices(ofFit, found));
+        }
+        return imitated(
+                diagnosis,
+                new ImitationTrial(found.stepping(), heldOut, found.noise(), course),
+                imitators);
     }
 
     /** Only once the search has come to its end: a known cause is worth more. */
@@ -151,30 +159,39 @@ public final class Examination {
 
     /**
      * Whether what all runs say can be believed, though none was held out: where they can judge one
-     * another, much of what each cause gains must be foretold of each by the others, and what had
-     * to be given up for it must be made up for by each.
+     * another, much of it must be foretold of each by the others, and what had to be given up for
+     * it must be made up for by each.
      */
-    private boolean isConvincing(Search.Found all, Search.Found ofFit, LeaveOneOut turns) {
+    private boolean isConvincing(
+            Search.Found all, Search.Found ofFit, LeaveOneOut turns, Foretold byTurns) {
         Judged best = all.best();
         return best.isWhite()
                 && !Undoing.isIn(all.none(), best.fit().hypothesis())
                 && (!LeaveOneOut.canJudge(allRuns())
-                        || (isEachForetold(all, turns)
+                        || (areForetold(all, turns, byTurns)
                                 && (ofFit.best().isNone()
                                         || Trial.holdsLeftOut(all.none(), best, turns))));
     }
 
-    /** Whether much of what each cause gains beside the others is foretold of each run. */
-    private boolean isEachForetold(Search.Found all, LeaveOneOut turns) {
-        return IntStream.range(0, all.best().fit().hypothesis().causes().size())
-                .mapToObj(all::without)
-                .allMatch(others -> isForetold(all.best(), others, turns, all.noise()));
+    /**
+     * Whether much of what the causes gain is foretold of each run; of a sum of several, which
+     * imitates much, of what each of them gains beside the others, unless one run is to foretell it
+     * all.
+     */
+    private boolean areForetold(Search.Found all, LeaveOneOut turns, Foretold byTurns) {
+        int causes = all.best().fit().hypothesis().causes().size();
+        return byTurns.isMuchOf(all.none(), all.best())
+                && (causes < SEVERAL
+                        || allRuns().size() < SEVERAL
+                        || IntStream.range(0, causes)
+                                .mapToObj(all::without)
+                                .allMatch(others -> isForetold(all, others, turns)));
     }
 
-    private boolean isForetold(Judged best, Judged others, LeaveOneOut turns, Noise noise) {
+    private boolean isForetold(Search.Found all, Judged others, LeaveOneOut turns) {
         LeaveOneOut fewer = new LeaveOneOut(others, course);
         return !turns.restsOnOneRun(fewer)
-                && Foretold.byTurns(fewer, turns, noise).isMuchOf(others, best);
+                && Foretold.byTurns(fewer, turns, all.noise()).isMuchOf(others, all.best());
     }
 
     private List<MeasuredRun> allRuns() {

@@ -110,7 +110,7 @@ class AliasTest {
                         found.best(),
                         turned,
                         found.competitors(),
-                        found.traces(),
+                        found.tracing(),
                         found.noise(),
                         found.byRun(),
                         found.misreading());

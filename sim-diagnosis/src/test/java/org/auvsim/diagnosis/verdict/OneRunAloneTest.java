@@ -24,7 +24,7 @@ class OneRunAloneTest {
     private static final double THRUST = 18; // 20 in the model
     private static final double DRAG = 2; // none in the model
     private static final double PUSH = 0.3;
-    private static final double PUSHED_FROM = 29.5;
+    private static final double PUSHED_FROM = 14.5;
     private static final double SPACING = 0.1;
     private static final int OF_LEVEL = 25;
     private static final double NOISE = 0.01;
@@ -55,8 +55,8 @@ class OneRunAloneTest {
         return Believed.suspectedOf(
                 List.of("thruster_gain", "linear_drag", "step_force"),
                 model,
-                List.of(run(1, 30, 0), run(2, 30, 0)),
-                List.of(run(3, 40, push)));
+                List.of(run(1, 15, 0), run(2, 15, 0)),
+                List.of(run(3, 20, push)));
     }
 
     /** What it is pushed by would be one of three causes; of it no other run foretells anything. */

@@ -77,7 +77,7 @@ public final class Search {
      * @param best the best set of causes; that of none if no set is better
      * @param judged all sets, the best first
      * @param competitors sets that explain the runs about as well as the best
-     * @param tracing what causes leave in the data beside those of a set
+     * @param traces what causes leave in the data beside those of the best
      * @param byRun causes of which one explains each run by itself, but of other numbers; usually
      *     none
      * @param misreading whether the runs are told in another way than they were read
@@ -87,7 +87,7 @@ public final class Search {
             Judged best,
             List<Judged> judged,
             List<Judged> competitors,
-            Function<Judged, Traces> tracing,
+            Traces traces,
             Noise noise,
             List<Hypothesis> byRun,
             Misreading misreading) {
@@ -96,19 +96,9 @@ public final class Search {
             return none.fit().stepping();
         }
 
-        /** What causes leave in the data beside those of the best. */
-        public Traces traces() {
-            return tracing.apply(best);
-        }
-
         /** The same, if none of what was found is true. */
         public Found nothing() {
-            return instead(none, List.of());
-        }
-
-        /** The same, if another set is the best, and these explain the runs about as well. */
-        public Found instead(Judged other, List<Judged> beside) {
-            return new Found(none, other, judged, beside, tracing, noise, byRun, misreading);
+            return new Found(none, none, judged, List.of(), traces, noise, byRun, misreading);
         }
 
         /** The best, one of its causes left out. */

@@ -159,7 +159,7 @@ final class Selection {
                 chosen,
                 choice.judged(),
                 choice.competitors(chosen),
-                of -> of.hasCausesOf(found) ? traces : screening.traces(of),
+                chosen.hasCausesOf(found) ? traces : screening.traces(chosen),
                 noise,
                 List.of(),
                 misreading);
@@ -173,7 +173,7 @@ final class Selection {
                 best,
                 choice.judged(),
                 choice.competitors(best),
-                screening::traces,
+                screening.traces(best),
                 noise,
                 byRun,
                 misreading);

@@ -103,12 +103,12 @@ public final class Examination {
 
     /** The same, with what imitates the misfit best where nothing that is known explains it. */
     public Diagnosis diagnosis(List<Imitator> imitators) {
-        Search.Found ofFit = new Search(model, fit, causes, way, course).found();
+        Search.Found found = new Search(model, fit, causes, way, course).found();
         course.at("judging by held-out runs", Search.END);
-        Trial trial = new Trial(ofFit.stepping(), heldOut, ofFit.noise());
-        Search.Found found = new TieBreak(trial, course).decided(ofFit);
+        Trial trial = new Trial(found.stepping(), heldOut, found.noise());
         Judgement judgement = Judgement.of(found, trial);
-        if (judgement.isOfTwoMinds() && areAsLong(fit, heldOut) && course.goesOn()) {
+        boolean isDoubted = judgement.isOfTwoMinds() || new Rivals(found, trial, course).areAhead();
+        if (isDoubted && areAsLong(fit, heldOut) && course.goesOn()) {
             Search.Found all =
                     new Search(model, allRuns(), causes, way, course.more(ALL_SEARCHED)).found();
             if (judgement.isNews(all) && !all.best().isNone()) {
@@ -120,13 +120,9 @@ public final class Examination {
             }
         }
         Diagnosis diagnosis = diagnosis(judgement.orAsBelieved(), Optional.empty());
-        if (diagnosis.verdict() == Verdict.EXPLAINED) {
-            diagnosis = diagnosis.noticing(TieBreak.notices(ofFit, found));
-        }
-        return imitated(
-                diagnosis,
-                new ImitationTrial(found.stepping(), heldOut, found.noise(), course),
-                imitators);
+        ImitationTrial ofImitators =
+                new ImitationTrial(found.stepping(), heldOut, found.noise(), course);
+        return imitated(diagnosis, ofImitators, imitators);
     }
 
     /** Only once the search has come to its end: a known cause is worth more. */

@@ -110,7 +110,7 @@ class AliasTest {
                         found.best(),
                         turned,
                         found.competitors(),
-                        found.tracing(),
+                        found.traces(),
                         found.noise(),
                         found.byRun(),
                         found.misreading());

@@ -11,8 +11,6 @@ import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 import org.auvsim.diagnosis.subject.Believed;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.List;
 import java.util.Random;
@@ -21,7 +19,7 @@ import java.util.Random;
  * A cart with a weak motor. While it gathers speed it might as well be heavier; only how fast it
  * goes in the end tells.
  */
-class TieBreakTest {
+class RivalsTest {
     private static final double MASS = 10;
     private static final double DRAG = 1;
     private static final double THRUST = 18; // 20 in the model
@@ -61,40 +59,34 @@ class TieBreakTest {
         return run.build();
     }
 
-    private static Diagnosis diagnosis(int seed, double judging) throws Exception {
+    private static Diagnosis diagnosis(double judging) throws Exception {
         return Believed.suspectedOf(
                 List.of("mass_error", "thruster_gain"),
                 model(),
-                List.of(run(seed, 5, 0.4), run(seed + 1, 5, -0.4)),
-                List.of(run(seed + 2, judging, 0.4)));
+                List.of(run(1, 5, 0.4), run(2, 5, -0.4)),
+                List.of(run(3, judging, 0.4)));
     }
 
-    /** Of the first runs a heavier cart explains the short ones slightly better. */
-    @ParameterizedTest
-    @ValueSource(ints = {1, 41})
-    void longRunsTellWhatShortOnesDoNot(int seed) throws Exception {
-        Diagnosis diagnosis = diagnosis(seed, 20);
+    /** A heavier cart explains the short ones slightly better, and holds on the longer one. */
+    @Test
+    void allRunsAreAskedWhereALongerOneSpeaksForAnother() throws Exception {
+        Diagnosis diagnosis = diagnosis(10);
 
         assertThat(diagnosis.selected())
                 .extracting(Finding::cause)
                 .containsExactly("thruster_gain");
         assertThat(diagnosis.evidence().alternatives()).isEmpty();
-        assertThat(diagnosis.prediction().usedHeldOut()).isFalse();
-        assertThat(diagnosis.notices())
-                .anyMatch(
-                        said ->
-                                said.startsWith("the runs of the fit hardly tell thruster_gain")
-                                        && said.endsWith("speak against mass_error"));
+        assertThat(diagnosis.prediction().usedHeldOut()).isTrue();
     }
 
     @Test
-    void shortOnesDecideNothing() throws Exception {
-        Diagnosis diagnosis = diagnosis(1, 5);
+    void theyAreNotWhereItSpeaksForNone() throws Exception {
+        Diagnosis diagnosis = diagnosis(5);
 
         assertThat(diagnosis.selected()).extracting(Finding::cause).containsExactly("mass_error");
         assertThat(diagnosis.evidence().alternatives())
                 .extracting(Alternative::causes)
                 .containsExactly(List.of("thruster_gain (motor)"));
-        assertThat(diagnosis.notices()).noneMatch(said -> said.contains("hardly tell"));
+        assertThat(diagnosis.prediction().usedHeldOut()).isFalse();
     }
 }

@@ -59,10 +59,10 @@ final class Stiffness {
         }
     }
 
-    /** The least power of 2 that is not below z. */
+    /** The least power of 2 that is not below z, but for rounding: of round numbers z is one. */
     private static int parts(double z) {
         int parts = 1;
-        while (parts < z && parts < Block.MOST_SUB_STEPS) {
+        while (parts < (1 - ROUNDING) * z && parts < Block.MOST_SUB_STEPS) {
             parts *= 2;
         }
         return parts;

@@ -53,6 +53,18 @@ class StiffnessTest {
         assertThat(parts(ball().velocity(1, 2, 3), linear(2 * z / DT))).isEqualTo(expected);
     }
 
+    /** Else one motion is cut, another one beside it is not, and both part by more than both do. */
+    @ParameterizedTest(name = "c dt / m = {0}")
+    @CsvSource({"1, 1", "2, 2", "4, 4"})
+    void roundingCutsNothing(double z, int expected) {
+        Effect damping = linear(2 * z / DT);
+        for (int k = 1; k <= 1000; k++) {
+            assertThat(parts(ball().velocity(0.01 * k, 1.0 / k, 0), damping))
+                    .as("at %s and %s m/s", 0.01 * k, 1.0 / k)
+                    .isEqualTo(expected);
+        }
+    }
+
     @Test
     void stiffTurningIsFoundToo() {
         double c = 3.5 * 0.8 / DT;

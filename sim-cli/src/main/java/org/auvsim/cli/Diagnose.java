@@ -15,6 +15,7 @@ import org.auvsim.diagnosis.Method;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.cause.Library;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.reading.Doubt;
 import org.auvsim.diagnosis.reading.RunFiles;
 import org.auvsim.diagnosis.reading.RunReader;
 import org.auvsim.diagnosis.report.Report;
@@ -271,22 +272,24 @@ final class Diagnose implements Callable<Integer> {
                                     bar)
                             .by(method);
             Investigation asFarAsItPays =
-                    runs.doubt().isOpen(Verdict.EXPLAINED)
-                            ? investigation.cursory()
-                            : investigation;
+                    runs.doubt() == Doubt.LASTING ? investigation.cursory() : investigation;
             Diagnosis diagnosis =
                     sound(model, runs)
                             .map(asFarAsItPays::comparedWith)
                             .orElse(asFarAsItPays)
                             .diagnose();
-            return told(diagnosis.noticing(runs.noticesAfter(diagnosis.verdict())), runs);
+            List<String> notices =
+                    runs.noticesAfter(diagnosis.verdict(), diagnosis.prediction().noise());
+            return told(diagnosis.noticing(notices), runs);
         }
     }
 
     /** With what the user's choice of causes and doubtful data mean for the verdict. */
     private Diagnosis told(Diagnosis diagnosis, RunFiles runs) {
         Diagnosis ofAsked = causes.isEmpty() ? diagnosis : diagnosis.ofSomeCauses();
-        return runs.doubt().isOpen(ofAsked.verdict()) ? ofAsked.doubted() : ofAsked;
+        return runs.doubt().isOpen(ofAsked.verdict(), ofAsked.prediction().noise())
+                ? ofAsked.doubted()
+                : ofAsked;
     }
 
     private static Optional<SoundRuns> sound(BelievedModel model, RunFiles runs) {

@@ -1,6 +1,9 @@
 package org.auvsim.diagnosis.reading;
 
 import org.auvsim.diagnosis.result.Verdict;
+import org.auvsim.diagnosis.run.Channel;
+
+import java.util.Map;
 
 /** Whether the numbers of runs may not be what they are taken for; notices say why. */
 public enum Doubt {
@@ -19,9 +22,20 @@ public enum Doubt {
      */
     LASTING;
 
-    /** Whether it is still open after a verdict. */
-    public boolean isOpen(Verdict verdict) {
-        return this == LASTING || (this == UNTIL_EXPLAINED && verdict == Verdict.UNEXPLAINED);
+    /** Errors (rad) of angles that might as well be drawn by lot are hardly smaller. */
+    private static final double AT_RANDOM = 0.5;
+
+    /**
+     * Whether it is still open after a verdict.
+     *
+     * @param errors of the channels, in their units: angles whose errors are as large as angles can
+     *     be are explained by nothing
+     */
+    public boolean isOpen(Verdict verdict, Map<Channel, Double> errors) {
+        boolean isExplained =
+                verdict != Verdict.UNEXPLAINED
+                        && errors.getOrDefault(Channel.ORIENTATION, 0.0) < AT_RANDOM;
+        return this == LASTING || (this == UNTIL_EXPLAINED && !isExplained);
     }
 
     /** The graver of two. */

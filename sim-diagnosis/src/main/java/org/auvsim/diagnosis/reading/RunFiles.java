@@ -131,10 +131,14 @@ public record RunFiles(
         return new RunFiles(parts, heldOut, reference, told, doubt, settled);
     }
 
-    /** What is to be said of the data after a verdict: of a doubt that it settles, how. */
-    public List<String> noticesAfter(Verdict verdict) {
+    /**
+     * What is to be said of the data after a verdict: of a doubt that it settles, how.
+     *
+     * @param errors of the channels, in their units
+     */
+    public List<String> noticesAfter(Verdict verdict, Map<Channel, Double> errors) {
         boolean isExplained = verdict == Verdict.EXPLAINED || verdict == Verdict.NONE;
-        return !isExplained || doubt.isOpen(verdict)
+        return !isExplained || doubt.isOpen(verdict, errors)
                 ? notices
                 : notices.stream().map(said -> settled.getOrDefault(said, said)).toList();
     }

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 
 /** A heading and its rate, told in units and axes of their own. */
@@ -69,7 +70,7 @@ class AnglesAndRatesTest {
 
         assertThat(notices(file))
                 .anyMatch(said -> said.contains("columns 'yaw', 'r': one turns 57 times as far"));
-        assertThat(file.doubt().isOpen(Verdict.NONE)).isTrue();
+        assertThat(file.doubt().isOpen(Verdict.NONE, Map.of())).isTrue();
     }
 
     @ParameterizedTest(name = "{0}")
@@ -98,6 +99,6 @@ class AnglesAndRatesTest {
                 .singleElement()
                 .asString()
                 .contains("column 'pitch': angles change by more than a quarter of a turn");
-        assertThat(file.doubt().isOpen(Verdict.UNEXPLAINED)).isTrue();
+        assertThat(file.doubt().isOpen(Verdict.UNEXPLAINED, Map.of())).isTrue();
     }
 }

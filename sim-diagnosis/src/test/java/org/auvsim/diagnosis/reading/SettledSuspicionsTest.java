@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.auvsim.auvsml.run.ColumnMapping;
 import org.auvsim.diagnosis.result.Verdict;
+import org.auvsim.diagnosis.run.Channel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -11,6 +12,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 
 /** A vehicle goes round and round: its heading counts its turns, and no model minds. */
 class SettledSuspicionsTest {
@@ -34,7 +36,7 @@ class SettledSuspicionsTest {
         RunFiles files = files("yaw,r,main,rudder");
 
         assertThat(files.notices()).filteredOn(notice -> notice.contains(QUESTION)).hasSize(2);
-        assertThat(files.noticesAfter(verdict))
+        assertThat(files.noticesAfter(verdict, Map.of()))
                 .hasSameSizeAs(files.notices())
                 .noneMatch(notice -> notice.contains(QUESTION))
                 .contains(
@@ -53,7 +55,17 @@ class SettledSuspicionsTest {
     void whatNothingExplainsStaysSuspected(Verdict verdict) throws Exception {
         RunFiles files = files("yaw,r,main,rudder");
 
-        assertThat(files.noticesAfter(verdict)).isEqualTo(files.notices());
+        assertThat(files.noticesAfter(verdict, Map.of())).isEqualTo(files.notices());
+    }
+
+    /** Headings in degrees that were taken for radians are noise all around, which hides all. */
+    @Test
+    void anglesWithErrorsAsLargeAsAnglesCanBeStaySuspected() throws Exception {
+        RunFiles files = files("yaw,r,main,rudder");
+        Map<Channel, Double> errors = Map.of(Channel.ORIENTATION, 1.4);
+
+        assertThat(files.doubt().isOpen(Verdict.NONE, errors)).isTrue();
+        assertThat(files.noticesAfter(Verdict.NONE, errors)).isEqualTo(files.notices());
     }
 
     /** Nothing drives it: what looks explained may be something else. */
@@ -62,6 +74,6 @@ class SettledSuspicionsTest {
         RunFiles files = files("yaw,r,push.x,rudder");
 
         assertThat(files.doubt()).isEqualTo(Doubt.LASTING);
-        assertThat(files.noticesAfter(Verdict.NONE)).isEqualTo(files.notices());
+        assertThat(files.noticesAfter(Verdict.NONE, Map.of())).isEqualTo(files.notices());
     }
 }

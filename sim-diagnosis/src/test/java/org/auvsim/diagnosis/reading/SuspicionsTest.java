@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.function.IntFunction;
 
@@ -202,7 +203,7 @@ class SuspicionsTest {
         RunFiles read = RunFiles.read(Rov.reader(ColumnMapping.USUAL), runs, List.of());
 
         assertThat(read.doubt()).isEqualTo(doubt);
-        assertThat(read.noticesAfter(Verdict.EXPLAINED))
+        assertThat(read.noticesAfter(Verdict.EXPLAINED, Map.of()))
                 .filteredOn(notice -> notice.contains("the model moves as this does"))
                 .hasSize(others)
                 .allMatch(
@@ -287,10 +288,10 @@ class SuspicionsTest {
 
         assertThat(file.notices()).anyMatch(notice -> notice.contains("are they in degrees"));
         assertThat(file.doubt()).isEqualTo(Doubt.UNTIL_EXPLAINED);
-        assertThat(file.doubt().isOpen(Verdict.EXPLAINED)).isFalse();
-        assertThat(file.doubt().isOpen(Verdict.NONE)).isFalse();
-        assertThat(file.doubt().isOpen(Verdict.UNEXPLAINED)).isTrue();
-        assertThat(file.doubt().and(Doubt.LASTING).isOpen(Verdict.NONE)).isTrue();
+        assertThat(file.doubt().isOpen(Verdict.EXPLAINED, Map.of())).isFalse();
+        assertThat(file.doubt().isOpen(Verdict.NONE, Map.of())).isFalse();
+        assertThat(file.doubt().isOpen(Verdict.UNEXPLAINED, Map.of())).isTrue();
+        assertThat(file.doubt().and(Doubt.LASTING).isOpen(Verdict.NONE, Map.of())).isTrue();
     }
 
     @Test

@@ -28,18 +28,31 @@ final class Arbitration {
             return best;
         }
         Judged decided = best;
-        double least = leftOut(best, course);
+        double ofBest = leftOut(best, course);
+        double least = ofBest;
         for (Judged other : competitors) {
             if (Alternatives.areSame(best, other)) {
                 continue; // no run of these tells them apart
             }
-            double deviance = leftOut(other, course) + other.score() - best.score();
+            double deviance =
+                    Math.max(leftOut(other, course), ofBest - mostGain(best, other))
+                            + other.score()
+                            - best.score();
             if (deviance < least) {
                 least = deviance;
                 decided = other;
             }
         }
         return course.goesOn() ? decided : best;
+    }
+
+    /**
+     * The most that another model may gain of left-out runs: one of more numbers no more than of
+     * runs that it was fitted to. Where it seems to, the others leave numbers as they were.
+     */
+    static double mostGain(Judged best, Judged other) {
+        double seen = best.outcome().deviance() - other.outcome().deviance();
+        return other.told() > best.told() ? Math.max(0, seen) : Double.POSITIVE_INFINITY;
     }
 
     /** The deviance of all runs, each by what the others make of the model, whatever its start. */

@@ -54,6 +54,16 @@ class ArbitrationTest {
     }
 
     @Test
+    void aLargerModelGainsNoMoreOfLeftOutRunsThanOfThoseThatItSaw() {
+        double seen = gain.outcome().deviance() - both.outcome().deviance();
+
+        assertThat(seen).isPositive();
+        assertThat(Arbitration.mostGain(gain, both)).isEqualTo(seen);
+        assertThat(Arbitration.mostGain(both, gain)).isInfinite();
+        assertThat(Arbitration.mostGain(gain, drag)).isInfinite();
+    }
+
+    @Test
     void whoIsToldToStopKeepsWhatWasFound() {
         Course stopped = new Course((stage, share) -> false);
         stopped.at("deciding", 0.9);

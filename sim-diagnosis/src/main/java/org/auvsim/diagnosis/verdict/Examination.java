@@ -56,7 +56,7 @@ public final class Examination {
     /** Errors that are such a share of those before are worth a model that explains nothing. */
     private static final double NEARER = 0.5;
 
-    /** So many causes imitate much in so many runs. */
+    /** So many causes imitate much, and so many runs can tell whether they do. */
     private static final int SEVERAL = 3;
 
     /** Others may be such a share of theirs, as those that were no larger than noise. */
@@ -171,8 +171,8 @@ public final class Examination {
 
     /**
      * Whether much of what the causes gain is foretold of each run; of a sum of several, which
-     * imitates much, of what each of them gains beside the others, unless one run is to foretell it
-     * all.
+     * imitates much, of what each gains beside the others, too, unless there is only one run to
+     * foretell it.
      */
     private boolean areForetold(Search.Found all, LeaveOneOut turns, Foretold byTurns) {
         int causes = all.best().fit().hypothesis().causes().size();
@@ -199,8 +199,8 @@ public final class Examination {
     /**
      * What was found, in all its parts.
      *
-     * @param byTurns each run by the others, where those of the fit alone had nothing to say and
-     *     all were searched with
+     * @param byTurns each run by the others, where what those of the fit said was in doubt and all
+     *     were searched with
      */
     private Diagnosis diagnosis(Judgement judged, Optional<Foretold> byTurns) {
         Hypothesis selected = judged.found().best().fit().hypothesis();

@@ -12,7 +12,7 @@ import java.util.stream.IntStream;
 public final class LeaveOneOut {
     private static final int STEPS = 6;
 
-    /** It grows by more for a number two deviations off. */
+    /** Twice the logarithm of a likelihood grows by more for a number two deviations off. */
     private static final double CHANCE = 4;
 
     private final Judged judged;
@@ -20,6 +20,9 @@ public final class LeaveOneOut {
 
     /** By run: fitted to all others. */
     private final List<Judged> others = new ArrayList<>();
+
+    /** By run: predicted by that. */
+    private final List<Judged> predictions = new ArrayList<>();
 
     /**
      * Of a model that was fitted to all runs.
@@ -44,12 +47,12 @@ public final class LeaveOneOut {
 
     /** The hypothesis as fitted to all runs but one, and that one predicted by it, for each. */
     public List<Judged> predictions() {
-        List<Judged> predictions = new ArrayList<>();
-        for (int r = 0; r < runs(); r++) {
-            Fit alone = judged.fit().ofRun(r);
-            predictions.add(converged(alone.with(ofOthers(r).settled(), alone.windows())));
+        while (predictions.size() < runs()) {
+            int run = predictions.size();
+            Fit alone = judged.fit().ofRun(run);
+            predictions.add(converged(alone.with(ofOthers(run).settled(), alone.windows())));
         }
-        return predictions;
+        return List.copyOf(predictions);
     }
 
     /**

@@ -63,10 +63,7 @@ class ForetoldTest {
                 carts, Hypothesis.NONE.and(CART.cause("thruster_gain"), new double[] {-0.01}), 0);
     }
 
-    /**
-     * Water that flows in one run alone is not foretold beside a drag that is there in all, though
-     * both together are.
-     */
+    /** Water that flows in one run alone is not foretold beside a drag that is there in all. */
     @Test
     void aCauseIsAskedForWhatItGainsBesideAnother() throws Exception {
         Cart still = new Cart(1, 2, 0);

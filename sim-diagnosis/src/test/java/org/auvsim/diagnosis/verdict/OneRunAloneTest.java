@@ -17,7 +17,8 @@ import java.util.List;
 import java.util.Random;
 
 /**
- * Carts with a weak motor and a drag, the longest of which is pushed when all others have ended.
+ * Carts with a weak motor and a drag, the longest of which is pushed from just before all others
+ * end.
  */
 class OneRunAloneTest {
     private static final double MASS = 10;

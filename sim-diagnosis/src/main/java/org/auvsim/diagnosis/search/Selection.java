@@ -90,7 +90,8 @@ final class Selection {
         }
         boolean isOpen = contest.isEmpty() && !best.isWhite();
         List<Hypothesis> byRun = isOpen && !areMisread(best) ? ofOneRun() : List.of();
-        if (haveChanged(byRun) || (isOpen && misreading.isNearerThan(best))) {
+        boolean isOfOthers = isOpen && (OddRun.notice(none).isPresent() || haveChanged(byRun));
+        if (isOfOthers || (isOpen && misreading.isNearerThan(best))) {
             return asItIs(best, byRun);
         }
         if (isOpen && isThorough) {

@@ -229,7 +229,7 @@ public final class Examination {
         List<DiagnosedRun> runs = runs(found, best, after);
         Optional<LikelyReason> reason =
                 verdict == Verdict.UNEXPLAINED
-                        ? LikelyReason.of(found, after, course)
+                        ? LikelyReason.of(found, judgement.before(), course)
                         : Optional.empty();
         Diagnosis diagnosis =
                 new Diagnosis(

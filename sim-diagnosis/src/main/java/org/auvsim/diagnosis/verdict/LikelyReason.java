@@ -4,6 +4,7 @@ import org.auvsim.diagnosis.fit.Course;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.run.MeasuredRun;
+import org.auvsim.diagnosis.search.OddRun;
 import org.auvsim.diagnosis.search.RunByRun;
 import org.auvsim.diagnosis.search.Search;
 
@@ -29,7 +30,7 @@ record LikelyReason(String notice, boolean isMisreading) {
     /**
      * The first that can be seen.
      *
-     * @param heldOut what was found on the runs that judge
+     * @param heldOut the model as it is believed, on the runs that judge
      */
     static Optional<LikelyReason> of(Search.Found found, Judged heldOut, Course course) {
         List<Misses> data = new ArrayList<>(found.none().fit().data());
@@ -39,6 +40,7 @@ record LikelyReason(String notice, boolean isMisreading) {
         return new SureStarts(found.stepping(), runs, found.noise(), course)
                 .notice()
                 .or(() -> byRun.notice(found.byRun()))
+                .or(() -> OddRun.notice(found.none(), heldOut))
                 .map(LikelyReason::other)
                 .or(() -> found.misreading().notice().map(LikelyReason::misreading))
                 .or(() -> MissedAlone.notice(found.none(), found.noise()).map(LikelyReason::other));

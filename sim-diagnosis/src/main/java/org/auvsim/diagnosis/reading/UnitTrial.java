@@ -17,6 +17,8 @@ import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** A part of a run by the model, begun as measured, with its positions in several units. */
 final class UnitTrial {
@@ -104,12 +106,25 @@ final class UnitTrial {
         while (last > from + FEWEST && run.time(last) - run.time(from) > longest) {
             last--;
         }
-        int count = Math.min(MOST, last - from + 1);
+        int[] placed = placed(run, from, last);
+        int count = Math.min(MOST, placed.length);
         int[] samples = new int[count];
         for (int i = 0; i < count; i++) {
-            samples[i] = from + (int) ((long) i * (last - from) / (count - 1));
+            samples[i] = placed[(int) ((long) i * (placed.length - 1) / (count - 1))];
         }
         return new UnitTrial(model, run, samples);
+    }
+
+    /** Samples that have a place, which other sensors may tell far more often; or all. */
+    private static int[] placed(MeasuredRun run, int from, int to) {
+        int[] placed = IntStream.rangeClosed(from, to).filter(k -> isPlaced(run, k)).toArray();
+        return placed.length < FEWEST ? IntStream.rangeClosed(from, to).toArray() : placed;
+    }
+
+    private static boolean isPlaced(MeasuredRun run, int sample) {
+        return IntStream.range(0, 3)
+                .filter(axis -> run.measures(Channel.POSITION, axis))
+                .noneMatch(axis -> Double.isNaN(run.value(Channel.POSITION, sample, axis)));
     }
 
     /** The same as it is told and by some hypotheses, from rest and as measured. */
@@ -198,32 +213,40 @@ final class UnitTrial {
         }
         return new RigidMotion(
                 new Vec3(position[0], position[1], position[2]),
-                run.orientation(samples[0]).orElse(model.variant().body().orientation()),
+                atBeginning()
+                        .flatMap(k -> run.orientation(k).stream())
+                        .findFirst()
+                        .orElse(model.variant().body().orientation()),
                 new Vec3(velocity[0], velocity[1], velocity[2]),
                 turning());
     }
 
+    private Stream<Integer> atBeginning() {
+        return IntStream.rangeClosed(samples[0], samples[BEGINNING]).boxed();
+    }
+
     /** As it is measured, or by how the orientation changes; 0 if neither tells. */
     private Vec3 turning() {
-        int first = samples[0];
-        int last = samples[BEGINNING];
-        Optional<Quat> before = run.orientation(first);
-        Optional<Vec3> measured = run.vector(Channel.ANGULAR_VELOCITY, first);
+        boolean isOfBody = run.frame(Channel.ANGULAR_VELOCITY) == Frame.BODY;
+        List<Integer> turned = atBeginning().filter(k -> run.orientation(k).isPresent()).toList();
+        Optional<Vec3> measured =
+                atBeginning()
+                        .flatMap(k -> run.vector(Channel.ANGULAR_VELOCITY, k).stream())
+                        .findFirst();
+        if (turned.isEmpty()) {
+            return isOfBody ? Vec3.ZERO : measured.orElse(Vec3.ZERO);
+        }
+        Quat before = run.orientation(turned.getFirst()).orElseThrow();
         if (measured.isPresent()) {
-            boolean isOfBody = run.frame(Channel.ANGULAR_VELOCITY) == Frame.BODY;
-            return isOfBody
-                    ? before.map(q -> q.rotate(measured.get())).orElse(Vec3.ZERO)
-                    : measured.get();
+            return isOfBody ? before.rotate(measured.get()) : measured.get();
         }
-        Optional<Quat> after = run.orientation(last);
-        if (before.isEmpty() || after.isEmpty()) {
-            return Vec3.ZERO;
-        }
-        Quat turn = after.get().times(before.get().conjugate());
+        Quat after = run.orientation(turned.getLast()).orElseThrow();
+        Quat turn = after.times(before.conjugate());
         Vec3 sine = new Vec3(turn.x(), turn.y(), turn.z());
         double size = sine.norm();
         double angle = 2 * StrictMath.atan2(size, Math.abs(turn.w())) * Math.signum(turn.w());
-        return size > 0 ? sine.times(angle / size / (run.time(last) - run.time(first))) : Vec3.ZERO;
+        double time = run.time(turned.getLast()) - run.time(turned.getFirst());
+        return size > 0 && time > 0 ? sine.times(angle / size / time) : Vec3.ZERO;
     }
 
     private List<Bend> bends(ModelUnits.Suspicion h, RigidMotion[] moving, RigidMotion[] still) {

@@ -37,6 +37,24 @@ class UnitTrialTest {
         assertThat(trial.isNoise(List.of(0))).isFalse();
     }
 
+    /** Of which the heights are told ten times as often as the places. */
+    @Test
+    void aPathOfFewFixesBeginsAsTheyDo() throws Exception {
+        MeasuredRunBuilder run = MeasuredRun.named("run");
+        for (int k = 0; k < 4 * SAMPLES; k++) {
+            double t = 0.05 * k;
+            boolean isFix = k % 10 == 3;
+            run.at(t)
+                    .position(
+                            isFix ? 50 * (1 - Math.exp(-t / 5)) : Double.NaN,
+                            isFix ? 0 : Double.NaN,
+                            -15);
+        }
+        UnitTrial trial = UnitTrial.of(ball(), run.build(), 0, 4 * SAMPLES - 1).of(List.of());
+
+        assertThat(trial.misfit(UnitTrial.AS_TOLD, List.of(0))).isLessThan(0.1);
+    }
+
     private static BelievedModel ball() throws Exception {
         return new BelievedModel(
                 ScenarioLoader.load(UnitTrialTest.class.getClassLoader())

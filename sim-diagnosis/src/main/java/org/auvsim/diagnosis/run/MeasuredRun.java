@@ -319,7 +319,7 @@ public final class MeasuredRun {
 
     /** The same, its positions (m, world; NaN where not measured) told otherwise. */
     public MeasuredRun placed(UnaryOperator<Vec3> otherwise) {
-        return MeasuredRunBuilder.placed(this, otherwise);
+        return MeasuredRunBuilder.told(this, Channel.POSITION, otherwise);
     }
 
     /** The same, as if a channel had not been measured. */
@@ -336,6 +336,11 @@ public final class MeasuredRun {
     /** The same, its orientations told otherwise. */
     public MeasuredRun turned(UnaryOperator<Quat> otherwise) {
         return MeasuredRunBuilder.turned(this, otherwise);
+    }
+
+    /** The same, its angular velocities (rad/s; NaN where not measured) told otherwise. */
+    public MeasuredRun spinning(UnaryOperator<Vec3> otherwise) {
+        return MeasuredRunBuilder.told(this, Channel.ANGULAR_VELOCITY, otherwise);
     }
 
     /** The same, two of its commands each told what the other was. */

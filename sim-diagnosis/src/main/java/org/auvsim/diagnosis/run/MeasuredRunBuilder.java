@@ -244,15 +244,14 @@ public final class MeasuredRunBuilder {
         return copy.build();
     }
 
-    static MeasuredRun placed(MeasuredRun run, UnaryOperator<Vec3> otherwise) {
+    static MeasuredRun told(MeasuredRun run, Channel channel, UnaryOperator<Vec3> otherwise) {
         MeasuredRunBuilder copy = copy(run, run.name(), 0, run.size() - 1);
-        for (int k = 0; k < run.size(); k++) {
-            double x = run.value(Channel.POSITION, k, 0);
-            double y = run.value(Channel.POSITION, k, 1);
-            double z = run.value(Channel.POSITION, k, 2);
-            Vec3 placed = otherwise.apply(new Vec3(x, y, z));
-            of(copy.measured, Channel.POSITION)
-                    .set(AXES * k, new double[] {placed.x(), placed.y(), placed.z()});
+        for (int k = 0; run.measures(channel) && k < run.size(); k++) {
+            double x = run.value(channel, k, 0);
+            double y = run.value(channel, k, 1);
+            double z = run.value(channel, k, 2);
+            Vec3 told = otherwise.apply(new Vec3(x, y, z));
+            of(copy.measured, channel).set(AXES * k, new double[] {told.x(), told.y(), told.z()});
         }
         return copy.build();
     }

@@ -8,10 +8,13 @@ import org.auvsim.diagnosis.fit.Fit;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.residual.Outcome;
+import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.Command;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -35,6 +38,11 @@ final class SwappedCommands {
     /** What is left of the squares of what is missed beyond noise; for there may be more wrong. */
     private static final double LEFT = 0.1;
 
+    /** The same of a channel that still misses more than such a share of its noise. */
+    private static final double NEARER = 0.3;
+
+    private static final double MUCH = 2;
+
     private static final Comparator<Swap> NEAREST_FIRST =
             Comparator.comparingDouble(swap -> swap.with().cost());
 
@@ -55,6 +63,22 @@ final class SwappedCommands {
             return new Swap(one, other, Descent.of(with.fit()).steps(STEPS));
         }
 
+        /**
+         * Whether it comes far nearer to the runs, and nearer in each channel that it misses: where
+         * angles grow the other way, a vehicle with swapped thrusters turns as they are told, and
+         * goes elsewhere.
+         */
+        private boolean isFarNearerThan(Judged none) {
+            return with.beyondNoise() < LEFT * none.beyondNoise()
+                    && Arrays.stream(Channel.values()).allMatch(of -> isNearer(of, none));
+        }
+
+        private boolean isNearer(Channel channel, Judged none) {
+            Outcome.Squares here = with.outcome().of(channel);
+            return here.sum() <= MUCH * here.count()
+                    || here.sum() < NEARER * none.outcome().of(channel).sum();
+        }
+
         /** What is to be said of it. */
         String notice() {
             return "the model as it is predicts the runs far better if the commands of '%s' and '%s' are swapped: are these columns mixed up, or the wires of the vehicle? If so, rename the columns (--rename %s=%s,%s=%s)"
@@ -62,7 +86,7 @@ final class SwappedCommands {
         }
     }
 
-    /** The two that come nearest, if they come far nearer than none. */
+    /** The two that come nearest, if they come far nearer than none, and nowhere less near. */
     Optional<Swap> nearest() {
         return pairs().parallelStream()
                 .filter(_ -> course.goesOn())
@@ -73,7 +97,7 @@ final class SwappedCommands {
                 .parallelStream()
                 .map(Swap::further)
                 .min(NEAREST_FIRST)
-                .filter(swap -> swap.with().beyondNoise() < LEFT * none.beyondNoise());
+                .filter(swap -> swap.isFarNearerThan(none));
     }
 
     /** Those of which each can do what the other was told. */

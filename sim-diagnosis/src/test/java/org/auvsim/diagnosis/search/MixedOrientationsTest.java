@@ -51,6 +51,38 @@ class MixedOrientationsTest {
                 .hasValueSatisfying(said -> assertThat(said).contains("north, east, down"));
     }
 
+    /** As by a compass that goes clockwise, and a gyro beside it. */
+    @Test
+    void thoseThatGrowTheOtherWayWithTheirRatesAre() throws Exception {
+        MeasuredRun of = AS_BELIEVED.runWithRate("run", new Random(4));
+
+        assertThat(notice(of.turned(Quat::conjugate).spinning(w -> w.times(-1))))
+                .hasValueSatisfying(
+                        said ->
+                                assertThat(said)
+                                        .contains(
+                                                "orientations and rates are read the other way",
+                                                "and rates about the same axes with a scale"));
+        assertThat(notice(of)).isEmpty();
+    }
+
+    @Test
+    void thoseClockwiseFromNorthWithTheirRatesAre() throws Exception {
+        MeasuredRun of = AS_BELIEVED.runWithRate("run", new Random(4));
+        Quat axes = new Quat(0, HALF, HALF, 0);
+        Quat body = new Quat(0, 1, 0, 0);
+
+        assertThat(
+                        notice(
+                                of.turned(q -> axes.times(q).times(body))
+                                        .spinning(w -> new Vec3(w.x(), -w.y(), -w.z()))))
+                .hasValueSatisfying(
+                        said ->
+                                assertThat(said)
+                                        .contains(
+                                                "orientations and rates", "clockwise from north"));
+    }
+
     /** Of the four numbers that each row has. */
     @Test
     void thoseWhoseScalarIsLastAre() throws Exception {

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.search;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.fit.Course;
 import org.auvsim.diagnosis.model.BelievedModel;
@@ -54,6 +55,14 @@ class SwappedCommandsTest {
         assertThat(notice(run(Vec3.ZERO))).isEmpty();
         assertThat(notice(run(new Vec3(0, 0.3, 0)))).isEmpty();
         assertThat(notice(new Surveyor(0, Vec3.ZERO, 0.3, 0).run("weak", new Random(5)))).isEmpty();
+    }
+
+    /** With swapped thrusters it would turn as it is told to, and go elsewhere. */
+    @Test
+    void headingsAndRatesThatGrowTheOtherWayAreNotTakenForIt() throws Exception {
+        MeasuredRun of = new Surveyor(0, Vec3.ZERO, 1, 0).runWithRate("run", new Random(6));
+
+        assertThat(notice(of.turned(Quat::conjugate).spinning(w -> w.times(-1)))).isEmpty();
     }
 
     /** A rudder that goes to 0.35 rad cannot be told what a propeller was. */

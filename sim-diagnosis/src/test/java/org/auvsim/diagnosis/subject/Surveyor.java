@@ -1,9 +1,11 @@
 package org.auvsim.diagnosis.subject;
 
 import org.auvsim.auvsml.AuvsmlException;
+import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.run.MeasuredRunBuilder;
 
@@ -60,8 +62,19 @@ public record Surveyor(double quadratic, Vec3 current, double port, double turni
 
     /** A run of 20 s from rest, ten rows a second, under commands drawn by lot. */
     public MeasuredRun run(String name, Random random) {
+        return run(name, random, false);
+    }
+
+    /** The same, of which the rate of yaw is measured, too. */
+    public MeasuredRun runWithRate(String name, Random random) {
+        return run(name, random, true);
+    }
+
+    private MeasuredRun run(String name, Random random, boolean isRateMeasured) {
         MeasuredRunBuilder run =
-                MeasuredRun.named(name).commands(List.of("port", "starboard", "vertical"));
+                MeasuredRun.named(name)
+                        .commands(List.of("port", "starboard", "vertical"))
+                        .frame(Channel.ANGULAR_VELOCITY, Frame.BODY);
         double[] state = {0, 0, -5, random.nextDouble(-1, 1), 0, 0, 0, 0};
         double[] levels = new double[3];
         for (int k = 0; k < ROWS; k++) {
@@ -78,6 +91,10 @@ public record Surveyor(double quadratic, Vec3 current, double port, double turni
                             false,
                             false,
                             true);
+            if (isRateMeasured) {
+                double rate = state[7] + NOISE_OF_YAW * random.nextGaussian();
+                run.measured(Channel.ANGULAR_VELOCITY, Double.NaN, Double.NaN, rate);
+            }
             for (int i = 0; i < levels.length; i++) {
                 run.command(i, levels[i]);
             }

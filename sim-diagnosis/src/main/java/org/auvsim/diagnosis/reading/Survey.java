@@ -127,8 +127,13 @@ final class Survey {
                 row,
                 time,
                 "a time after %s s".formatted(last),
-                "sort the rows by their times, take this one out, or give rows of another run a"
-                        + " file of their own or a column 'run'");
+                "sort the rows by their times, take this one out, or give rows of another run "
+                        + run.map(this::ofItsOwn).orElse("a file of their own or a column 'run'"));
+    }
+
+    private String ofItsOwn(BoundColumn column) {
+        return "another number in column '%s', which has '%s' here as before"
+                .formatted(column.name(), ofRun);
     }
 
     /** Refuses 205259, 205300: a clock's digits are no seconds. */

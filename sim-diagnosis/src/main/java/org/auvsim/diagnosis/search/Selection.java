@@ -85,13 +85,13 @@ final class Selection {
         Judged best = searched(specific, cause -> true);
         boolean areMore = specific.size() < library.size();
         if (!best.isWhite() && areMore && course.goesOn() && !areMisread(best)) {
-            Judged generic = searched(library, Cause::isGeneric);
+            Judged generic = generic();
             best = generic.score() < best.score() ? generic : best;
         }
         boolean isOpen = contest.isEmpty() && !best.isWhite();
         List<Hypothesis> byRun = isOpen && !areMisread(best) ? ofOneRun() : List.of();
-        boolean isOfOthers = isOpen && (OddRun.notice(none).isPresent() || haveChanged(byRun));
-        if (isOfOthers || (isOpen && misreading.isNearerThan(best))) {
+        boolean areDifferent = isOpen && (isOneOdd() || haveChanged(byRun));
+        if (areDifferent || (isOpen && misreading.isNearerThan(best))) {
             return asItIs(best, byRun);
         }
         if (isOpen && isThorough) {
@@ -102,6 +102,14 @@ final class Selection {
         }
         best = contest.isEmpty() ? plainer(best) : best;
         return refined(isByChance(best) ? none : best);
+    }
+
+    /** The best that has a generic cause; of doubtful runs, alone. */
+    private Judged generic() {
+        boolean areDoubtful = contest.isEmpty() && (!isThorough || isOneOdd());
+        return areDoubtful
+                ? alone(screening.of(library), library, Cause::isGeneric)
+                : searched(library, Cause::isGeneric);
     }
 
     /**
@@ -180,6 +188,11 @@ final class Selection {
                 misreading);
     }
 
+    /** Whether the model as it is misses one run of several alone: no cause is to explain that. */
+    private boolean isOneOdd() {
+        return OddRun.notice(none).isPresent();
+    }
+
     /**
      * Whether one cause explains each run, but of other numbers: more causes would imitate that.
      */
@@ -232,7 +245,8 @@ final class Selection {
      * stood for what another of its causes stands for: each is exchanged again beside it.
      */
     private Judged exchanged(Judged found, Traces traces) {
-        boolean isWorthIt = contest.isEmpty() && (!areSeveral(found) || found.isWhite());
+        boolean isWorthIt =
+                contest.isEmpty() && (found.isWhite() || (isThorough && !areSeveral(found)));
         if (!isWorthIt) {
             return found;
         }
@@ -328,11 +342,7 @@ final class Selection {
             return none;
         }
         Screen screen = screening.of(causes);
-        Judged best = whole(tried.tournament(screen.starts(1, isNew), none, 0.3, 0.5));
-        if (!best.isWhite() && course.goesOn()) {
-            List<Screen.Start> alone = along(none, causes).starts(1, isNew);
-            best = whole(tried.tournament(alone, best, 0.4, 0.5));
-        }
+        Judged best = alone(screen, causes, isNew);
         if (!best.isWhite() && course.goesOn() && !areMisread(best)) {
             List<Screen.Start> pairs = new ArrayList<>(screen.starts(2, isNew));
             if (count(best) == 1) {
@@ -341,6 +351,16 @@ final class Selection {
             best = tried.pruned(whole(tried.tournament(pairs, best, 0.5, 0.6)));
         }
         return best;
+    }
+
+    /** The best single cause. */
+    private Judged alone(Screen screen, List<Cause> causes, Predicate<Cause> isNew) {
+        Judged best = whole(tried.tournament(screen.starts(1, isNew), none, 0.3, 0.5));
+        if (best.isWhite() || !course.goesOn()) {
+            return best;
+        }
+        List<Screen.Start> along = along(none, causes).starts(1, isNew);
+        return whole(tried.tournament(along, best, 0.4, 0.5));
     }
 
     /**
@@ -409,12 +429,12 @@ final class Selection {
 
     /**
      * One cause that can imitate others, where it says as much as several specific ones do, or may
-     * say more than a single one or none.
+     * say more than a single one or none. Where something is missed they were tried before.
      */
     private Judged plainer(Judged best) {
         Hypothesis of = best.fit().hypothesis();
         List<Cause> generic = library.stream().filter(Cause::isGeneric).toList();
-        boolean wereTried = of.isGeneric() || (of.causes().size() < 2 && !best.isWhite());
+        boolean wereTried = of.isGeneric() || !best.isWhite();
         if (wereTried || generic.isEmpty() || !course.goesOn()) {
             return best;
         }

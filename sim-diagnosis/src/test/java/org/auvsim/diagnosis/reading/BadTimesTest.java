@@ -31,6 +31,19 @@ class BadTimesTest extends RefusedRuns {
                 ":5: column 't': expected a time after 0.2 s, but found '0.2'" + SORTING);
     }
 
+    /** Another run whose number comes some rows late. */
+    @Test
+    void timeOfANewRunStandsBesideItsNumber() {
+        StringBuilder text = new StringBuilder("t,x,run\n");
+        for (int i = 0; i < 3 * ENOUGH; i++) {
+            text.append(i % ENOUGH).append(',').append(i).append(i < ENOUGH + 4 ? ",7\n" : ",8\n");
+        }
+        refused(
+                text.toString(),
+                ":%d: column 't': expected a time after %s s, but found '0'; sort the rows by their times, take this one out, or give rows of another run another number in column 'run', which has '7' here as before"
+                        .formatted(ENOUGH + 2, ENOUGH - 1.0));
+    }
+
     @Test
     void timesOfDayAreNoSeconds() {
         StringBuilder text = new StringBuilder("t,x\n");

@@ -64,6 +64,7 @@ final class Plausibility {
         List<String> notices = new ArrayList<>();
         velocity().ifPresentOrElse(notices::add, () -> notices.addAll(velocities()));
         way().ifPresent(notices::add);
+        new Jump(run, source).notice().ifPresent(notices::add);
         return notices;
     }
 

@@ -100,6 +100,12 @@ public final class Source {
         return row > 0 && isTable() ? file + ":" + row : file.toString();
     }
 
+    /** That of a sample of a run, where each row is one; else the first. */
+    long row(int sample, MeasuredRun run) {
+        boolean isEachRow = last() - first() + 1 == run.size();
+        return isEachRow ? first() + sample : first();
+    }
+
     /** "rows 2 to 61 ", or nothing where there are none. */
     String span() {
         return first > 0 ? "rows %d to %d ".formatted(first, last) : "";

@@ -140,18 +140,12 @@ final class Spikes {
                                 .formatted(found.size(), value, time);
         all.tell(
                 source.says(
-                        row(first),
+                        source.row(first, run),
                         List.of(source.column(run, channel, axis)),
                         "%s, which is no possible motion: all others lie between %s and %s; treated as not measured; if that is right, leave such cells empty"
                                 .formatted(
                                         what,
                                         Figures.shown(Collections.min(others)),
                                         Figures.shown(Collections.max(others)))));
-    }
-
-    /** That of a sample, where each row is one; else the first. */
-    private long row(int sample) {
-        boolean isEachRow = source.last() - source.first() + 1 == run.size();
-        return isEachRow ? source.first() + sample : source.first();
     }
 }

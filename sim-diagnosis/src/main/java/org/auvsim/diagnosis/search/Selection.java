@@ -90,11 +90,10 @@ final class Selection {
         }
         boolean isOpen = contest.isEmpty() && !best.isWhite();
         List<Hypothesis> byRun = isOpen && !areMisread(best) ? ofOneRun() : List.of();
-        boolean areDifferent = isOpen && (isOneOdd() || haveChanged(byRun));
-        if (areDifferent || (isOpen && misreading.isNearerThan(best))) {
+        if (haveChanged(byRun) || (isOpen && misreading.isNearerThan(best))) {
             return asItIs(best, byRun);
         }
-        if (isOpen && isThorough) {
+        if (isOpen && isThorough && !isOneOdd()) {
             best = withMore(best, specific);
         }
         if (isOpen && isThorough && !best.isWhite() && course.goesOn()) {
@@ -188,7 +187,10 @@ final class Selection {
                 misreading);
     }
 
-    /** Whether the model as it is misses one run of several alone: no cause is to explain that. */
+    /**
+     * Whether the model as it is misses one run of several alone: one cause may act in that alone,
+     * but no sum of them is to explain it.
+     */
     private boolean isOneOdd() {
         return OddRun.notice(none).isPresent();
     }

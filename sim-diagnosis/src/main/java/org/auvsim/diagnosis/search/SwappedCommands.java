@@ -38,9 +38,10 @@ final class SwappedCommands {
     /** What is left of the squares of what is missed beyond noise; for there may be more wrong. */
     private static final double LEFT = 0.1;
 
-    /** The same of a channel that still misses more than such a share of its noise. */
+    /** What is left of a channel's squares, if that is more than noise. */
     private static final double NEARER = 0.3;
 
+    /** Squares of what is missed (standard deviations) a number that noise alone does not reach. */
     private static final double MUCH = 2;
 
     private static final Comparator<Swap> NEAREST_FIRST =

@@ -5,6 +5,7 @@ import org.auvsim.auvsml.run.ColumnMapping;
 import org.auvsim.core.actuator.Fin;
 import org.auvsim.core.actuator.Propulsor;
 import org.auvsim.core.entity.Actuator;
+import org.auvsim.diagnosis.run.Axes;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.io.IOException;

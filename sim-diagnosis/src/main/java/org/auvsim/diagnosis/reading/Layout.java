@@ -7,6 +7,7 @@ import org.auvsim.auvsml.run.LastingError;
 import org.auvsim.auvsml.run.Limit;
 import org.auvsim.auvsml.run.MappedColumn;
 import org.auvsim.core.entity.Frame;
+import org.auvsim.diagnosis.run.Axes;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -9,6 +9,7 @@ import org.auvsim.auvsml.message.feedback.MeasurementFrame;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.math.Quat;
 import org.auvsim.core.math.Vec3;
+import org.auvsim.diagnosis.run.Axes;
 
 import java.util.Arrays;
 import java.util.HashSet;

@@ -5,6 +5,7 @@ import org.auvsim.auvsml.mapping.AuvsmlMapper;
 import org.auvsim.core.entity.Actuator;
 import org.auvsim.core.entity.Frame;
 import org.auvsim.core.entity.WorldObject;
+import org.auvsim.diagnosis.run.Axes;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.nio.file.Path;

@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.reading;
 
 import org.auvsim.core.entity.Frame;
+import org.auvsim.diagnosis.run.Axes;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 

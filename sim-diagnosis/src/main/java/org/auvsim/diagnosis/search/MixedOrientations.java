@@ -15,6 +15,7 @@ import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.fit.Refinement;
 import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.run.Axes;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.shooting.Stepping;
@@ -37,8 +38,6 @@ final class MixedOrientations {
 
     /** What is left of the squares of what is missed beyond noise; for there may be more wrong. */
     private static final double LEFT = 0.1;
-
-    private static final double HALF = Math.sqrt(0.5);
 
     private final Judged none;
     private final Course course;
@@ -91,7 +90,7 @@ final class MixedOrientations {
             return switch (this) {
                 case OPPOSITE -> q.conjugate();
                 case SCALAR_LAST -> new Quat(q.z(), q.w(), q.x(), q.y());
-                case OTHER_AXES -> new Quat(0, HALF, HALF, 0).times(q).times(new Quat(0, 1, 0, 0));
+                case OTHER_AXES -> Axes.NED.orientation(q);
             };
         }
 
@@ -100,10 +99,7 @@ final class MixedOrientations {
             return switch (this) {
                 case OPPOSITE -> rate.times(-1);
                 case SCALAR_LAST -> rate;
-                case OTHER_AXES ->
-                        frame == Frame.BODY
-                                ? new Vec3(rate.x(), -rate.y(), -rate.z())
-                                : new Vec3(rate.y(), rate.x(), -rate.z());
+                case OTHER_AXES -> frame == Frame.BODY ? Axes.NED.body(rate) : Axes.NED.world(rate);
             };
         }
     }

@@ -1,4 +1,4 @@
-package org.auvsim.diagnosis.verdict;
+package org.auvsim.diagnosis.search;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -8,7 +8,6 @@ import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Verdict;
 import org.auvsim.diagnosis.run.MeasuredRun;
-import org.auvsim.diagnosis.search.OddRun;
 import org.auvsim.diagnosis.subject.AsBelieved;
 import org.auvsim.diagnosis.subject.Believed;
 import org.auvsim.diagnosis.subject.Surveyor;

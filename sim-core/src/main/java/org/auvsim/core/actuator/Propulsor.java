@@ -9,6 +9,7 @@ import org.auvsim.core.entity.Need;
 import org.auvsim.core.entity.Wrench;
 import org.auvsim.core.math.Vec3;
 
+import java.util.Arrays;
 import java.util.Optional;
 
 /**
@@ -274,41 +275,56 @@ public record Propulsor(
     }
 
     @Override
+    public boolean isTimed() {
+        return rotor.isEmpty() && advanceLoss == 0;
+    }
+
+    @Override
+    public void push(Block b, double[] sum) {
+        double left = Lag.left(lag, sinceCommand(b.time), b.exponentials);
+        double thrust = thrust(course().level(left), b.time, 0);
+        push(thrust, reactionTorque * thrust, sum);
+    }
+
+    /** Adds a thrust (N) and a torque about the direction (N m). */
+    private void push(double thrust, double along, double[] sum) {
+        double fx = direction.x() * thrust;
+        double fy = direction.y() * thrust;
+        double fz = direction.z() * thrust;
+        sum[0] += fx;
+        sum[1] += fy;
+        sum[2] += fz;
+        sum[3] += position.y() * fz - position.z() * fy + along * direction.x();
+        sum[4] += position.z() * fx - position.x() * fz + along * direction.y();
+        sum[5] += position.x() * fy - position.y() * fx + along * direction.z();
+    }
+
+    @Override
     public void add(Block b, int i) {
         Lag course = course();
         double left = Lag.left(lag, sinceCommand(b.time), b.exponentials);
         double advance = advanceLoss == 0 ? 0 : advance(b, i);
         double thrust = thrust(course.level(left), b.time, advance);
-        double fx = direction.x() * thrust;
-        double fy = direction.y() * thrust;
-        double fz = direction.z() * thrust;
         double along = reactionTorque * thrust;
-        double spin = 0;
+        double[] sum = b.push;
+        Arrays.fill(sum, 0);
         if (rotor.isPresent()) {
-            along -= rotor.get().spin(turning(course.slope(left)));
-            spin = rotor.get().spin(turning(course.level(left)));
+            push(thrust, along - rotor.get().spin(turning(course.slope(left))), sum);
+            resistTurning(b, i, rotor.get().spin(turning(course.level(left))), sum);
+        } else {
+            push(thrust, along, sum);
         }
-        // The rotor's angular momentum h turns with the body: the torque on the body is -w x h.
-        double hx = spin * direction.x();
-        double hy = spin * direction.y();
-        double hz = spin * direction.z();
-        b.addFromBody(
-                i,
-                fx,
-                fy,
-                fz,
-                position.y() * fz
-                        - position.z() * fy
-                        + along * direction.x()
-                        - (b.bodyWy[i] * hz - b.bodyWz[i] * hy),
-                position.z() * fx
-                        - position.x() * fz
-                        + along * direction.y()
-                        - (b.bodyWz[i] * hx - b.bodyWx[i] * hz),
-                position.x() * fy
-                        - position.y() * fx
-                        + along * direction.z()
-                        - (b.bodyWx[i] * hy - b.bodyWy[i] * hx));
+        b.addFromBody(i, sum);
+    }
+
+    /** A rotor's angular momentum h (N m s) turns with the body: the torque on it is -w x h. */
+    private void resistTurning(Block b, int i, double h, double[] sum) {
+        double hx = h * direction.x();
+        double hy = h * direction.y();
+        double hz = h * direction.z();
+        sum[3] -= b.bodyWy[i] * hz - b.bodyWz[i] * hy;
+        sum[4] -= b.bodyWz[i] * hx - b.bodyWx[i] * hz;
+        sum[5] -= b.bodyWx[i] * hy - b.bodyWy[i] * hx;
     }
 
     /** Its speed (m/s) along the direction, relative to the water around the body. */

@@ -28,6 +28,24 @@ public interface Actuator extends Component {
     }
 
     /**
+     * Whether its force and torque in the body's axes depend on time alone, whatever the body does:
+     * {@link #push} tells them then, once for all bodies that carry it.
+     */
+    default boolean isTimed() {
+        return false;
+    }
+
+    /**
+     * Adds its force and torque in the body's axes, at the block's time, to those of others, if it
+     * is timed. The same as {@link #add} adds to a body.
+     *
+     * @param sum force (N), then torque about the origin (N m)
+     */
+    default void push(Block block, double[] sum) {
+        throw new IllegalStateException("'%s' is not timed".formatted(name()));
+    }
+
+    /**
      * Adds its force and torque on body {@code i} of the block with {@link Block#addForce} and
      * {@link Block#addTorque}, or with {@link Block#addFromBody}, which costs no garbage.
      */

@@ -149,6 +149,12 @@ public final class Block {
     /** Free for an effect's own use while it adds; what it left there is lost afterwards. */
     public final double[][] scratch;
 
+    /** Free for an actuator's own use while it adds: force, then torque, in the body's axes. */
+    public final double[] push = new double[6];
+
+    /** What the timed actuators of a body push. */
+    final double[] timedPush = new double[6];
+
     /** For actuators that follow with a lag, which is often the same of all bodies. */
     public final Exponentials exponentials = new Exponentials();
 
@@ -418,6 +424,15 @@ public final class Block {
         tx[i] += rxx[i] * mx + rxy[i] * my + rxz[i] * mz;
         ty[i] += ryx[i] * mx + ryy[i] * my + ryz[i] * mz;
         tz[i] += rzx[i] * mx + rzy[i] * my + rzz[i] * mz;
+    }
+
+    /**
+     * The same.
+     *
+     * @param push force, then torque
+     */
+    public void addFromBody(int i, double[] push) {
+        addFromBody(i, push[0], push[1], push[2], push[3], push[4], push[5]);
     }
 
     /** Adds the forces and torques of contacts to the others. */

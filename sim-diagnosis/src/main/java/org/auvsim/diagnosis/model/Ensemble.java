@@ -312,13 +312,13 @@ public final class Ensemble {
     /** From one sample to another, with what is commanded between them. */
     private void advance(int from, int to, boolean areNew) {
         if (commands == Commands.EVENED && inputs.changes(from, to) > 1) {
-            inputs.commandMean(from, to, bodies);
+            inputs.commandMean(from, to, world.time(), bodies);
             areEvened = true;
             advance(run.time(to));
             return;
         }
         for (int k = from; k < to; k++) {
-            inputs.command(k, areEvened || (areNew && k == from), bodies);
+            inputs.command(k, areEvened || (areNew && k == from), world.time(), bodies);
             areEvened = false;
             if (k + 1 == to || inputs.changeAt(k + 1)) {
                 advance(run.time(k + 1));

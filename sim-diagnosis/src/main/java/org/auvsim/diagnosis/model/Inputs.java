@@ -14,6 +14,7 @@ import org.auvsim.diagnosis.run.ScheduledForce;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 
@@ -154,17 +155,26 @@ final class Inputs {
         return changes;
     }
 
-    /** Gives bodies the mean of what is commanded from one sample to another. */
-    void commandMean(int from, int to, List<WorldObject> bodies) {
+    /** Gives bodies, at a time (s), the mean of what is commanded from one sample to another. */
+    void commandMean(int from, int to, double time, List<WorldObject> bodies) {
         for (Command command : ofActuators) {
-            double level = mean(command, from, to);
-            for (WorldObject body : bodies) {
-                body.command(Actuator.class, command.name(), level);
-            }
+            command(command.name(), mean(command, from, to), time, bodies);
         }
         for (CommandedForce force : ofForces) {
             NamedForce now = force.with(command -> mean(command, from, to));
             bodies.forEach(body -> body.applyForce(now));
+        }
+    }
+
+    /** Bodies that share an actuator go on sharing it: what it pushes is then worked out once. */
+    private static void command(String name, double level, double time, List<WorldObject> bodies) {
+        Map<Actuator, Actuator> commanded = new IdentityHashMap<>();
+        for (WorldObject body : bodies) {
+            Actuator before = body.component(Actuator.class, name).orElseThrow();
+            if (before.command() != level) {
+                body.replace(
+                        commanded.computeIfAbsent(before, each -> each.commanded(level, time)));
+            }
         }
     }
 
@@ -177,13 +187,14 @@ final class Inputs {
         return first + more / (run.time(to) - run.time(from));
     }
 
-    /** Gives bodies what a sample commands; if they are new, also what was commanded before. */
-    void command(int sample, boolean areNew, List<WorldObject> bodies) {
+    /**
+     * Gives bodies, at a time (s), what a sample commands; if they are new, also what was commanded
+     * before.
+     */
+    void command(int sample, boolean areNew, double time, List<WorldObject> bodies) {
         for (Command command : ofActuators) {
             if (areNew || command.changesAt(sample)) {
-                for (WorldObject body : bodies) {
-                    body.command(Actuator.class, command.name(), command.level(sample));
-                }
+                command(command.name(), command.level(sample), time, bodies);
             }
         }
         for (CommandedForce force : ofForces) {

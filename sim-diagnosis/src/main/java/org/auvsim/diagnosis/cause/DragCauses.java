@@ -10,6 +10,8 @@ import org.auvsim.core.math.Vec3;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
+import java.util.stream.IntStream;
 
 /** Forces of the water, or the air, on what moves through it. */
 final class DragCauses {
@@ -44,14 +46,53 @@ final class DragCauses {
                                             .atLeast(-present.leastAngular(s.rate()))),
                             (v, t) -> v.with(b -> b.effect(new IsotropicDrag(0, 0, t[0])))));
         }
-        if (s.turnsMatter() || s.spinIsKnown()) {
+        if (s.turnsMatter() || s.isToSpin()) {
             causes.add(
                     Change.of(
                             "magnus",
                             List.of(Parameter.signed("s", "kg", s.linearDrag() / s.rate())),
                             (v, t) -> v.with(b -> b.effect(new MagnusForce(t[0])))));
+        } else if (s.maySpin()) {
+            causes.add(magnusOfUnseenSpin(s));
         }
         return causes;
+    }
+
+    /**
+     * By derivatives of a body that is not believed to turn: F = (s w) x v. How it is turned, and
+     * so where the spin points to, each run tells for itself: the size alone is told.
+     */
+    private static Cause magnusOfUnseenSpin(Setting s) {
+        return derivatives(
+                        "magnus",
+                        Parameter.vector("sw", "kg/s", s.linearDrag()),
+                        sw ->
+                                List.of(
+                                        new Derivative("Xv", -sw[2]),
+                                        new Derivative("Xw", sw[1]),
+                                        new Derivative("Yu", sw[2]),
+                                        new Derivative("Yw", -sw[0]),
+                                        new Derivative("Zu", -sw[1]),
+                                        new Derivative("Zv", sw[0])))
+                .told(sw -> List.of(new Quantity("sw", "kg/s", size(sw))))
+                .asGeneric();
+    }
+
+    private static double size(double[] vector) {
+        return new Vec3(vector[0], vector[1], vector[2]).norm();
+    }
+
+    private static Change derivatives(
+            String id, List<Parameter> parameters, Function<double[], List<Derivative>> of) {
+        return Change.of(
+                id,
+                parameters,
+                (v, t) ->
+                        v.with(
+                                b ->
+                                        b.effect(
+                                                new HydrodynamicDerivatives(
+                                                        ReferenceAxes.FLU, of.apply(t)))));
     }
 
     /** By derivatives, as these may take from what there is. */
@@ -64,20 +105,13 @@ final class DragCauses {
                             .get(axis)
                             .atLeast(-present.of(axis, s.path().speed())));
         }
-        return Change.of(
+        return derivatives(
                         "anisotropic_linear_drag",
                         parameters,
-                        (v, t) -> {
-                            List<Derivative> derivatives = new ArrayList<>();
-                            for (int axis = 0; axis < names.size(); axis++) {
-                                derivatives.add(new Derivative(names.get(axis), -t[axis]));
-                            }
-                            return v.with(
-                                    b ->
-                                            b.effect(
-                                                    new HydrodynamicDerivatives(
-                                                            ReferenceAxes.FLU, derivatives)));
-                        })
+                        c ->
+                                IntStream.range(0, c.length)
+                                        .mapToObj(i -> new Derivative(names.get(i), -c[i]))
+                                        .toList())
                 .asGeneric();
     }
 

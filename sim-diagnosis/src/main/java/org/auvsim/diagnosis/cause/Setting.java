@@ -43,7 +43,8 @@ record Setting(BelievedModel model, List<MeasuredRun> runs, Path path, double ra
                         .mapToDouble(start -> start.motion().angularVelocity().norm())
                         .max()
                         .orElse(0);
-        double rate = Math.max(Turning.rate(runs), stated);
+        double spin = Math.max(stated, model.start().angularVelocity().norm());
+        double rate = Math.max(Turning.rate(runs), spin);
         return new Setting(model, runs, path, Math.max(SLOWEST_TURN, rate));
     }
 
@@ -95,9 +96,15 @@ record Setting(BelievedModel model, List<MeasuredRun> runs, Path path, double ra
                 || body().force().stream().anyMatch(Setting::dependsOnTurning);
     }
 
-    /** Whether it is known of a run how the body turned when it began. */
-    boolean spinIsKnown() {
-        return runs.stream().anyMatch(run -> run.start().filter(Setting::spins).isPresent());
+    /** Whether the body is believed to spin when a run begins. */
+    boolean isToSpin() {
+        return model.start().angularVelocity().norm() > 0
+                || runs.stream().anyMatch(run -> run.start().filter(Setting::spins).isPresent());
+    }
+
+    /** Whether it may spin though nothing tells so, as a ball of which only places are told. */
+    boolean maySpin() {
+        return !turnsMatter() && !isToSpin() && body().mount().isEmpty();
     }
 
     private static boolean spins(KnownStart start) {

@@ -15,6 +15,7 @@ import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.fit.Refinement;
 import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.residual.Outcome;
 import org.auvsim.diagnosis.run.Axes;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
@@ -26,6 +27,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /**
  * Whether the model as it is predicts runs but for their orientations, or these and the rates at
@@ -38,6 +40,9 @@ final class MixedOrientations {
 
     /** What is left of the squares of what is missed beyond noise; for there may be more wrong. */
     private static final double LEFT = 0.1;
+
+    /** Squares of what is missed (standard deviations) a number that noise alone does not reach. */
+    private static final double MUCH = 2;
 
     private final Judged none;
     private final Course course;
@@ -135,7 +140,22 @@ final class MixedOrientations {
             others = others.stream().map(of -> of.without(channel)).toList();
         }
         return others.stream().allMatch(MixedOrientations::tellsSomething)
+                && IntStream.range(0, others.size())
+                        .boxed()
+                        .sorted(Comparator.comparingDouble(this::missed).reversed())
+                        .map(others::get)
+                        .allMatch(this::isNearlyPredicted)
                 && fitted(others).isWhite();
+    }
+
+    private double missed(int run) {
+        return Outcome.squares(none.outcome().misses().get(run));
+    }
+
+    /** By itself: most runs that miss more than their orientations are told at the first. */
+    private boolean isNearlyPredicted(MeasuredRun run) {
+        Judged alone = fitted(List.of(run));
+        return alone.cost() < MUCH * alone.outcome().count();
     }
 
     private static boolean tellsSomething(MeasuredRun run) {

@@ -1,5 +1,7 @@
 package org.auvsim.auvsml.document;
 
+import org.auvsim.auvsml.mapping.Names;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -23,7 +25,7 @@ public final class MissingFile {
 
     /**
      * The sentence. Meant may have been a file whose name differs by capitals, one of the same name
-     * in another folder, or one whose name ends otherwise.
+     * in another folder, one whose name ends otherwise, or one whose name differs by a slip.
      *
      * @param folders others in which it may be
      */
@@ -33,6 +35,7 @@ public final class MissingFile {
                 + hint(capitals(file))
                         .or(() -> hint(elsewhere(file, folders)))
                         .or(() -> hint(beside(file, other -> stem(other).equals(stem(file)))))
+                        .or(() -> hint(beside(file, other -> isSlip(file, other))))
                         .or(() -> folder(file))
                         .orElse("");
     }
@@ -76,6 +79,17 @@ public final class MissingFile {
                 .toString()
                 .toLowerCase(Locale.ROOT)
                 .replaceFirst("(?<=.)([.]auvsml)?[.][^.]*$", "");
+    }
+
+    /** Whether a letter is another: names that count by numbers are all alike but for these. */
+    private static boolean isSlip(Path file, Path other) {
+        String name = file.getFileName().toString();
+        String known = other.getFileName().toString();
+        return numbers(name).equals(numbers(known)) && !Names.near(name, List.of(known)).isEmpty();
+    }
+
+    private static String numbers(String name) {
+        return name.replaceAll("[^0-9]", "");
     }
 
     private static Optional<String> hint(List<Path> others) {

@@ -51,6 +51,14 @@ class MissingFileTest {
     }
 
     @Test
+    void aLetterMayBeAnother() throws IOException {
+        Path file = there("run2.csv");
+        there("run3.csv");
+        assertThat(hint("runn2.csv")).isEqualTo("; did you mean " + file + "?");
+        assertThat(hint("rum2.csv")).isEqualTo("; did you mean " + file + "?");
+    }
+
+    @Test
     void itMayBeInAnotherFolder() throws IOException {
         Path file = there("model/run1.csv");
         there("run1.xml");

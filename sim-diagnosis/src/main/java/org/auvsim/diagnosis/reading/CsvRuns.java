@@ -180,8 +180,8 @@ final class CsvRuns {
                                                 rows.angleRow(),
                                                 rows.angleColumn(),
                                                 Figures.shown(rows.largestAngle())),
-                                "are they in degrees (--degrees)? Of a heading that counts its"
-                                        + " turns, take whole turns away"))
+                                "are they in degrees (--degrees, if all files are)? Of a heading"
+                                        + " that counts its turns, take whole turns away"))
                 : Optional.empty();
     }
 
@@ -194,7 +194,7 @@ final class CsvRuns {
                                         columns,
                                         "angles change by more than a quarter of a turn from row to"
                                                 + " row"),
-                                "are they in degrees (--degrees)?"));
+                                "are they in degrees (--degrees, if all files are)?"));
     }
 
     private List<MeasuredRun> runs(Survey survey) throws DocumentException {

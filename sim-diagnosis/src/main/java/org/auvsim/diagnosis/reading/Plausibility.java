@@ -181,7 +181,7 @@ final class Plausibility {
                                         source.columns(Channel.ANGULAR_VELOCITY),
                                         "%s differ by up to %s rad/s"
                                                 .formatted(axes, Figures.shown(fastest))),
-                                "are they in degrees (--degrees)?"))
+                                "are they in degrees (--degrees, if all files are)?"))
                 : Optional.empty();
     }
 }

@@ -15,6 +15,7 @@ import org.auvsim.diagnosis.result.Numbers;
 import org.auvsim.diagnosis.shooting.Stepping;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.StringJoiner;
@@ -59,16 +60,28 @@ public final class RunByRun {
     }
 
     /**
-     * What is told of the best cause that does; empty if none does.
+     * What one cause says of each run.
+     *
+     * @param apart the number of which two runs tell most differently
+     */
+    private record Each(Hypothesis cause, List<Told> told, int apart, double score) {}
+
+    /**
+     * What is told of the cause that does best, its numbers paid for; empty if none does.
      *
      * @param causes single ones, with numbers to begin at
      */
     public Optional<String> notice(List<Hypothesis> causes) {
-        return causes.stream().flatMap(cause -> notice(cause).stream()).findFirst();
+        return causes.stream()
+                .flatMap(cause -> each(cause).stream())
+                .min(Comparator.comparingDouble(Each::score))
+                .map(RunByRun::words);
     }
 
-    private Optional<String> notice(Hypothesis cause) {
+    /** Empty where a run is not explained, or all are by the same numbers. */
+    private Optional<Each> each(Hypothesis cause) {
         List<Told> all = new ArrayList<>();
+        double score = 0;
         for (Misses run : data) {
             if (!course.goesOn()) {
                 return Optional.empty();
@@ -77,13 +90,15 @@ public final class RunByRun {
             if (!alone.isWhite()) {
                 return Optional.empty();
             }
+            score += alone.score();
             all.add(
                     new Told(
                             run.run().name(),
                             cause.causes().getFirst().quantities(numbers(alone)),
                             new Uncertainty(alone).deviations().getFirst()));
         }
-        return furthestApart(all).map(number -> words(cause, all, number));
+        double paid = score;
+        return furthestApart(all).map(number -> new Each(cause, all, number, paid));
     }
 
     private static double[] numbers(Judged of) {
@@ -113,15 +128,15 @@ public final class RunByRun {
         return number;
     }
 
-    private static String words(Hypothesis cause, List<Told> all, int number) {
-        Quantity of = all.getFirst().numbers().get(number);
+    private static String words(Each of) {
+        Quantity number = of.told().getFirst().numbers().get(of.apart());
         StringJoiner runs = new StringJoiner(", ");
-        all.forEach(told -> runs.add(told.text(number)));
+        of.told().forEach(told -> runs.add(told.text(of.apart())));
         return "each run by itself is explained by %s, but not by the same: %s%s is %s; something changed between the runs, so diagnose those together that agree"
                 .formatted(
-                        cause.causes().getFirst().label(),
-                        of.name(),
-                        of.unit().equals("1") ? "" : " (" + of.unit() + ")",
+                        of.cause().causes().getFirst().label(),
+                        number.name(),
+                        number.unit().equals("1") ? "" : " (" + number.unit() + ")",
                         runs);
     }
 }

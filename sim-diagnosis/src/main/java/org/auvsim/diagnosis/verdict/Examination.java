@@ -3,6 +3,7 @@ package org.auvsim.diagnosis.verdict;
 import org.auvsim.auvsml.document.Scenario;
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.fit.Course;
+import org.auvsim.diagnosis.fit.Fit;
 import org.auvsim.diagnosis.fit.Hypothesis;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.fit.LeaveOneOut;
@@ -212,8 +213,7 @@ public final class Examination {
         Verdict verdict = judgement.verdict();
         boolean isExplained = verdict == Verdict.EXPLAINED;
         List<Alternative> alternatives = isExplained ? alternatives(found) : List.of();
-        Foretold foretold =
-                byTurns.orElseGet(() -> Foretold.of(judgement.before(), after, found.noise()));
+        Foretold foretold = byTurns.orElseGet(judgement::foretold);
         Sentences sentences =
                 new Sentences(foretold.gains(), usedHeldOut, foretold.isBetter())
                         .with(new Moments(allRuns()));
@@ -226,7 +226,7 @@ public final class Examination {
                                 ? judgement.trial().horizons(after, best.fit().variant())
                                 : List.of(),
                         usedHeldOut);
-        List<DiagnosedRun> runs = runs(found, best, after);
+        List<DiagnosedRun> runs = runs(judgement);
         Optional<LikelyReason> reason =
                 verdict == Verdict.UNEXPLAINED
                         ? LikelyReason.of(found, judgement.before(), course)
@@ -334,18 +334,22 @@ public final class Examination {
                 : extended;
     }
 
-    private List<DiagnosedRun> runs(Search.Found found, Judged best, Judged after) {
-        List<DiagnosedRun> runs = new ArrayList<>();
+    private List<DiagnosedRun> runs(Judgement judgement) {
         course.at("looking at what is left", END);
+        Search.Found found = judgement.found();
+        Judged best = found.best();
+        Judged after = judgement.after();
         Variant variant = best.fit().variant();
-        runs.addAll(runs(found, best, variant, false).subList(0, fit.size()));
-        runs.addAll(runs(found, after, variant, true));
+        Fit believed = judgement.believedOfFit();
+        List<DiagnosedRun> runs =
+                new ArrayList<>(runs(found, believed, best, variant, false).subList(0, fit.size()));
+        runs.addAll(runs(found, judgement.believedOfHeldOut(), after, variant, true));
         return runs;
     }
 
     private List<DiagnosedRun> runs(
-            Search.Found found, Judged after, Variant variant, boolean areHeldOut) {
-        List<RigidMotion[]> motionBefore = after.fit().asBelieved().motions();
+            Search.Found found, Fit before, Judged after, Variant variant, boolean areHeldOut) {
+        List<RigidMotion[]> motionBefore = before.motions();
         List<RigidMotion[]> motionAfter = after.fit().motions();
         List<Misses> data = after.fit().data();
         return IntStream.range(0, data.size())

@@ -19,7 +19,7 @@ import java.util.stream.Stream;
  * How well runs are foretold that had no part in the fit.
  *
  * @param gains root mean square errors by channel, in its unit, without and with what was found,
- *     both from the starts that suit what was found
+ *     both from the starts that suit what was found, if that explains the runs
  * @param gain by how much twice the logarithm of their likelihood grows
  */
 record Foretold(Map<Channel, Gain> gains, double gain) {
@@ -37,6 +37,17 @@ record Foretold(Map<Channel, Gain> gains, double gain) {
      */
     static Foretold of(Judged before, Judged after, Noise noise) {
         return of(List.of(before), List.of(after), noise);
+    }
+
+    /**
+     * The same, the errors from the starts that suit each: those that suit what explains nothing
+     * would have the model as it is believed miss what it does not.
+     */
+    static Foretold ofUnexplained(Judged before, Judged after, Noise noise) {
+        return of(
+                List.of(before),
+                List.of(after),
+                gains(Stream.of(before.fit()), Stream.of(after.fit()), noise));
     }
 
     /** Each run by the others, where all were searched with. */
@@ -62,8 +73,17 @@ record Foretold(Map<Channel, Gain> gains, double gain) {
     }
 
     private static Foretold of(List<Judged> before, List<Judged> after, Noise noise) {
-        Map<Channel, Squares> without = errors(after.stream().map(j -> j.fit().asBelieved()));
-        Map<Channel, Squares> with = errors(after.stream().map(Judged::fit));
+        Stream<Fit> without = after.stream().map(j -> j.fit().asBelieved());
+        return of(before, after, gains(without, after.stream().map(Judged::fit), noise));
+    }
+
+    private static Foretold of(List<Judged> before, List<Judged> after, Map<Channel, Gain> gains) {
+        return new Foretold(gains, deviance(before) - deviance(after));
+    }
+
+    private static Map<Channel, Gain> gains(Stream<Fit> before, Stream<Fit> after, Noise noise) {
+        Map<Channel, Squares> without = errors(before);
+        Map<Channel, Squares> with = errors(after);
         Map<Channel, Gain> gains = new EnumMap<>(Channel.class);
         for (Channel channel : with.keySet()) {
             gains.put(
@@ -73,7 +93,7 @@ record Foretold(Map<Channel, Gain> gains, double gain) {
                             rootMeanSquare(with, channel),
                             noise.of(channel)));
         }
-        return new Foretold(gains, deviance(before) - deviance(after));
+        return gains;
     }
 
     /** Of all runs together. */

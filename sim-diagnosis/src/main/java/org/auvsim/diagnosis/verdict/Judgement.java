@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.verdict;
 
 import org.auvsim.diagnosis.cause.Cause;
 import org.auvsim.diagnosis.fit.Agreement;
+import org.auvsim.diagnosis.fit.Fit;
 import org.auvsim.diagnosis.fit.Hypothesis;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.fit.Uncertainty;
@@ -76,6 +77,30 @@ record Judgement(
         List<Cause> before = found.best().fit().hypothesis().causes();
         List<Cause> now = all.best().fit().hypothesis().causes();
         return !passes || !Set.copyOf(before).equals(Set.copyOf(now));
+    }
+
+    /** How well the held-out runs are foretold. */
+    Foretold foretold() {
+        return isUnexplained()
+                ? Foretold.ofUnexplained(before, after, found.noise())
+                : Foretold.of(before, after, found.noise());
+    }
+
+    /**
+     * The model as it is believed on the runs of the fit: from the starts that suit what was found,
+     * or, where that explains nothing, from those that suit it.
+     */
+    Fit believedOfFit() {
+        return isUnexplained() ? found.none().fit() : found.best().fit().asBelieved();
+    }
+
+    /** The same on the held-out runs. */
+    Fit believedOfHeldOut() {
+        return isUnexplained() ? before.fit() : after.fit().asBelieved();
+    }
+
+    private boolean isUnexplained() {
+        return verdict() == Verdict.UNEXPLAINED;
     }
 
     Verdict verdict() {

@@ -93,6 +93,7 @@ final class Notices {
         all.forEach(run -> notices.addAll(stuck(run, found.noise())));
         notices.addAll(LooseStrength.notices(selected));
         UnseenSpin.notice(fit, selected).ifPresent(notices::add);
+        Feet.notice(selected).ifPresent(notices::add);
         Hypothesis best = found.best().fit().hypothesis();
         SpinUp.notice(model, fit, best).ifPresent(notices::add);
         if (verdict == Verdict.EXPLAINED || SlowSwing.isTrend(fit, best)) {

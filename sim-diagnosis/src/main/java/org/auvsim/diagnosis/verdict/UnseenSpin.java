@@ -35,8 +35,8 @@ final class UnseenSpin {
                 .formatted(
                         isCoefficient
                                 ? " but the scenario, and the coefficient of the Magnus force is as"
-                                      + " doubtful as that"
+                                        + " doubtful as that"
                                 : ", so what is told of the Magnus force is its coefficient times"
-                                      + " the spin, of the same size in all runs");
+                                        + " the spin, of the same size in all runs");
     }
 }

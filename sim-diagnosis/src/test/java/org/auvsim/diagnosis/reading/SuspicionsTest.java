@@ -273,11 +273,12 @@ class SuspicionsTest {
                                 .notices())
                 .contains(
                         at(":21: column 'yaw': ")
-                                + "angles go up to 171 rad: are they in degrees (--degrees)? Of a"
-                                + " heading that counts its turns, take whole turns away",
+                                + "angles go up to 171 rad: are they in degrees (--degrees, if all"
+                                + " files are)? Of a heading that counts its turns, take whole"
+                                + " turns away",
                         at(":2: column 'r': ")
                                 + "p, q, r differ by up to 57 rad/s: are they in degrees"
-                                + " (--degrees)?");
+                                + " (--degrees, if all files are)?");
     }
 
     /** A vehicle goes round and round: its heading counts its turns. */

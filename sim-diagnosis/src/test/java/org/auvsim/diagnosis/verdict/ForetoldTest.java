@@ -12,6 +12,7 @@ import org.auvsim.diagnosis.fit.LeaveOneOut;
 import org.auvsim.diagnosis.fit.Progress;
 import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.residual.Noise;
+import org.auvsim.diagnosis.result.Gain;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.shooting.Stepping;
@@ -26,9 +27,12 @@ class ForetoldTest {
     private static final Cart CART = new Cart(1, SLIGHT, 0);
 
     private static Foretold with(double drag) throws Exception {
-        Hypothesis found =
-                new Hypothesis(List.of(CART.cause("linear_drag")), List.of(new double[] {drag}));
-        return Foretold.of(fitted(Hypothesis.NONE), fitted(found), Noise.of(List.of(CART.run())));
+        return Foretold.of(
+                fitted(Hypothesis.NONE), fitted(drag(drag)), Noise.of(List.of(CART.run())));
+    }
+
+    private static Hypothesis drag(double c) throws Exception {
+        return new Hypothesis(List.of(CART.cause("linear_drag")), List.of(new double[] {c}));
     }
 
     /** From a start of its own. */
@@ -44,6 +48,20 @@ class ForetoldTest {
         assertThat(foretold.gains().get(Channel.POSITION))
                 .satisfies(gain -> assertThat(gain.after()).isLessThan(gain.before()))
                 .satisfies(gain -> assertThat(gain.after()).isGreaterThan(0.95 * gain.before()));
+    }
+
+    /** From the starts that suit a wrong cause the model as it is would miss what it does not. */
+    @Test
+    void ofWhatExplainsNothingEachIsForetoldFromStartsOfItsOwn() throws Exception {
+        Judged believed = fitted(Hypothesis.NONE);
+        Judged wrong = fitted(drag(5));
+        Noise noise = Noise.of(List.of(CART.run()));
+        Gain ofOwn = Foretold.ofUnexplained(believed, wrong, noise).gains().get(Channel.POSITION);
+        Gain ofWrong = Foretold.of(believed, wrong, noise).gains().get(Channel.POSITION);
+
+        assertThat(ofOwn.before()).isLessThan(1.2 * ofOwn.noise());
+        assertThat(ofOwn.after()).isGreaterThan(3 * ofOwn.noise());
+        assertThat(ofWrong.before()).isGreaterThan(3 * ofOwn.noise());
     }
 
     /**

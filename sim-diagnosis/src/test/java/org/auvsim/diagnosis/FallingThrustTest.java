@@ -17,12 +17,14 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
+import java.util.function.LongFunction;
 
 /** Screws whose thrust is not by what they are told alone. */
 @Tag("whole-search")
 class FallingThrustTest {
     private static final double LOSS = 0.25;
     private static final double FADE = 0.03;
+    private static final double ASTERN = 0.78;
     private static final long SEED = 1;
 
     /** Thrust goes with the square of the revolutions, and what is lost of it with these. */
@@ -34,6 +36,10 @@ class FallingThrustTest {
 
     private static double fading(double level, double time) {
         return TwinScrew.THRUST * (1 - FADE * time) * level;
+    }
+
+    private static double weakerAstern(double level) {
+        return TwinScrew.THRUST * level * (level < 0 ? ASTERN : 1);
     }
 
     @Test
@@ -54,14 +60,27 @@ class FallingThrustTest {
         assertThat(port(of).condition().flatMap(Condition::sag)).contains(new Sag(0, fade));
     }
 
+    @Test
+    void whatPushesLessAsternIsNoGain() throws Exception {
+        TwinScrew.Screw screw = (level, _, _) -> weakerAstern(level);
+        Diagnosis of = diagnosis(TwinScrew.SOUND.pushing(screw, screw)::runBothWays);
+
+        double factor = found(of, "thruster_astern", ASTERN);
+        assertThat(of.sentence()).startsWith("The thrust of all thrusters astern is wrong: 0.");
+        assertThat(port(of).condition().map(Condition::astern)).contains(factor);
+    }
+
     private static Diagnosis diagnosis(TwinScrew.Screw screw) throws Exception {
-        TwinScrew vehicle = TwinScrew.SOUND.pushing(screw, screw);
+        return diagnosis(TwinScrew.SOUND.pushing(screw, screw)::run);
+    }
+
+    private static Diagnosis diagnosis(LongFunction<MeasuredRun> vehicle) throws Exception {
         BelievedModel model = TwinScrew.model();
-        List<MeasuredRun> fit = List.of(vehicle.run(SEED), vehicle.run(SEED + 10));
+        List<MeasuredRun> fit = List.of(vehicle.apply(SEED), vehicle.apply(SEED + 10));
         return new Investigation(
                         model,
                         fit,
-                        List.of(vehicle.run(SEED + 20)),
+                        List.of(vehicle.apply(SEED + 20)),
                         Library.of(model, fit),
                         SEED,
                         Progress.SILENT)

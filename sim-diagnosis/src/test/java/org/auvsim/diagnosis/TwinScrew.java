@@ -99,8 +99,17 @@ public record TwinScrew(
                 "vehicle");
     }
 
-    /** Thrusters get other levels every 2 s, as drawn by a seed. */
+    /** Thrusters get other levels ahead every 2 s, as drawn by a seed. */
     public MeasuredRun run(long seed) {
+        return run(seed, 0.2, 0.6);
+    }
+
+    /** The same, of levels ahead and astern. */
+    MeasuredRun runBothWays(long seed) {
+        return run(seed, -0.6, 1.4);
+    }
+
+    private MeasuredRun run(long seed, double least, double span) {
         SplittableRandom lot = new SplittableRandom(seed);
         MeasuredRunBuilder run =
                 MeasuredRun.named("run " + seed).commands(List.of("port", "starboard"));
@@ -109,7 +118,7 @@ public record TwinScrew(
         double right = 0;
         for (int k = 0; k < samples; k++) {
             if (k % 20 == 0) {
-                left = 0.2 + 0.6 * lot.nextDouble();
+                left = least + span * lot.nextDouble();
                 right = left + 0.2 * lot.nextDouble() - 0.1;
             }
             run.at(k * INTERVAL)

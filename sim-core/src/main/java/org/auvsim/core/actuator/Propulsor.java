@@ -233,7 +233,8 @@ public record Propulsor(
 
     /** The same at a level, and at a speed of advance (m/s). */
     private double thrust(double level, double time, double advance) {
-        double atRest = thrustAtRest(turning(level));
+        double turned = turning(level);
+        double atRest = thrustAtRest(turned);
         double sound =
                 advance == 0
                         ? atRest
@@ -241,7 +242,7 @@ public record Propulsor(
                                 - advanceLoss
                                         * Math.sqrt(Math.abs(atRest) * maximumThrust)
                                         * advance;
-        return condition.isEmpty() ? sound : sound * condition.get().shareAt(time);
+        return condition.isEmpty() ? sound : sound * condition.get().share(turned, time);
     }
 
     /** A level, or the opposite one if its condition is to run backwards. */

@@ -60,6 +60,16 @@ class ConditionTest {
         assertThat(body(backwards).velocity()).isEqualTo(body(ahead).velocity());
     }
 
+    /** Astern is where the screw turns to, whichever way it is wired. */
+    @ParameterizedTest
+    @CsvSource({"0.5, 1, 6", "-0.5, 1, -4.2", "0.5, -1, -4.2", "-0.5, -1, 6"})
+    void aScrewMayPushLessAstern(double commanded, double gain, double thrust) {
+        Condition condition = Condition.SOUND.gaining(gain).pushingAstern(0.7);
+        Propulsor screw = Screws.plain(commanded).in(condition);
+        assertThat(screw.thrustAt(3)).isCloseTo(thrust, within(1e-14));
+        assertThat(screw.constantPush().orElseThrow().force().x()).isCloseTo(thrust, within(1e-14));
+    }
+
     @ParameterizedTest
     @CsvSource({"0.5, 0.3", "-0.5, -0.3", "0.2, 0", "-0.1, 0", "1, 0.8"})
     void someOfTheLevelIsLost(double commanded, double left) {

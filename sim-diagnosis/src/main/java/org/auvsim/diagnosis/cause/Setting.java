@@ -20,6 +20,8 @@ import org.auvsim.server.feedback.RigidMotion;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.DoublePredicate;
+import java.util.stream.IntStream;
 
 /**
  * A model, what was measured of it, and how large things are there: what is small, but can be told.
@@ -124,7 +126,7 @@ record Setting(BelievedModel model, List<MeasuredRun> runs, Path path, double ra
         return body().component().stream()
                 .filter(Propulsor.class::isInstance)
                 .map(Propulsor.class::cast)
-                .filter(p -> isDirected(p) || p.level() != 0 || isCommanded(p))
+                .filter(p -> isDirected(p) || p.level() != 0 || isCommanded(p, l -> l != 0))
                 .toList();
     }
 
@@ -138,19 +140,24 @@ record Setting(BelievedModel model, List<MeasuredRun> runs, Path path, double ra
                                                 .noneMatch(c -> c.name().equals(propulsor.name())));
     }
 
-    private boolean isCommanded(Component component) {
-        for (MeasuredRun run : runs) {
-            for (Command command : run.commands()) {
-                if (command.name().equals(component.name())) {
-                    for (int k = 0; k < run.size(); k++) {
-                        if (command.level(k) != 0) {
-                            return true;
-                        }
-                    }
-                }
-            }
-        }
-        return false;
+    /**
+     * Whether a propulsor pushes astern in any of the runs, or may where a behavior tells it to.
+     */
+    boolean goesAstern(Propulsor p) {
+        return isDirected(p) || p.level() < 0 || isCommanded(p, level -> level < 0);
+    }
+
+    private boolean isCommanded(Component component, DoublePredicate is) {
+        return runs.stream()
+                .anyMatch(
+                        run ->
+                                run.commands().stream()
+                                        .filter(c -> c.name().equals(component.name()))
+                                        .anyMatch(c -> isTold(c, run.size(), is)));
+    }
+
+    private static boolean isTold(Command command, int samples, DoublePredicate is) {
+        return IntStream.range(0, samples).mapToDouble(command::level).anyMatch(is);
     }
 
     /** Of the body, and the mean of what it carries of the water (kg). */

@@ -52,6 +52,9 @@ final class ThrusterCauses {
         }
         causes.add(deadZone());
         causes.add(lag(s));
+        if (propulsors.stream().anyMatch(s::goesAstern)) {
+            causes.add(astern());
+        }
         causes.add(advance(s));
         causes.add(fade(s));
         return causes;
@@ -164,6 +167,21 @@ final class ThrusterCauses {
                                         "tau", "s", 0.1, 0, Math.max(1, s.path().duration() / 4))),
                         (v, t) -> with(v, _ -> true, p -> p.mounted(p.direction(), p.lag() + t[0])))
                 .from(List.of(Change.secant(0.1), Change.secant(0.5)));
+    }
+
+    /** Screws that push less astern than ahead, all of them, as they are of one make. */
+    private static Change astern() {
+        return Change.of(
+                        "thruster_astern",
+                        List.of(new Parameter("factor", "1", 0.1, -1, 100)),
+                        (v, t) -> with(v, _ -> true, p -> weakerAstern(p, 1 + t[0])))
+                .toldAsFactors()
+                .asGeneric();
+    }
+
+    private static Propulsor weakerAstern(Propulsor p, double factor) {
+        Condition c = condition(p);
+        return p.in(c.pushingAstern(c.astern() * factor));
     }
 
     /**

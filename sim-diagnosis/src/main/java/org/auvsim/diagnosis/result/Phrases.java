@@ -74,6 +74,7 @@ public final class Phrases {
                 "thruster_advance",
                 "The thrust of %s falls with speed",
                 "The thrust of %s falls less with speed than modelled");
+        put("thruster_astern", "The thrust of %s astern is wrong");
         put("thruster_fade", "The thrust of %s fades", "The thrust of %s grows with time");
         put(TURNED, "The direction of %s is wrong");
         put("thruster_loss", "Thrust of %s is lost");

@@ -25,6 +25,11 @@ abstract class CauseEquationsContract {
     /** Causes of some families. */
     abstract Stream<CauseCase> cases();
 
+    /** What the port and the starboard thruster are told. */
+    double[] levels() {
+        return new double[] {0.6, 0.4};
+    }
+
     @ParameterizedTest(name = "{0}")
     @MethodSource("cases")
     void movesTheBodyAsItsEquationSays(CauseCase c) {
@@ -51,10 +56,10 @@ abstract class CauseEquationsContract {
     }
 
     /** The same run, in which the thrusters are told something. */
-    private static MeasuredRun commanded(MeasuredRun run) {
+    private MeasuredRun commanded(MeasuredRun run) {
         MeasuredRunBuilder told = MeasuredRun.named("told").commands(List.of("port", "starboard"));
         for (int k = 0; k < run.size(); k++) {
-            told.at(run.time(k)).command(0, 0.6).command(1, 0.4);
+            told.at(run.time(k)).command(0, levels()[0]).command(1, levels()[1]);
             run.vector(Channel.POSITION, k).ifPresent(p -> told.position(p.x(), p.y(), p.z()));
             run.orientation(k).ifPresent(told::orientation);
         }

@@ -211,6 +211,8 @@ class SentenceTest {
                 + " 0.02 rad'",
         "thruster_advance, loss, s/m, 'The thrust of all thrusters falls with speed: loss 0.85 +-"
                 + " 0.02 s/m'",
+        "thruster_astern, factor, 1, 'The thrust of all thrusters astern is wrong: 0.85 +- 0.02"
+                + " times what the model has'",
         "thruster_fade, fade, 1/s, 'The thrust of all thrusters fades: fade 0.85 +- 0.02 1/s'",
         "thruster_lag, tau, s, 'A lag of all thrusters is missing: 0.85 +- 0.02 s'"
     })

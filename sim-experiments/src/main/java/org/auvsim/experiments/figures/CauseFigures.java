@@ -78,6 +78,7 @@ final class CauseFigures {
         position("thruster_gain", VEHICLE, -0.1);
         position("thruster_deadzone", VEHICLE, 0.05);
         position("thruster_lag", VEHICLE, 0.5);
+        position("thruster_astern", VEHICLE, -0.3);
         position("thruster_advance", VEHICLE, 0.2);
         position("thruster_fade", VEHICLE, 0.01);
         turn("thruster_misalignment", VEHICLE, 0.03);

@@ -59,6 +59,9 @@ final class Selection {
     private final Tried tried;
     private final Misreading misreading;
 
+    /** Where causes that can imitate others are begun alone. */
+    private final Once<List<Screen.Start>> generic;
+
     /**
      * Out of a library, in some way.
      *
@@ -77,17 +80,13 @@ final class Selection {
         Aliasing aliasing = new Aliasing(screening, noise, course);
         this.tried = new Tried(none, noise, course, aliasing::undone);
         this.misreading = new Misreading(none, noise, course);
+        this.generic = new Once<>(this::genericStarts);
     }
 
     /** Specific causes first; those that can imitate others only where none of those passes. */
     Search.Found found() {
         List<Cause> specific = specific();
-        Judged best = searched(specific, cause -> true);
-        boolean areMore = specific.size() < library.size();
-        if (!best.isWhite() && areMore && course.goesOn() && !areMisread(best)) {
-            Judged generic = generic();
-            best = generic.score() < best.score() ? generic : best;
-        }
+        Judged best = contest.isPresent() ? contested(contest.get(), specific) : oneOrTwo(specific);
         boolean isOpen = contest.isEmpty() && !best.isWhite();
         List<Hypothesis> byRun = isOpen && !areMisread(best) ? ofOneRun() : List.of();
         if (haveChanged(byRun) || (isOpen && misreading.isNearerThan(best))) {
@@ -101,14 +100,6 @@ final class Selection {
         }
         best = contest.isEmpty() ? plainer(best) : best;
         return refined(isByChance(best) ? none : best);
-    }
-
-    /** The best that has a generic cause; of doubtful runs, alone. */
-    private Judged generic() {
-        boolean areDoubtful = contest.isEmpty() && (!isThorough || isOneOdd());
-        return areDoubtful
-                ? alone(screening.of(library), library, Cause::isGeneric)
-                : searched(library, Cause::isGeneric);
     }
 
     /**
@@ -141,6 +132,11 @@ final class Selection {
             best = rescued(best, specific());
         }
         return chosen(best.isNone() ? best : tried.settled(best));
+    }
+
+    private List<Screen.Start> genericStarts() {
+        List<Cause> causes = library.stream().filter(Cause::isGeneric).toList();
+        return causes.isEmpty() ? List.of() : screening.of(causes).starts(1, cause -> true);
     }
 
     private List<Cause> specific() {
@@ -330,34 +326,88 @@ final class Selection {
                 && gain < screening.of(library).chance().exceededBy(FALSE_ALARMS);
     }
 
+    /** The best of models that compete, those that can imitate others only where none passes. */
+    private Judged contested(Arena.Contest models, List<Cause> specific) {
+        Judged best = competing(models, specific);
+        boolean areMore = specific.size() < library.size();
+        return best.isWhite() || !areMore || !course.goesOn()
+                ? best
+                : Tried.best(List.of(competing(models, library)), best);
+    }
+
+    private Judged competing(Arena.Contest models, List<Cause> causes) {
+        List<Screen.Start> starts =
+                models.candidates(new Arena(base, course), causes).stream()
+                        .map(c -> new Hypothesis(c.causes(), c.theta()))
+                        .map(h -> new Screen.Start(base.with(h, base.windows()), 1, 0))
+                        .toList();
+        return tried.pruned(tried.tournament(starts, none, 0.4, 0.7));
+    }
+
     /**
-     * The best set of one or two causes.
-     *
-     * @param isNew those of which a set must have one
+     * The best set of one or two specific causes, or with one that can imitate others where none of
+     * those passes. Where one of these alone promises more than any of those it is tried before two
+     * of those are: if it leaves nothing but noise, most of the many pairs are given up early.
      */
-    private Judged searched(List<Cause> causes, Predicate<Cause> isNew) {
-        if (contest.isPresent()) {
-            List<Screen.Start> models = competing(contest.get(), causes);
-            return tried.pruned(tried.tournament(models, none, 0.4, 0.7));
-        }
+    private Judged oneOrTwo(List<Cause> specific) {
         if (!course.at("screening causes", 0.2)) {
             return none;
         }
-        Screen screen = screening.of(causes);
-        Judged best = alone(screen, causes, isNew);
-        if (!best.isWhite() && course.goesOn() && !areMisread(best)) {
-            List<Screen.Start> pairs = new ArrayList<>(screen.starts(2, isNew));
-            if (count(best) == 1) {
-                pairs.addAll(along(best, causes).starts(1, isNew));
-            }
-            best = tried.pruned(whole(tried.tournament(pairs, best, 0.5, 0.6)));
+        Screen screen = screening.of(specific);
+        List<Screen.Start> singles = screen.starts(1, cause -> true);
+        Judged single = alone(singles, specific, cause -> true);
+        if (single.isWhite() || !course.goesOn()) {
+            return single;
         }
-        return best;
+        Optional<Judged> early =
+                promisesMore(generic.get(), singles)
+                        ? Optional.of(genericAlone())
+                        : Optional.empty();
+        Judged best =
+                early.filter(Judged::isWhite)
+                        .map(white -> Tried.best(List.of(white), single))
+                        .orElse(single);
+        if (!best.isWhite() && isDone(best)) {
+            return best;
+        }
+        best = withPairs(best, screen, specific, cause -> true);
+        if (isDone(best) || specific.size() == library.size()) {
+            return best;
+        }
+        Judged other = early.orElseGet(this::genericAlone);
+        boolean areDoubtful = !isThorough || isOneOdd();
+        if (!areDoubtful && !isDone(other)) {
+            other = withPairs(other, screening.of(library), library, Cause::isGeneric);
+        }
+        return Tried.best(List.of(other), best);
+    }
+
+    private boolean isDone(Judged best) {
+        return best.isWhite() || !course.goesOn() || areMisread(best);
+    }
+
+    /** Whether one of some promises more than any of others does at its level. */
+    private static boolean promisesMore(List<Screen.Start> some, List<Screen.Start> others) {
+        return some.stream().anyMatch(one -> promisesMore(one, others));
+    }
+
+    private Judged genericAlone() {
+        return alone(generic.get(), library, Cause::isGeneric);
+    }
+
+    /** The best pair, if it is better than one cause alone. */
+    private Judged withPairs(
+            Judged single, Screen screen, List<Cause> causes, Predicate<Cause> isNew) {
+        List<Screen.Start> pairs = new ArrayList<>(screen.starts(2, isNew));
+        if (count(single) == 1 && !single.isWhite()) {
+            pairs.addAll(along(single, causes).starts(1, isNew));
+        }
+        return tried.pruned(whole(tried.tournament(pairs, single, 0.5, 0.6)));
     }
 
     /** The best single cause. */
-    private Judged alone(Screen screen, List<Cause> causes, Predicate<Cause> isNew) {
-        Judged best = whole(tried.tournament(screen.starts(1, isNew), none, 0.3, 0.5));
+    private Judged alone(List<Screen.Start> starts, List<Cause> causes, Predicate<Cause> isNew) {
+        Judged best = whole(tried.tournament(starts, none, 0.3, 0.5));
         if (best.isWhite() || !course.goesOn()) {
             return best;
         }
@@ -435,24 +485,14 @@ final class Selection {
      */
     private Judged plainer(Judged best) {
         Hypothesis of = best.fit().hypothesis();
-        List<Cause> generic = library.stream().filter(Cause::isGeneric).toList();
         boolean wereTried = of.isGeneric() || !best.isWhite();
-        if (wereTried || generic.isEmpty() || !course.goesOn()) {
+        if (wereTried || !course.goesOn()) {
             return best;
         }
         double enough = of.causes().size() < 2 ? PROMISING * (none.score() - best.score()) : 0;
         List<Screen.Start> starts =
-                screening.of(generic).starts(1, cause -> true).stream()
-                        .filter(start -> start.promise() >= enough)
-                        .toList();
+                generic.get().stream().filter(start -> start.promise() >= enough).toList();
         return starts.isEmpty() ? best : tried.tournament(starts, best, 0.8, 0.85);
-    }
-
-    private List<Screen.Start> competing(Arena.Contest models, List<Cause> causes) {
-        return models.candidates(new Arena(base, course), causes).stream()
-                .map(c -> new Hypothesis(c.causes(), c.theta()))
-                .map(h -> new Screen.Start(base.with(h, base.windows()), 1, 0))
-                .toList();
     }
 
     /**

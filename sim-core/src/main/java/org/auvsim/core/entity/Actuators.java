@@ -128,6 +128,7 @@ public final class Actuators {
         }
     }
 
+    @SuppressWarnings("ReferenceEquality") // those that are equal cost more to compare than to ask
     private static boolean areSame(Actuator[] some, Actuator[] others) {
         if (some.length != others.length) {
             return false;

@@ -14,7 +14,6 @@ import org.auvsim.diagnosis.run.ScheduledForce;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 
@@ -168,7 +167,7 @@ final class Inputs {
 
     /** Bodies that share an actuator go on sharing it: what it pushes is then worked out once. */
     private static void command(String name, double level, double time, List<WorldObject> bodies) {
-        Map<Actuator, Actuator> commanded = new IdentityHashMap<>();
+        IdentityHashMap<Actuator, Actuator> commanded = new IdentityHashMap<>();
         for (WorldObject body : bodies) {
             Actuator before = body.component(Actuator.class, name).orElseThrow();
             if (before.command() != level) {

@@ -20,6 +20,7 @@ import org.auvsim.diagnosis.subject.Cart;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
+import java.util.Objects;
 
 /** A cart whose errors are mostly noise is foretold better by a drag that hardly shows in them. */
 class ForetoldTest {
@@ -56,12 +57,16 @@ class ForetoldTest {
         Judged believed = fitted(Hypothesis.NONE);
         Judged wrong = fitted(drag(5));
         Noise noise = Noise.of(List.of(CART.run()));
-        Gain ofOwn = Foretold.ofUnexplained(believed, wrong, noise).gains().get(Channel.POSITION);
-        Gain ofWrong = Foretold.of(believed, wrong, noise).gains().get(Channel.POSITION);
+        Gain ofOwn = ofPosition(Foretold.ofUnexplained(believed, wrong, noise));
+        Gain ofWrong = ofPosition(Foretold.of(believed, wrong, noise));
 
         assertThat(ofOwn.before()).isLessThan(1.2 * ofOwn.noise());
         assertThat(ofOwn.after()).isGreaterThan(3 * ofOwn.noise());
         assertThat(ofWrong.before()).isGreaterThan(3 * ofOwn.noise());
+    }
+
+    private static Gain ofPosition(Foretold of) {
+        return Objects.requireNonNull(of.gains().get(Channel.POSITION));
     }
 
     /**

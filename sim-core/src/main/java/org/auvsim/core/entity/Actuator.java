@@ -40,6 +40,7 @@ public interface Actuator extends Component {
      * is timed. The same as {@link #add} adds to a body.
      *
      * @param sum force (N), then torque about the origin (N m)
+     * @throws IllegalStateException if it is not timed
      */
     default void push(Block block, double[] sum) {
         throw new IllegalStateException("'%s' is not timed".formatted(name()));

@@ -52,9 +52,16 @@ final class Screening {
         return new Screen(base, causes, guesses, asBelieved);
     }
 
-    /** Around where something fits whole runs best. */
+    /**
+     * Common causes, one more each, around where something fits whole runs best: what is far off
+     * for sure, as a heading by half a radian, is hidden in the starts of windows that follow the
+     * measurement, and shows where the model goes another way.
+     */
     Screen along(Judged fitted, List<Cause> causes) {
-        return new Screen(fitted.fit(), causes, guesses, asBelieved);
+        List<Cause> of = fitted.fit().hypothesis().causes();
+        List<Cause> others =
+                causes.stream().filter(c -> !c.isAmong(of) && !hasManyGuesses(c)).toList();
+        return new Screen(fitted.fit(), others, guesses, asBelieved);
     }
 
     /** Common causes that promise to explain one of the runs alone, the most promising first. */

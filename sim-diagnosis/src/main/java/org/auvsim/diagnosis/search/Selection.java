@@ -118,7 +118,7 @@ final class Selection {
                         .map(fit -> base.with(fit.hypothesis(), fit.windows()))
                         .map(fit -> new Screen.Start(fit, 1, 0))
                         .toList();
-        Judged best = tried.pruned(whole(tried.tournament(starts, none, 0.3, 0.7)));
+        Judged best = tried.pruned(tried.whole(tried.tournament(starts, none, 0.3, 0.7)));
         return best.isWhite() && !best.isNone() ? refined(best) : found();
     }
 
@@ -288,7 +288,7 @@ final class Selection {
                 screen.starts(2, cause -> true).stream()
                         .filter(pair -> promisesMore(pair, alone))
                         .toList();
-        return tried.pruned(whole(tried.tournament(two, one, 0.8, 0.85)));
+        return tried.pruned(tried.whole(tried.tournament(two, one, 0.8, 0.85)));
     }
 
     /** Than any cause alone does at that level, more than noise lets it. */
@@ -400,33 +400,19 @@ final class Selection {
             Judged single, Screen screen, List<Cause> causes, Predicate<Cause> isNew) {
         List<Screen.Start> pairs = new ArrayList<>(screen.starts(2, isNew));
         if (count(single) == 1 && !single.isWhite()) {
-            pairs.addAll(along(single, causes).starts(1, isNew));
+            pairs.addAll(screening.along(single, causes).starts(1, isNew));
         }
-        return tried.pruned(whole(tried.tournament(pairs, single, 0.5, 0.6)));
+        return tried.pruned(tried.whole(tried.tournament(pairs, single, 0.5, 0.6)));
     }
 
     /** The best single cause. */
     private Judged alone(List<Screen.Start> starts, List<Cause> causes, Predicate<Cause> isNew) {
-        Judged best = whole(tried.tournament(starts, none, 0.3, 0.5));
+        Judged best = tried.whole(tried.tournament(starts, none, 0.3, 0.5));
         if (best.isWhite() || !course.goesOn()) {
             return best;
         }
-        List<Screen.Start> along = along(none, causes).starts(1, isNew);
-        return whole(tried.tournament(along, best, 0.4, 0.5));
-    }
-
-    /**
-     * Common causes, one more each, around where something fits whole runs best: what is far off
-     * for sure, as a heading by half a radian, is hidden in the starts of windows that follow the
-     * measurement, and shows where the model goes another way.
-     */
-    private Screen along(Judged fitted, List<Cause> causes) {
-        List<Cause> of = fitted.fit().hypothesis().causes();
-        return screening.along(
-                fitted,
-                causes.stream()
-                        .filter(c -> !c.isAmong(of) && !screening.hasManyGuesses(c))
-                        .toList());
+        List<Screen.Start> along = screening.along(none, causes).starts(1, isNew);
+        return tried.whole(tried.tournament(along, best, 0.4, 0.5));
     }
 
     /**
@@ -442,7 +428,7 @@ final class Selection {
         Judged best = found;
         for (int size = SEVERAL; size <= MOST_CAUSES && !best.isWhite(); size++) {
             Judged more = tried.tournament(screen.starts(size, cause -> true), best, 0.75, 0.8);
-            best = more.equals(best) ? best : tried.pruned(whole(more));
+            best = more.equals(best) ? best : tried.pruned(tried.whole(more));
         }
         return best;
     }
@@ -459,11 +445,6 @@ final class Selection {
         }
         Judged more = extended(few, MOST_CAUSES);
         return more.score() < several.score() ? more : several;
-    }
-
-    /** With all that these causes can do. */
-    private Judged whole(Judged best) {
-        return tried.freed(tried.begunAnew(best));
     }
 
     /** With more causes, one by one, so many at most, while something is missed. */
@@ -514,6 +495,6 @@ final class Selection {
     }
 
     private Judged rescued(Judged best, Screen screen) {
-        return tried.pruned(whole(tried.tournament(screen.startsOfEach(), best, 0.8, 0.9)));
+        return tried.pruned(tried.whole(tried.tournament(screen.startsOfEach(), best, 0.8, 0.9)));
     }
 }

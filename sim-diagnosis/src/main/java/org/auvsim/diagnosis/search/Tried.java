@@ -82,6 +82,11 @@ public final class Tried {
         return best.isNone() || best.isWhite() ? best : best(List.of(anew(best)), best);
     }
 
+    /** With all that its causes can do. */
+    Judged whole(Judged best) {
+        return freed(begunAnew(best));
+    }
+
     /** With more numbers of its causes, if it misses something and less by them. */
     Judged freed(Judged best) {
         List<MeasuredRun> runs = best.fit().data().stream().map(Misses::run).toList();

@@ -81,9 +81,14 @@ public record Judged(Fit fit, Outcome outcome, int told, double score) {
         return Whiteness.largest(outcome.misses(), fit.data());
     }
 
+    /** How many causes it has. */
+    public int size() {
+        return fit.hypothesis().causes().size();
+    }
+
     /** Whether nothing is wrong with the model, by this. */
     public boolean isNone() {
-        return fit.hypothesis().causes().isEmpty();
+        return size() == 0;
     }
 
     /** By how much its cost is above that of noise alone; below 0 where chance has it so. */

@@ -21,7 +21,7 @@ record Aliasing(Screening screening, Noise noise, Course course) {
     /** The best of those, if it is better than what was found and misses something. */
     Judged undone(Judged found) {
         Judged best = found;
-        for (int c = 0; c < found.fit().hypothesis().causes().size(); c++) {
+        for (int c = 0; c < found.size(); c++) {
             Hypothesis of = found.fit().hypothesis();
             Cause cause = of.causes().get(c);
             List<Guess> aliases = cause.aliases(of.theta().get(c));

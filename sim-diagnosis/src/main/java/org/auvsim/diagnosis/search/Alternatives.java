@@ -79,7 +79,7 @@ public final class Alternatives {
     private static boolean isAsPlain(Judged other, Judged best) {
         Hypothesis of = other.fit().hypothesis();
         return of.size() <= best.fit().hypothesis().size() + 1
-                && of.causes().size() == best.fit().hypothesis().causes().size()
+                && of.causes().size() == best.size()
                 && (!of.isGeneric() || best.fit().hypothesis().isGeneric());
     }
 

@@ -67,7 +67,7 @@ record Choice(List<Judged> judged, List<Cause> library) {
         Hypothesis of = found.fit().hypothesis();
         return judged.stream()
                 .filter(j -> !j.isNone() && !found.isNone())
-                .filter(j -> j.fit().hypothesis().causes().size() <= of.causes().size())
+                .filter(j -> j.size() <= of.causes().size())
                 .filter(j -> of.isGeneric() || !j.fit().hypothesis().isGeneric())
                 .filter(j -> j.isWhite() || !found.isWhite())
                 .findFirst()

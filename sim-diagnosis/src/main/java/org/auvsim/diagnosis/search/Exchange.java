@@ -32,7 +32,7 @@ record Exchange(List<Cause> library, Screening screening, Tried tried, Course co
             Judged other = tried.tournament(untried(c, found, aliases), best, 0.8, 0.9);
             other = tried.tournamentAnew(lost(c, found, aliases), other, 0.8, 0.9);
             boolean isAsGood = of.isGeneric() || !other.fit().hypothesis().isGeneric();
-            boolean isClear = best.score() - other.score() > Selection.DOUBTFUL;
+            boolean isClear = best.score() - other.score() > OneOrTwo.DOUBTFUL;
             best = !other.equals(best) && (isAsGood || isClear) ? tried.pruned(other) : best;
         }
         return best;

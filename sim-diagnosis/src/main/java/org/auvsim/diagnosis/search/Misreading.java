@@ -11,11 +11,16 @@ import java.util.Optional;
  * Each is looked for once, when it is first asked for.
  */
 public final class Misreading {
+    /** Squares of what is missed (standard deviations) a number, where little is missed. */
+    private static final double NEARLY = 5;
+
+    private final Course course;
     private final Once<Optional<String>> orientations;
     private final Once<Optional<SwappedCommands.Swap>> commands;
 
     /** Of runs that the model as it is believed was fitted to. */
     Misreading(Judged none, Noise noise, Course course) {
+        this.course = course;
         this.orientations = new Once<>(() -> new MixedOrientations(none, course).notice());
         this.commands = new Once<>(() -> new SwappedCommands(none, noise, course).nearest());
     }
@@ -27,8 +32,19 @@ public final class Misreading {
         return orientations.get().or(() -> commands.get().map(SwappedCommands.Swap::notice));
     }
 
-    /** Whether orientations are told in another way. */
-    boolean isOfOrientations() {
+    /**
+     * Whether orientations are told in another way, or commands where much is missed with what was
+     * found: no cause is to explain that.
+     */
+    boolean isLikelierThan(Judged found) {
+        return course.goesOn() && (isOfOrientations() || (!isNear(found) && isNearerThan(found)));
+    }
+
+    private static boolean isNear(Judged found) {
+        return found.cost() < NEARLY * found.outcome().count();
+    }
+
+    private boolean isOfOrientations() {
         return orientations.get().isPresent();
     }
 

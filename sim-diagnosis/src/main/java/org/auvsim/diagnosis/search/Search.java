@@ -103,11 +103,10 @@ public final class Search {
 
         /** The best, one of its causes left out. */
         public Judged without(int cause) {
-            Hypothesis of = best.fit().hypothesis();
-            if (of.causes().size() == 1) {
+            if (best.size() == 1) {
                 return none;
             }
-            Hypothesis fewer = of.without(cause);
+            Hypothesis fewer = best.fit().hypothesis().without(cause);
             return judged.stream()
                     .filter(j -> j.fit().hypothesis().causes().equals(fewer.causes()))
                     .findFirst()

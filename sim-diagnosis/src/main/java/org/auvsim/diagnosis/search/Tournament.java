@@ -144,7 +144,7 @@ public final class Tournament {
         if (judged.isWhite()) {
             return HOPELESS * judged.cost() + HOPELESS_OF_FEW;
         }
-        boolean areSeveral = judged.fit().hypothesis().causes().size() >= Selection.SEVERAL;
+        boolean areSeveral = judged.size() >= ForwardSelection.SEVERAL;
         return areSeveral ? judged.cost() + HOPELESS_OF_FEW : Double.POSITIVE_INFINITY;
     }
 

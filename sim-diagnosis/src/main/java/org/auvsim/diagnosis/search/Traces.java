@@ -131,7 +131,7 @@ public final class Traces {
             if (cause.isAmong(beside.causes())) {
                 continue;
             }
-            double trace = NOISE + Math.sqrt(price.applyAsDouble(cause) + Selection.DOUBTFUL);
+            double trace = NOISE + Math.sqrt(price.applyAsDouble(cause) + OneOrTwo.DOUBTFUL);
             for (int c = 0; c < seed.columns().length; c++) {
                 Parameter of = seed.parameters().get(c);
                 double norm = Math.sqrt(besideOwn(seed.columns()[c]));

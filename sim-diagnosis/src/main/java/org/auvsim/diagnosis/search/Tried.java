@@ -91,7 +91,7 @@ public final class Tried {
     Judged freed(Judged best) {
         List<MeasuredRun> runs = best.fit().data().stream().map(Misses::run).toList();
         Judged freest = best;
-        for (int c = 0; c < best.fit().hypothesis().causes().size(); c++) {
+        for (int c = 0; c < best.size(); c++) {
             Fit fit = freest.fit();
             for (Hypothesis freed : fit.hypothesis().freed(c, runs)) {
                 if (!freest.isWhite() && course.goesOn()) {
@@ -171,7 +171,7 @@ public final class Tried {
     /** The best cause alone; none if none was fitted alone. */
     Hypothesis strongest() {
         return judged.stream()
-                .filter(j -> j.fit().hypothesis().causes().size() == 1)
+                .filter(j -> j.size() == 1)
                 .min(Comparator.comparingDouble(Judged::score))
                 .map(j -> j.fit().hypothesis())
                 .orElse(Hypothesis.NONE);

@@ -176,7 +176,7 @@ public final class Examination {
      * foretell it.
      */
     private boolean areForetold(Search.Found all, LeaveOneOut turns, Foretold byTurns) {
-        int causes = all.best().fit().hypothesis().causes().size();
+        int causes = all.best().size();
         return byTurns.isMuchOf(all.none(), all.best())
                 && (causes < SEVERAL
                         || allRuns().size() < SEVERAL

@@ -28,7 +28,7 @@ final class Findings {
 
     /** What explains nothing: without deviations, for there is no model that they would be of. */
     static List<Finding> unsure(Search.Found found) {
-        int causes = found.best().fit().hypothesis().causes().size();
+        int causes = found.best().size();
         return of(found, Collections.nCopies(causes, List.of()));
     }
 

@@ -42,8 +42,7 @@ final class Rivals {
         Judged best = found.best();
         return !other.isNone()
                 && other.isWhite()
-                && other.fit().hypothesis().causes().size()
-                        == best.fit().hypothesis().causes().size()
+                && other.size() == best.size()
                 && !DragLaw.isAllTheyDifferIn(best, other);
     }
 

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.cause;
 
 import org.auvsim.core.math.Vec3;
 import org.auvsim.diagnosis.model.BelievedModel;
+import org.auvsim.diagnosis.model.Sensing;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.server.feedback.RigidMotion;
@@ -9,6 +10,7 @@ import org.auvsim.server.feedback.RigidMotion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.BiFunction;
 import java.util.stream.IntStream;
 
 /** Measurements that tell otherwise than the body moves. */
@@ -60,13 +62,14 @@ final class SensorCauses {
                                                 LONGEST_DELAY)),
                                 (v, t) -> v.sensed(sensing -> sensing.delayed(t[0])))
                         .asGeneric());
+        if (isMeasuredBesideOthers(Channel.ORIENTATION, s) && turns(s.model())) {
+            causes.add(delay("orientation_delay", Sensing::withLateOrientations));
+        }
+        if (isMeasuredBesideOthers(Channel.POSITION, s)) {
+            causes.add(delay("position_delay", Sensing::withLatePositions));
+        }
         if (s.measures(Channel.POSITION)) {
             causes.addAll(ofPositions(s));
-            if (s.measures(Channel.ORIENTATION)
-                    || s.measures(Channel.VELOCITY)
-                    || s.measures(Channel.ANGULAR_VELOCITY)) {
-                causes.add(positionDelay());
-            }
             if (s.measures(Channel.ORIENTATION) && turns(s.model())) {
                 causes.add(leverArm(s));
             }
@@ -115,12 +118,17 @@ final class SensorCauses {
         return new Vec3(all[0], all[1], all[2]);
     }
 
-    /** Where nothing else is measured it is that of all there is. */
-    private static Cause positionDelay() {
+    private static boolean isMeasuredBesideOthers(Channel channel, Setting s) {
+        return s.measures(channel)
+                && Arrays.stream(Channel.values()).anyMatch(c -> c != channel && s.measures(c));
+    }
+
+    /** Of what one sensor tells; where nothing else is measured it is that of all there is. */
+    private static Cause delay(String id, BiFunction<Sensing, Double, Sensing> late) {
         return Change.of(
-                        "position_delay",
+                        id,
                         List.of(new Parameter("delay", "s", 0.05, 0, LONGEST_DELAY)),
-                        (v, t) -> v.sensed(sensing -> sensing.withLatePositions(t[0])))
+                        (v, t) -> v.sensed(sensing -> late.apply(sensing, t[0])))
                 .from(List.of(Change.secant(0.05), Change.secant(0.3)))
                 .asGeneric();
     }

@@ -17,8 +17,8 @@ record CompassDeviation(double sine, double cosine) {
     private static final Vec3 AHEAD = new Vec3(1, 0, 0);
 
     /** The same beside more iron. */
-    CompassDeviation plus(double moreSine, double moreCosine) {
-        return new CompassDeviation(sine + moreSine, cosine + moreCosine);
+    CompassDeviation plus(CompassDeviation more) {
+        return new CompassDeviation(sine + more.sine, cosine + more.cosine);
     }
 
     /** How far off (rad) it is on a body that lies so. */

@@ -4,7 +4,6 @@ import org.apache.commons.math3.stat.StatUtils;
 import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -15,17 +14,8 @@ import java.util.stream.IntStream;
  * all that they tell.
  */
 final class Clipped {
-    /** Fewer numbers tell nothing. */
-    private static final int FEWEST = 20;
-
     /** By chance noise repeats no number, and no extreme one so many times in a row. */
     private static final int IN_A_ROW = 4;
-
-    /** What differs from row to row by noise does so in this share of rows, but for those. */
-    private static final double MOST = 0.98;
-
-    /** Third differences are noise if they are as large as this share of the first ones. */
-    private static final double NOISY = 0.2;
 
     /** A body comes to the end by so many usual changes at most. */
     private static final double NEAR = 10;
@@ -52,12 +42,12 @@ final class Clipped {
         int[] samples = run.samples(channel, axis);
         double[] values =
                 Arrays.stream(samples).mapToDouble(k -> run.value(channel, k, axis)).toArray();
-        if (values.length < FEWEST) {
+        if (values.length < UsualChange.FEWEST) {
             return;
         }
         double[] ends = {StatUtils.max(values), StatUtils.min(values)};
         boolean[] stays = atEnds(values, ends);
-        double usual = usualChange(values, stays);
+        double usual = UsualChange.of(values, stays);
         if (Double.isNaN(usual) || !isReached(values, stays, NEAR * usual)) {
             return;
         }
@@ -97,35 +87,11 @@ final class Clipped {
         return longest;
     }
 
-    /** By how much all others differ from row to row; NaN if they do not, or not by noise. */
-    private static double usualChange(double[] values, boolean[] stays) {
-        List<Double> first = new ArrayList<>();
-        List<Double> third = new ArrayList<>();
-        for (int i = 3; i < values.length; i++) {
-            if (!stays[i] && !stays[i - 1] && !stays[i - 2] && !stays[i - 3]) {
-                first.add(Math.abs(values[i] - values[i - 1]));
-                third.add(
-                        Math.abs(
-                                values[i] - 3 * values[i - 1] + 3 * values[i - 2] - values[i - 3]));
-            }
-        }
-        long changes = first.stream().filter(change -> change > 0).count();
-        boolean areNoise =
-                first.size() >= FEWEST
-                        && changes >= MOST * first.size()
-                        && median(third) > NOISY * median(first);
-        return areNoise ? median(first) : Double.NaN;
-    }
-
     /** Whether what is beside those that stay is near them: the body went there, and came back. */
     private static boolean isReached(double[] values, boolean[] stays, double near) {
         return IntStream.range(1, values.length)
                 .filter(i -> stays[i] != stays[i - 1])
                 .allMatch(i -> Math.abs(values[i] - values[i - 1]) <= near);
-    }
-
-    private static double median(List<Double> of) {
-        return StatUtils.percentile(of.stream().mapToDouble(Double::doubleValue).toArray(), 50);
     }
 
     private void tell(Channel channel, int axis, double end, int count) {

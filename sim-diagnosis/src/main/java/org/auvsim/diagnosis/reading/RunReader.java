@@ -35,7 +35,7 @@ public final class RunReader {
 
     /** What looks for numbers that count as not measured, each in what the ones before leave. */
     private static final List<BiFunction<Source, MeasuredRun, LeftOut>> FAULTS =
-            List.of(Held::of, Clipped::of, Spikes::of);
+            List.of(Held::of, Clipped::of, Stuck::of, Spikes::of);
 
     private final BelievedModel model;
     private final ColumnMapping mapping;

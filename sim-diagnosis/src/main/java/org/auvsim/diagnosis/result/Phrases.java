@@ -107,6 +107,7 @@ public final class Phrases {
         put("sensor_drift", "The measured heading drifts");
         put("position_drift", "The measured position drifts");
         put("sensor_offset", "The measured positions have a constant offset");
+        put("orientation_delay", "The measured orientations are late");
         put("position_delay", "The measured positions are late");
         put("sensor_lever_arm", "The measured positions are of another point of the body");
         put("sensor_scale", "The scale of the measured positions is wrong");

@@ -83,6 +83,7 @@ class LibraryTest {
                         "sensor_scale",
                         "sensor_delay",
                         "position_delay",
+                        "orientation_delay",
                         "clock_offset",
                         "axis_misalignment")
                 .doesNotContain("coulomb_torque");

@@ -61,13 +61,16 @@ class SensingTest {
     }
 
     @Test
-    void placesMayBeOlderThanAllElse() {
-        Sensing late = Sensing.EXACT.delayed(0.05).withLatePositions(0.1);
+    void placesAndOrientationsMayBeOlderThanAllElse() {
+        Sensing late = Sensing.EXACT.delayed(0.05).withLatePositions(0.1).withLateOrientations(0.2);
 
         assertThat(late.age(Channel.POSITION)).isCloseTo(0.15, within(1e-12));
+        assertThat(late.age(Channel.ORIENTATION)).isEqualTo(0.25);
         assertThat(late.age(Channel.VELOCITY)).isEqualTo(0.05);
+        assertThat(late.age(Channel.ANGULAR_VELOCITY)).isEqualTo(0.05);
         assertThat(late.isPrompt()).isFalse();
         assertThat(Sensing.EXACT.withLatePositions(0.1).isPrompt()).isFalse();
+        assertThat(Sensing.EXACT.withLateOrientations(0.1).isPrompt()).isFalse();
         assertThat(Sensing.EXACT.isPrompt()).isTrue();
     }
 
@@ -134,6 +137,23 @@ class SensingTest {
                 new RigidMotion(
                         before.position(),
                         then.orientation(),
+                        then.velocity(),
+                        then.angularVelocity()),
+                2e-4);
+    }
+
+    /** A compass is slow, while all else is told at once. */
+    @ParameterizedTest
+    @CsvSource({"0, 0.23", "0.1, 0.37"})
+    void orientationsMayBeOlder(double delay, double older) {
+        RigidMotion[] told = told(Sensing.EXACT.delayed(delay).withLateOrientations(older), 10);
+
+        RigidMotion then = motion(2.5 - delay);
+        assertNear(
+                told[15],
+                new RigidMotion(
+                        then.position(),
+                        motion(2.5 - delay - older).orientation(),
                         then.velocity(),
                         then.angularVelocity()),
                 2e-4);

@@ -101,7 +101,7 @@ class HeldTest {
 
     @Test
     void whatRestsForAWhileIsNotHeld() throws Exception {
-        RunFile file = read("x,y,z", i -> text(noisy(i < 120 ? 0 : i)) + ",0,0");
+        RunFile file = read("x,y,z", i -> text(noisy(Math.max(i, 120))) + ",0,0");
 
         assertThat(measured(file, Channel.POSITION, 0)).hasSize(ROWS);
         assertThat(told(file)).isEmpty();

@@ -113,6 +113,7 @@ final class CauseFigures {
         position("sensor_scale", VEHICLE, 0.03, 0, -0.02);
         position("sensor_delay", VEHICLE, 0.3);
         position("position_delay", VEHICLE, 0.3);
+        turn("orientation_delay", VEHICLE, 0.3);
         position("clock_offset", VEHICLE, -0.3);
         position("axis_misalignment", VEHICLE, 0.02, 0, 0.05);
         position("position_drift", VEHICLE, 0.01, -0.005, 0);

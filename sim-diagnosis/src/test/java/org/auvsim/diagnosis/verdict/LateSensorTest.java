@@ -14,30 +14,37 @@ import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.subject.Surveyor;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 import java.util.List;
 import java.util.Random;
 
-/** A vehicle whose positions come late, as those of a receiver; its heading does not. */
+/** A vehicle of whose sensors one is late: a receiver, whose heading is not, or a compass. */
 @Tag("whole-search")
-class LatePositionsTest {
+class LateSensorTest {
     private static final int ROWS = 8;
+    private static final Vec3 NOWHERE = new Vec3(Double.NaN, Double.NaN, Double.NaN);
 
-    /** The model is right, but for when positions are told. */
-    private static MeasuredRun run(long seed) {
+    /** The model is right, but for when that is told. */
+    private static MeasuredRun run(long seed, Channel late) {
         MeasuredRun of = new Surveyor(0, Vec3.ZERO, 1, 0).run("run " + seed, new Random(seed));
-        Vec3 nowhere = new Vec3(Double.NaN, Double.NaN, Double.NaN);
+        int oldPlace = late == Channel.POSITION ? ROWS : 0;
+        int oldTurn = late == Channel.ORIENTATION ? ROWS : 0;
         return Surveyor.told(
                 of,
-                k -> k < ROWS ? nowhere : of.vector(Channel.POSITION, k - ROWS).orElseThrow(),
-                k -> of.orientation(k).orElseThrow());
+                k -> k < ROWS ? NOWHERE : of.vector(Channel.POSITION, k - oldPlace).orElseThrow(),
+                k -> of.orientation(Math.max(0, k - oldTurn)).orElseThrow());
     }
 
-    @Test
-    void areToldFromAllElse() throws Exception {
+    @ParameterizedTest
+    @CsvSource({
+        "POSITION, position_delay, The measured positions are late: ",
+        "ORIENTATION, orientation_delay, The measured orientations are late: "
+    })
+    void isToldFromAllElse(Channel late, String cause, String sentence) throws Exception {
         BelievedModel model = Surveyor.believed();
-        List<MeasuredRun> fit = List.of(run(1), run(2));
+        List<MeasuredRun> fit = List.of(run(1, late), run(2, late));
         List<String> some =
                 List.of(
                         "quadratic_drag",
@@ -49,22 +56,21 @@ class LatePositionsTest {
                         "sensor_scale",
                         "position_drift",
                         "sensor_lever_arm",
-                        "position_delay");
+                        "position_delay",
+                        "orientation_delay");
 
         Diagnosis diagnosis =
                 new Investigation(
                                 model,
                                 fit,
-                                List.of(run(3)),
+                                List.of(run(3, late)),
                                 Library.named(some, Library.of(model, fit)),
                                 1,
                                 Progress.SILENT)
                         .diagnose();
 
-        assertThat(diagnosis.sentence()).startsWith("The measured positions are late: ");
-        assertThat(diagnosis.selected())
-                .extracting(Finding::cause)
-                .containsExactly("position_delay");
+        assertThat(diagnosis.sentence()).startsWith(sentence);
+        assertThat(diagnosis.selected()).extracting(Finding::cause).containsExactly(cause);
         double spacing = fit.getFirst().time(1) - fit.getFirst().time(0);
         assertThat(diagnosis.selected().getFirst().quantities().getFirst().value())
                 .isCloseTo(ROWS * spacing, within(0.02));

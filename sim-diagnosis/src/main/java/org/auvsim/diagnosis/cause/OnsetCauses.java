@@ -5,7 +5,10 @@ import org.auvsim.core.effect.StepForce;
 import org.auvsim.core.math.Vec3;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 
 /** What happens at one time: a force that begins, an impulse. */
 final class OnsetCauses {
@@ -13,6 +16,9 @@ final class OnsetCauses {
     static final double STEPS = 3;
 
     private static final int TIMES = 24;
+
+    /** Moments to either side of one that was found, until the next of those. */
+    private static final int NEARBY = 8;
 
     private OnsetCauses() {}
 
@@ -47,10 +53,24 @@ final class OnsetCauses {
                         0.02 * s.path().duration(),
                         s.path().begin(),
                         s.path().end()));
-        List<Guess> guesses = new ArrayList<>();
-        for (double time : s.path().times(TIMES)) {
-            guesses.add(Change.guess(parameters, new double[] {0, 0, 0, time}, 0, 1, 2));
-        }
-        return Change.of(id, parameters, law).from(guesses);
+        return Change.of(id, parameters, law)
+                .from(guesses(parameters, Arrays.stream(s.path().times(TIMES))))
+                .withAliases(theta -> guesses(parameters, nearby(theta[3], s.path())));
+    }
+
+    private static List<Guess> guesses(List<Parameter> parameters, DoubleStream times) {
+        return times.mapToObj(t -> Change.guess(parameters, new double[] {0, 0, 0, t}, 0, 1, 2))
+                .toList();
+    }
+
+    /**
+     * A search that begins half a period away from the moment, or further, of what swings, ends at
+     * another: with the force the other way, for one.
+     */
+    private static DoubleStream nearby(double time, Path path) {
+        double apart = path.total() / TIMES / NEARBY;
+        return IntStream.rangeClosed(-NEARBY, NEARBY)
+                .mapToDouble(i -> time + i * apart)
+                .filter(t -> path.begin() <= t && t <= path.end());
     }
 }

@@ -202,9 +202,14 @@ record Path(
         return distances[(int) Math.min(distances.length - 1, share * distances.length)];
     }
 
+    /** For how long there were runs (s). */
+    double total() {
+        return spans.stream().mapToDouble(span -> span.until() - span.from()).sum();
+    }
+
     /** Times at which there were runs, spread evenly (s). */
     double[] times(int count) {
-        double all = spans.stream().mapToDouble(span -> span.until() - span.from()).sum();
+        double all = total();
         double[] times = new double[count];
         Arrays.setAll(times, i -> after(all * (i + 0.5) / count));
         return times;

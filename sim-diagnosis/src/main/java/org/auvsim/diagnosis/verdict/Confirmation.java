@@ -14,6 +14,9 @@ final class Confirmation {
     /** So many roots of the change are left to chance. */
     private static final double CHANCE = 1.5;
 
+    /** What changes the runs no more than this, squared, is not theirs to judge. */
+    private static final double NOTHING = 0.1;
+
     private Confirmation() {}
 
     /**
@@ -45,6 +48,7 @@ final class Confirmation {
         gain -= Math.min(parameters, change);
         double noise = Math.max(1, left / count);
         return Double.isNaN(change)
+                || change / noise < NOTHING
                 || gain / noise >= SHARE * change / noise - CHANCE * Math.sqrt(change / noise);
     }
 }

@@ -44,12 +44,14 @@ final class Notices {
 
     private final BelievedModel model;
     private final List<MeasuredRun> fit;
+    private final List<MeasuredRun> judging;
     private final List<MeasuredRun> all;
 
     /** Of a model, the runs it was searched with, and those that judge. */
     Notices(BelievedModel model, List<MeasuredRun> fit, List<MeasuredRun> heldOut) {
         this.model = model;
         this.fit = fit;
+        this.judging = heldOut;
         this.all = new ArrayList<>(fit);
         all.addAll(heldOut);
     }
@@ -72,7 +74,7 @@ final class Notices {
         leftOut().ifPresent(notices::add);
         boolean isTested = !foretold.gains().isEmpty();
         if (verdict == Verdict.EXPLAINED && isTested && !foretold.isBetter()) {
-            notices.add(NO_GAIN);
+            notices.add(UnjudgedMoment.notice(selected, judging).orElse(NO_GAIN));
         }
         double stated = model.scenario().timeStep().delta();
         double used = found.stepping().fine().scenario().timeStep().delta();

@@ -52,6 +52,13 @@ class ConfirmationTest {
         assertThat(confirmed(change, false)).isLessThan(CASES * 4 / 100);
     }
 
+    /** Such runs do not tell. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-4, 0.01, 0.09})
+    void whatHardlyChangesAnythingIsNotDenied(double change) {
+        assertThat(confirmed(change, true)).isEqualTo(CASES);
+    }
+
     @Test
     void whatChangesNothingIsNotDenied() {
         double[] misses = noise(new Random(1));

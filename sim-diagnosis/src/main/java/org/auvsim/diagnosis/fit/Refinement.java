@@ -71,6 +71,14 @@ public final class Refinement {
         return new Near(best, false);
     }
 
+    /** What a fit misses in its windows by themselves, each from where it fits best. */
+    public static double leastOfWindows(Fit fit) {
+        Simulated at = Simulated.of(fit.asSeen());
+        return Step.of(at.fit(), Tangents.of(at), 1)
+                .map(Step::least)
+                .orElse(Double.POSITIVE_INFINITY);
+    }
+
     /** What it misses of runs in one go from the start of each. */
     private static Judged whole(Simulated at) {
         return at.fit().longest() == 1 ? at.judged() : Judged.of(at.fit().whole());

@@ -1,6 +1,7 @@
 package org.auvsim.diagnosis.search;
 
 import org.auvsim.diagnosis.fit.Course;
+import org.auvsim.diagnosis.fit.Fit;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.residual.Noise;
 
@@ -16,13 +17,20 @@ public final class Misreading {
 
     private final Course course;
     private final Once<Optional<String>> orientations;
+    private final Once<Optional<SwappedCommands.Swap>> surelySwapped;
     private final Once<Optional<SwappedCommands.Swap>> commands;
 
-    /** Of runs that the model as it is believed was fitted to. */
-    Misreading(Judged none, Noise noise, Course course) {
+    /**
+     * Of runs that the model as it is believed was fitted to.
+     *
+     * @param base what follows them by it
+     */
+    Misreading(Fit base, Judged none, Noise noise, Course course) {
+        SwappedCommands swapped = new SwappedCommands(base, none, noise, course);
         this.course = course;
         this.orientations = new Once<>(() -> new MixedOrientations(none, course).notice());
-        this.commands = new Once<>(() -> new SwappedCommands(none, noise, course).nearest());
+        this.surelySwapped = new Once<>(swapped::certain);
+        this.commands = new Once<>(() -> surelySwapped.get().or(swapped::nearest));
     }
 
     /**
@@ -30,6 +38,11 @@ public final class Misreading {
      */
     public Optional<String> notice() {
         return orientations.get().or(() -> commands.get().map(SwappedCommands.Swap::notice));
+    }
+
+    /** Whether two commands are swapped, and nothing else is wrong. */
+    boolean isSurelyOfCommands() {
+        return course.goesOn() && surelySwapped.get().isPresent();
     }
 
     /**

@@ -70,7 +70,7 @@ final class OneOrTwo {
      * early.
      */
     Judged best() {
-        if (!course.at("screening causes", 0.2)) {
+        if (!course.at("screening causes", 0.2) || misreading.isSurelyOfCommands()) {
             return none;
         }
         Screen screen = screening.of(specific);

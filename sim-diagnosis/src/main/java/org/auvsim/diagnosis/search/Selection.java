@@ -56,7 +56,7 @@ final class Selection {
         this.screening = new Screening(base, noise, library, none.outcome(), course);
         Aliasing aliasing = new Aliasing(screening, noise, course);
         this.tried = new Tried(none, noise, course, aliasing::undone);
-        this.misreading = new Misreading(none, noise, course);
+        this.misreading = new Misreading(base, none, noise, course);
         this.oneOrTwo =
                 new OneOrTwo(
                         none,

@@ -5,7 +5,9 @@ import org.auvsim.core.entity.Component;
 import org.auvsim.diagnosis.fit.Course;
 import org.auvsim.diagnosis.fit.Descent;
 import org.auvsim.diagnosis.fit.Fit;
+import org.auvsim.diagnosis.fit.Following;
 import org.auvsim.diagnosis.fit.Judged;
+import org.auvsim.diagnosis.fit.Refinement;
 import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.residual.Outcome;
@@ -17,7 +19,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
@@ -47,12 +51,22 @@ final class SwappedCommands {
     private static final Comparator<Swap> NEAREST_FIRST =
             Comparator.comparingDouble(swap -> swap.with().cost());
 
+    /** What misses far more than noise: squares of standard deviations a number. */
+    private static final double FAR = 30;
+
+    private final Fit base;
     private final Judged none;
     private final Noise noise;
     private final Course course;
 
-    /** Of the model as it is believed, fitted. */
-    SwappedCommands(Judged none, Noise noise, Course course) {
+    /**
+     * Of the model as it is believed.
+     *
+     * @param base what follows the measurement by it
+     * @param none the same, fitted
+     */
+    SwappedCommands(Fit base, Judged none, Noise noise, Course course) {
+        this.base = base;
         this.none = none;
         this.noise = noise;
         this.course = course;
@@ -60,10 +74,6 @@ final class SwappedCommands {
 
     /** Two commands, and how well the model does with each told what the other was. */
     record Swap(String one, String other, Judged with) {
-        private Swap further() {
-            return new Swap(one, other, Descent.of(with.fit()).steps(STEPS));
-        }
-
         /**
          * Whether it comes far nearer to the runs, and nearer in each channel that it misses: where
          * angles grow the other way, a vehicle with swapped thrusters turns as they are told, and
@@ -87,18 +97,71 @@ final class SwappedCommands {
         }
     }
 
+    /**
+     * The two with which the model as it is leaves nothing but noise of runs that it misses by far.
+     * The run that is missed most is asked first, alone: in windows that follow it, so that no
+     * motion gets lost, most pairs are seen to be further from it than what was told.
+     */
+    Optional<Swap> certain() {
+        if (!(none.cost() > FAR * none.outcome().count())) {
+            return Optional.empty();
+        }
+        Fit worst = base.ofRun(missedMost());
+        Map<List<String>, Double> least = new ConcurrentHashMap<>();
+        pairs().parallelStream()
+                .forEach(pair -> least.put(pair, Refinement.leastOfWindows(swapped(worst, pair))));
+        double asTold = Refinement.leastOfWindows(worst);
+        return pairs().stream()
+                .filter(pair -> least.get(pair) < asTold)
+                .sorted(Comparator.comparingDouble(least::get))
+                .limit(FEW)
+                .filter(pair -> course.goesOn() && followed(worst, pair).isWhite())
+                .map(pair -> new Swap(pair.getFirst(), pair.getLast(), followed(base, pair)))
+                .filter(swap -> swap.with().isWhite())
+                .findFirst();
+    }
+
+    private int missedMost() {
+        List<double[]> misses = none.outcome().misses();
+        return IntStream.range(0, misses.size())
+                .boxed()
+                .max(Comparator.comparingDouble(run -> Outcome.squares(misses.get(run))))
+                .orElseThrow();
+    }
+
+    /** As near as the model as it is comes with two commands swapped, followed anew. */
+    private Judged followed(Fit start, List<String> pair) {
+        Fit swapped = swapped(start, pair);
+        Fit anew =
+                Following.of(
+                        swapped.stepping(), swapped.hypothesis(), swapped.data(), noise, course);
+        Judged near = Refinement.approach(anew, 1);
+        return near.isWhite() ? near : Descent.of(near).steps(STEPS);
+    }
+
     /** The two that come nearest, if they come far nearer than none, and nowhere less near. */
     Optional<Swap> nearest() {
         return pairs().parallelStream()
                 .filter(_ -> course.goesOn())
-                .map(pair -> swapped(pair.getFirst(), pair.getLast()))
+                .map(this::swapped)
                 .sorted(NEAREST_FIRST)
                 .limit(FEW)
                 .toList()
                 .parallelStream()
-                .map(Swap::further)
+                .map(this::further)
                 .min(NEAREST_FIRST)
                 .filter(swap -> swap.isFarNearerThan(none));
+    }
+
+    /** From new starts of the runs, too: those of other commands may lead astray. */
+    private Swap further(Swap swap) {
+        Judged near = Descent.of(swap.with().fit()).steps(STEPS);
+        if (near.isWhite() || !course.goesOn()) {
+            return new Swap(swap.one(), swap.other(), near);
+        }
+        Fit anew = Following.anew(near.fit(), noise, course);
+        Judged begun = Descent.of(anew).steps(STEPS);
+        return new Swap(swap.one(), swap.other(), begun.cost() < near.cost() ? begun : near);
     }
 
     /** Those of which each can do what the other was told. */
@@ -155,17 +218,23 @@ final class SwappedCommands {
                 .orElse(0);
     }
 
-    private Swap swapped(String one, String other) {
-        Fit fit = none.fit();
+    private Swap swapped(List<String> pair) {
+        return new Swap(
+                pair.getFirst(),
+                pair.getLast(),
+                Descent.of(swapped(none.fit(), pair)).steps(FIRST_STEPS));
+    }
+
+    private Fit swapped(Fit fit, List<String> pair) {
         List<MeasuredRun> runs =
-                fit.data().stream().map(of -> of.run().swapping(one, other)).toList();
-        Fit swapped =
-                new Fit(
-                        fit.stepping(),
-                        Misses.of(runs, noise),
-                        fit.hypothesis(),
-                        fit.windows(),
-                        fit.knowledge());
-        return new Swap(one, other, Descent.of(swapped).steps(FIRST_STEPS));
+                fit.data().stream()
+                        .map(of -> of.run().swapping(pair.getFirst(), pair.getLast()))
+                        .toList();
+        return new Fit(
+                fit.stepping(),
+                Misses.of(runs, noise),
+                fit.hypothesis(),
+                fit.windows(),
+                fit.knowledge());
     }
 }

@@ -22,7 +22,7 @@ final class UnjudgedMoment {
         return isUnjudged
                 ? Optional.of(
                         "what was found acts at a time at which there is no held-out run, by the"
-                            + " clock of the runs: none of them can bear it out or deny it")
+                                + " clock of the runs: none of them can bear it out or deny it")
                 : Optional.empty();
     }
 

@@ -2,6 +2,7 @@ package org.auvsim.diagnosis.subject;
 
 import org.auvsim.diagnosis.fit.Course;
 import org.auvsim.diagnosis.fit.Descent;
+import org.auvsim.diagnosis.fit.Fit;
 import org.auvsim.diagnosis.fit.Following;
 import org.auvsim.diagnosis.fit.Hypothesis;
 import org.auvsim.diagnosis.fit.Judged;
@@ -20,16 +21,14 @@ public final class AsBelieved {
 
     private AsBelieved() {}
 
+    /** What follows the runs by it. */
+    public static Fit followed(BelievedModel model, List<MeasuredRun> runs, Noise noise) {
+        return Following.of(Stepping.exact(model), Hypothesis.NONE, Misses.of(runs, noise), noise);
+    }
+
     /** The fit, brought to where it misses least. */
     public static Judged fitted(BelievedModel model, List<MeasuredRun> runs, Noise noise) {
-        return Descent.of(
-                        Refinement.approach(
-                                Following.of(
-                                        Stepping.exact(model),
-                                        Hypothesis.NONE,
-                                        Misses.of(runs, noise),
-                                        noise),
-                                1))
+        return Descent.of(Refinement.approach(followed(model, runs, noise), 1))
                 .steps(STEPS, Double.POSITIVE_INFINITY, Course.UNHEARD);
     }
 }

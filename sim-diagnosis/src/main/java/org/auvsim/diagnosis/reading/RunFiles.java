@@ -88,6 +88,7 @@ public record RunFiles(
             }
         }
         ToldAlike.require(read);
+        OddUnits.require(read);
         Doubt doubt = read.stream().map(RunFile::doubt).reduce(Doubt.NONE, Doubt::and);
         Map<String, String> settled = new LinkedHashMap<>();
         read.forEach(file -> settled.putAll(file.settled()));

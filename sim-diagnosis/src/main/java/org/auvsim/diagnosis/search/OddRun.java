@@ -3,10 +3,14 @@ package org.auvsim.diagnosis.search;
 import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.residual.Misses;
 import org.auvsim.diagnosis.residual.Whiteness;
+import org.auvsim.diagnosis.run.Command;
+import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /**
  * Whether the model as it is believed misses one run alone, and predicts at least two others to
@@ -19,19 +23,60 @@ public final class OddRun {
 
     /** What is to be said of it; empty where no run is missed, or more than one, or few others. */
     public static Optional<String> notice(Judged... believed) {
-        List<String> missed = new ArrayList<>();
-        List<String> others = new ArrayList<>();
+        List<MeasuredRun> missed = new ArrayList<>();
+        List<MeasuredRun> others = new ArrayList<>();
         for (Judged of : believed) {
             List<Misses> data = of.fit().data();
             for (int r = 0; r < data.size(); r++) {
-                (isMissed(of, r) ? missed : others).add(data.get(r).run().name());
+                (isMissed(of, r) ? missed : others).add(data.get(r).run());
             }
         }
         return missed.size() != 1 || others.size() < FEWEST_OTHERS
                 ? Optional.empty()
-                : Optional.of(
-                        "the model as it is predicts %s to the noise, and misses %s alone: was that another vehicle, or differently loaded, or did something happen to it? If so, leave it out, or diagnose it by itself"
-                                .formatted(String.join(", ", others), missed.getFirst()));
+                : Optional.of(notice(missed.getFirst(), others));
+    }
+
+    private static String notice(MeasuredRun missed, List<MeasuredRun> others) {
+        String names = others.stream().map(MeasuredRun::name).collect(Collectors.joining(", "));
+        return "the model as it is predicts %s to the noise, and misses %s alone: %s"
+                .formatted(
+                        names,
+                        missed.name(),
+                        copied(missed, others)
+                                .map(
+                                        "its commands are, row by row, those of %s alone; are they its own?"
+                                                ::formatted)
+                                .orElse(
+                                        "was that another vehicle, or differently loaded, or did something happen to it? If so, leave it out, or diagnose it by itself"));
+    }
+
+    /** The only one of several others that was told the same. */
+    private static Optional<String> copied(MeasuredRun run, List<MeasuredRun> others) {
+        List<MeasuredRun> toldAlike =
+                others.stream().filter(other -> areToldAlike(run, other)).toList();
+        return Optional.of(toldAlike)
+                .filter(alike -> alike.size() == 1)
+                .map(alike -> alike.getFirst().name());
+    }
+
+    private static boolean areToldAlike(MeasuredRun one, MeasuredRun other) {
+        int rows = Math.min(one.size(), other.size());
+        List<Command> commands = one.commands();
+        return commands.stream().anyMatch(command -> changes(command, rows))
+                && commands.stream().allMatch(command -> isToldIn(other, command, rows));
+    }
+
+    private static boolean changes(Command command, int rows) {
+        return IntStream.range(1, rows).anyMatch(command::changesAt);
+    }
+
+    private static boolean isToldIn(MeasuredRun run, Command command, int rows) {
+        return run.commands().stream()
+                .filter(own -> own.name().equals(command.name()))
+                .anyMatch(
+                        own ->
+                                IntStream.range(0, rows)
+                                        .allMatch(k -> own.level(k) == command.level(k)));
     }
 
     private static boolean isMissed(Judged believed, int run) {

@@ -7,6 +7,7 @@ import org.auvsim.diagnosis.fit.Judged;
 import org.auvsim.diagnosis.residual.Noise;
 import org.auvsim.diagnosis.result.Diagnosis;
 import org.auvsim.diagnosis.result.Verdict;
+import org.auvsim.diagnosis.run.Channel;
 import org.auvsim.diagnosis.run.MeasuredRun;
 import org.auvsim.diagnosis.subject.AsBelieved;
 import org.auvsim.diagnosis.subject.Believed;
@@ -50,6 +51,25 @@ class OddRunTest {
     void soIsAHeldOutOne() throws Exception {
         assertThat(OddRun.notice(believed(FIRST, THIRD), believed(OTHER)))
                 .hasValueSatisfying(said -> assertThat(said).contains("misses other alone"));
+    }
+
+    /** A file that was given those of another. */
+    @Test
+    void commandsOfAnotherRunAreTold() throws Exception {
+        MeasuredRun other = sound(9);
+        MeasuredRun mixed =
+                Surveyor.told(
+                        new Surveyor(0, Vec3.ZERO, 1, 0).run("mixed", new Random(3)),
+                        k -> other.vector(Channel.POSITION, k).orElseThrow(),
+                        k -> other.orientation(k).orElseThrow());
+
+        assertThat(OddRun.notice(believed(FIRST, mixed, THIRD), believed(LAST)))
+                .hasValueSatisfying(
+                        said ->
+                                assertThat(said)
+                                        .endsWith(
+                                                "misses mixed alone: its commands are, row by row,"
+                                                    + " those of run3 alone; are they its own?"));
     }
 
     @Test

@@ -76,7 +76,7 @@ final class OddUnits {
                     file,
                     Channel.POSITION,
                     "1000 times those of the other files, noise and all: are they in mm, or the"
-                        + " others in km? If so, name the columns for their unit (x_mm)");
+                            + " others in km? If so, name the columns for their unit (x_mm)");
         }
     }
 

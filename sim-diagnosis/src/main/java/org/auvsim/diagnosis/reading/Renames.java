@@ -70,14 +70,17 @@ final class Renames {
     }
 
     private String lacking(MappedColumn column) {
+        String usual = column.means().orElse("");
         return "it is to be renamed to '%s', but %s; %s"
                 .formatted(
-                        column.means().orElse(""),
+                        usual,
                         files.size() == 1
                                 ? "the header has none of this name"
                                 : "none of the %d files has one of this name"
                                         .formatted(files.size()),
-                        thatAre(column.name(), there));
+                        there.contains(usual)
+                                ? "a column has that name already: leave this renaming out"
+                                : thatAre(column.name(), there));
     }
 
     /** Columns that there are in place of one that there is not. */

@@ -187,6 +187,16 @@ class BadColumnsTest extends RefusedRuns {
                         + " name; did you mean 'height'?");
     }
 
+    /** It would be told that the column it stands for may be meant. */
+    @Test
+    void aRenamingOfNothingIsLeftOutWhereItsNameIsThere() {
+        refused(
+                ColumnMapping.USUAL.with(List.of(MappedColumn.renamed("yy", "y"))),
+                moving("y", "0"),
+                ":1: column 'yy': it is to be renamed to 'y', but the header has none of this name;"
+                        + " a column has that name already: leave this renaming out");
+    }
+
     @Test
     void aNameStandsOnceInAHeader() {
         refused(

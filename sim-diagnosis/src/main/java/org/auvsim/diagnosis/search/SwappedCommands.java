@@ -19,9 +19,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
@@ -107,19 +105,23 @@ final class SwappedCommands {
             return Optional.empty();
         }
         Fit worst = base.ofRun(missedMost());
-        Map<List<String>, Double> least = new ConcurrentHashMap<>();
-        pairs().parallelStream()
-                .forEach(pair -> least.put(pair, Refinement.leastOfWindows(swapped(worst, pair))));
         double asTold = Refinement.leastOfWindows(worst);
-        return pairs().stream()
-                .filter(pair -> least.get(pair) < asTold)
-                .sorted(Comparator.comparingDouble(least::get))
+        return pairs().parallelStream()
+                .map(pair -> new Glance(pair, Refinement.leastOfWindows(swapped(worst, pair))))
+                .toList()
+                .stream()
+                .filter(glance -> glance.least() < asTold)
+                .sorted(Comparator.comparingDouble(Glance::least))
+                .map(Glance::pair)
                 .limit(FEW)
                 .filter(pair -> course.goesOn() && followed(worst, pair).isWhite())
                 .map(pair -> new Swap(pair.getFirst(), pair.getLast(), followed(base, pair)))
                 .filter(swap -> swap.with().isWhite())
                 .findFirst();
     }
+
+    /** What two commands that are swapped miss at least in windows by themselves. */
+    private record Glance(List<String> pair, double least) {}
 
     private int missedMost() {
         List<double[]> misses = none.outcome().misses();

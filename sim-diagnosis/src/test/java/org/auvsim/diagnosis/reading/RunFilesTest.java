@@ -222,7 +222,8 @@ class RunFilesTest {
                 .hasMessage(
                         one
                                 + ":1: column 'psi': it is to be renamed to 'yaw', but none of the"
-                                + " 2 files has one of this name; there are t, x, yaw");
+                                + " 2 files has one of this name; a column has that name"
+                                + " already: leave this renaming out");
     }
 
     @Test

@@ -80,7 +80,7 @@ final class OddUnits {
         }
     }
 
-    /** Noise alone does not tell, as angles have another one where a sensor is worse. */
+    /** A worse sensor has more noise, too: only angles that are in doubt by themselves count. */
     private void requireAngles(RunFile file) throws DocumentException {
         List<Double> noises = ratios(file, Channel.ORIENTATION, OddUnits::noise);
         boolean isAloneDoubted =

@@ -19,6 +19,10 @@ import java.util.stream.IntStream;
 public final class OddRun {
     private static final int FEWEST_OTHERS = 2;
 
+    private static final String ANOTHER =
+            "was that another vehicle, or differently loaded, or did something happen to it? If so,"
+                    + " leave it out, or diagnose it by itself";
+
     private OddRun() {}
 
     /** What is to be said of it; empty where no run is missed, or more than one, or few others. */
@@ -38,16 +42,13 @@ public final class OddRun {
 
     private static String notice(MeasuredRun missed, List<MeasuredRun> others) {
         String names = others.stream().map(MeasuredRun::name).collect(Collectors.joining(", "));
+        String why = copied(missed, others).map(OddRun::isCopied).orElse(ANOTHER);
         return "the model as it is predicts %s to the noise, and misses %s alone: %s"
-                .formatted(
-                        names,
-                        missed.name(),
-                        copied(missed, others)
-                                .map(
-                                        "its commands are, row by row, those of %s alone; are they its own?"
-                                                ::formatted)
-                                .orElse(
-                                        "was that another vehicle, or differently loaded, or did something happen to it? If so, leave it out, or diagnose it by itself"));
+                .formatted(names, missed.name(), why);
+    }
+
+    private static String isCopied(String from) {
+        return "its commands are, row by row, those of %s alone; are they its own?".formatted(from);
     }
 
     /** The only one of several others that was told the same. */

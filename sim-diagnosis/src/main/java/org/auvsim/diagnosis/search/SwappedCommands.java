@@ -46,11 +46,11 @@ final class SwappedCommands {
     /** Squares of what is missed (standard deviations) a number that noise alone does not reach. */
     private static final double MUCH = 2;
 
-    private static final Comparator<Swap> NEAREST_FIRST =
-            Comparator.comparingDouble(swap -> swap.with().cost());
-
     /** What misses far more than noise: squares of standard deviations a number. */
     private static final double FAR = 30;
+
+    private static final Comparator<Swap> NEAREST_FIRST =
+            Comparator.comparingDouble(swap -> swap.with().cost());
 
     private final Fit base;
     private final Judged none;
@@ -72,6 +72,10 @@ final class SwappedCommands {
 
     /** Two commands, and how well the model does with each told what the other was. */
     record Swap(String one, String other, Judged with) {
+        private Swap further() {
+            return new Swap(one, other, Descent.of(with.fit()).steps(STEPS));
+        }
+
         /**
          * Whether it comes far nearer to the runs, and nearer in each channel that it misses: where
          * angles grow the other way, a vehicle with swapped thrusters turns as they are told, and
@@ -150,20 +154,9 @@ final class SwappedCommands {
                 .limit(FEW)
                 .toList()
                 .parallelStream()
-                .map(this::further)
+                .map(Swap::further)
                 .min(NEAREST_FIRST)
                 .filter(swap -> swap.isFarNearerThan(none));
-    }
-
-    /** From new starts of the runs, too: those of other commands may lead astray. */
-    private Swap further(Swap swap) {
-        Judged near = Descent.of(swap.with().fit()).steps(STEPS);
-        if (near.isWhite() || !course.goesOn()) {
-            return new Swap(swap.one(), swap.other(), near);
-        }
-        Fit anew = Following.anew(near.fit(), noise, course);
-        Judged begun = Descent.of(anew).steps(STEPS);
-        return new Swap(swap.one(), swap.other(), begun.cost() < near.cost() ? begun : near);
     }
 
     /** Those of which each can do what the other was told. */

@@ -10,6 +10,10 @@ import org.auvsim.server.feedback.RigidMotion;
 /**
  * What measuring does to a motion: what sensors tell when the body moves so. What is told is late
  * first, then of another place, and along other axes at last.
+ *
+ * @param lateness how old it is
+ * @param positioning which place of the body it is of, and how far off
+ * @param alignment how its axes and headings are off
  */
 public record Sensing(Lateness lateness, Positioning positioning, Alignment alignment) {
     /** What is told is what is. */

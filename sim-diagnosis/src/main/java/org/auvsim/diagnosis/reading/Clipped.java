@@ -40,8 +40,7 @@ final class Clipped {
 
     private void find(Channel channel, int axis) {
         int[] samples = run.samples(channel, axis);
-        double[] values =
-                Arrays.stream(samples).mapToDouble(k -> run.value(channel, k, axis)).toArray();
+        double[] values = ToldNumbers.of(run, channel, axis);
         if (values.length < UsualChange.FEWEST) {
             return;
         }

@@ -2,7 +2,6 @@ package org.auvsim.diagnosis.reading;
 
 import org.apache.commons.math3.stat.StatUtils;
 import org.auvsim.diagnosis.run.Channel;
-import org.auvsim.diagnosis.run.EulerAngles;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
@@ -64,8 +63,7 @@ final class Held {
 
     private void find(Channel channel, int axis) {
         int[] samples = run.samples(channel, axis);
-        double[] values =
-                Arrays.stream(samples).mapToDouble(k -> value(channel, k, axis)).toArray();
+        double[] values = ToldNumbers.of(run, channel, axis);
         int[] firsts =
                 IntStream.range(0, values.length)
                         .filter(i -> i == 0 || Math.abs(values[i] - values[i - 1]) > ROUNDING)
@@ -82,12 +80,6 @@ final class Held {
             columns.computeIfAbsent(rows, _ -> new ArrayList<>())
                     .add(source.column(run, channel, axis));
         }
-    }
-
-    private double value(Channel channel, int sample, int axis) {
-        return channel == Channel.ORIENTATION
-                ? EulerAngles.of(run.orientation(sample).orElseThrow()).component(axis)
-                : run.value(channel, sample, axis);
     }
 
     /** For how many rows a number stays, as nearly all do; 1 if they do not. */

@@ -3,7 +3,6 @@ package org.auvsim.diagnosis.reading;
 import org.apache.commons.math3.stat.StatUtils;
 import org.auvsim.auvsml.document.DocumentException;
 import org.auvsim.diagnosis.run.Channel;
-import org.auvsim.diagnosis.run.EulerAngles;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.ArrayList;
@@ -143,7 +142,7 @@ final class OddUnits {
 
     /** Third differences are mostly noise. */
     private static OptionalDouble noise(MeasuredRun run, Channel channel, int axis) {
-        double[] v = values(run, channel, axis);
+        double[] v = ToldNumbers.of(run, channel, axis);
         return v.length < FEWEST
                 ? OptionalDouble.empty()
                 : middle(
@@ -154,7 +153,7 @@ final class OddUnits {
 
     /** By how much numbers change in a tenth of a run. */
     private static OptionalDouble change(MeasuredRun run, Channel channel, int axis) {
-        double[] v = values(run, channel, axis);
+        double[] v = ToldNumbers.of(run, channel, axis);
         int tenth = v.length / 10;
         return v.length < FEWEST
                 ? OptionalDouble.empty()
@@ -167,16 +166,5 @@ final class OddUnits {
     private static OptionalDouble middle(double[] differences) {
         return OptionalDouble.of(
                 StatUtils.percentile(Arrays.stream(differences).map(Math::abs).toArray(), 50));
-    }
-
-    private static double[] values(MeasuredRun run, Channel channel, int axis) {
-        return Arrays.stream(run.samples(channel, axis))
-                .mapToDouble(
-                        k ->
-                                channel == Channel.ORIENTATION
-                                        ? EulerAngles.of(run.orientation(k).orElseThrow())
-                                                .component(axis)
-                                        : run.value(channel, k, axis))
-                .toArray();
     }
 }

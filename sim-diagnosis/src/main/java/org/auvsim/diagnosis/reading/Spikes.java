@@ -51,8 +51,7 @@ final class Spikes {
         if (samples.length < FEWEST) {
             return;
         }
-        double[] values =
-                Arrays.stream(samples).mapToDouble(k -> run.value(channel, k, axis)).toArray();
+        double[] values = ToldNumbers.of(run, channel, axis);
         double[] sorted = values.clone();
         Arrays.sort(sorted);
         double low = sorted[sorted.length / 4];

@@ -2,7 +2,6 @@ package org.auvsim.diagnosis.reading;
 
 import org.apache.commons.math3.stat.StatUtils;
 import org.auvsim.diagnosis.run.Channel;
-import org.auvsim.diagnosis.run.EulerAngles;
 import org.auvsim.diagnosis.run.MeasuredRun;
 
 import java.util.Arrays;
@@ -51,7 +50,7 @@ final class Stuck {
 
     private void find(Channel channel, int axis) {
         int[] samples = run.samples(channel, axis);
-        double[] values = values(channel, axis, samples);
+        double[] values = values(channel, axis);
         boolean[] stays = new boolean[values.length];
         for (int from = 0; from < values.length; from = end(values, from)) {
             if (isLong(from, end(values, from))) {
@@ -83,7 +82,7 @@ final class Stuck {
 
     private boolean moves(Channel channel, int axis, int first, int last) {
         int[] samples = run.samples(channel, axis);
-        double[] values = values(channel, axis, samples);
+        double[] values = values(channel, axis);
         double[] changes =
                 IntStream.range(1, values.length)
                         .mapToDouble(i -> Math.abs(values[i] - values[i - 1]))
@@ -98,21 +97,14 @@ final class Stuck {
                         > FAR * StatUtils.percentile(changes, 50);
     }
 
-    /** Those at some samples; angles go on beyond half a turn. */
-    private double[] values(Channel channel, int axis, int[] samples) {
-        double[] values = new double[samples.length];
-        for (int i = 0; i < values.length; i++) {
-            values[i] =
-                    channel == Channel.ORIENTATION
-                            ? angle(samples[i], axis, i == 0 ? 0 : values[i - 1])
-                            : run.value(channel, samples[i], axis);
+    /** Those of a column; angles go on beyond half a turn. */
+    private double[] values(Channel channel, int axis) {
+        double[] values = ToldNumbers.of(run, channel, axis);
+        for (int i = 1; channel == Channel.ORIENTATION && i < values.length; i++) {
+            double by = values[i] - values[i - 1];
+            values[i] = values[i - 1] + Math.IEEEremainder(by, 2 * Math.PI);
         }
         return values;
-    }
-
-    private double angle(int sample, int axis, double before) {
-        double angle = EulerAngles.of(run.orientation(sample).orElseThrow()).component(axis);
-        return before + Math.IEEEremainder(angle - before, 2 * Math.PI);
     }
 
     /** Where numbers from one on are no longer the same. */

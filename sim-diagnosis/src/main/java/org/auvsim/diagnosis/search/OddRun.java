@@ -55,9 +55,7 @@ public final class OddRun {
     private static Optional<String> copied(MeasuredRun run, List<MeasuredRun> others) {
         List<MeasuredRun> toldAlike =
                 others.stream().filter(other -> areToldAlike(run, other)).toList();
-        return Optional.of(toldAlike)
-                .filter(alike -> alike.size() == 1)
-                .map(alike -> alike.getFirst().name());
+        return toldAlike.size() == 1 ? Optional.of(toldAlike.getFirst().name()) : Optional.empty();
     }
 
     private static boolean areToldAlike(MeasuredRun one, MeasuredRun other) {
